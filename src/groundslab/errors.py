@@ -1,0 +1,67 @@
+"""Every way in which groundslab says no."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+
+class GroundslabError(Exception):
+    """The base of all errors that groundslab raises on purpose."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """One thing that is wrong with an input: where it stands, what is there, what should be, how to mend it."""
+
+    where: str
+    got: str
+    expected: str
+    mend: str = ""
+
+    def __str__(self) -> str:
+        """Return the fault on one line."""
+        line = f"{self.where}: got {self.got}, expected {self.expected}"
+        return f"{line}; {self.mend}" if self.mend else line
+
+
+class InputError(GroundslabError):
+    """The description of a problem is wrong; ``faults`` names everything that is wrong with it."""
+
+    def __init__(self, faults: Sequence[Fault]) -> None:
+        self.faults = tuple(faults)
+        super().__init__(self.faults)
+
+    def __str__(self) -> str:
+        """Return all faults, one a line."""
+        return "\n".join(str(fault) for fault in self.faults)
+
+
+class NoEquilibrium(GroundslabError):
+    """The loads cannot be balanced by pressure from the ground and by the supports; says which loads and why."""
+
+
+class SingularMatrix(GroundslabError):
+    """A matrix that should be positive definite is not."""
+
+
+@dataclass(eq=False)
+class NotConverged(GroundslabError):
+    """An iteration ended without converging.
+
+    ``what`` names the iteration, ``history`` holds one entry per step taken, ``last`` the last iterate's arrays.
+    """
+
+    what: str
+    history: Sequence[Any]
+    last: Mapping[str, Any] = field(repr=False)
+
+    def __post_init__(self) -> None:
+        """Hand the fields to Exception, so that the error can be pickled."""
+        super().__init__(self.what, self.history, self.last)
+
+    def __str__(self) -> str:
+        """Return what did not converge and how the last steps went."""
+        tail = "\n".join(f"  {step}" for step in self.history[-5:])
+        return f"{self.what} did not converge in {len(self.history)} steps; the last of them:\n{tail}"

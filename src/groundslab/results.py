@@ -1,0 +1,148 @@
+"""What an analysis gives back: frozen arrays on nine-node meshes, the constants of the ground, the certificate."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from groundslab.model import Model
+
+    Array = NDArray[np.float64]
+    Integers = NDArray[np.int64]
+    Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """How a result is called and shown: its symbol, the unit of display, the factor from SI to it, its meaning."""
+
+    symbol: str
+    unit: str
+    scale: float
+    meaning: str
+
+
+#: One definition of every field, used by tables, pictures and files. Signs as in ``docs/assumptions.md``.
+PLATE_FIELDS: dict[str, Field] = {
+    "settlement": Field("w", "mm", 1e3, "settlement of the plate, downwards positive"),
+    "rotation_x": Field("beta_x", "mrad", 1e3, "rotation of the normal in the x-z plane, u = -z beta_x"),
+    "rotation_y": Field("beta_y", "mrad", 1e3, "rotation of the normal in the y-z plane, v = -z beta_y"),
+    "gap": Field("g", "mm", 1e3, "distance between plate and ground"),
+    "pressure": Field("p", "kPa", 1e-3, "contact pressure: nodal contact force over the node's area"),
+    "moment_x": Field("m_x", "kNm/m", 1e-3, "bending moment of strips along x, sagging positive"),
+    "moment_y": Field("m_y", "kNm/m", 1e-3, "bending moment of strips along y, sagging positive"),
+    "moment_xy": Field("m_xy", "kNm/m", 1e-3, "twisting moment"),
+    "shear_x": Field("q_x", "kN/m", 1e-3, "transverse shear force on sections x = const"),
+    "shear_y": Field("q_y", "kN/m", 1e-3, "transverse shear force on sections y = const"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class PlateResult:
+    """The plate: nine-node mesh and nodal fields in SI units (see PLATE_FIELDS).
+
+    Moments and shear forces are averaged over the elements that meet at a node.
+    """
+
+    nodes: Array  # (n, 2)
+    elements: Integers  # (m, 9): four corners, four midsides, centre
+    settlement: Array  # (n,)
+    rotation_x: Array
+    rotation_y: Array
+    gap: Array
+    pressure: Array
+    moment_x: Array
+    moment_y: Array
+    moment_xy: Array
+    shear_x: Array
+    shear_y: Array
+    in_contact: Flags  # (n,)
+    on_edge: Flags  # (n,): where the pressure also holds the edge line force of a ground with shear
+    area: Array  # (n,): each node's share of the plate's area
+
+
+@dataclass(frozen=True, slots=True)
+class GroundResult:
+    """The ground, under the plate and beyond it: settlement of every surface, from the top one downwards."""
+
+    nodes: Array  # (n, 2)
+    elements: Integers  # (m, 9)
+    settlement: Array  # (number of surfaces, n)
+
+
+@dataclass(frozen=True, slots=True)
+class Constants:
+    """The parameters of the ground that the analysis ended with (SI units, from the top layer downwards)."""
+
+    k0: tuple[float, ...]
+    k1: tuple[float, ...]
+    gamma: float | None
+    gamma_iterations: int
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step of the iteration, as shown in the convergence history."""
+
+    unknowns: int  # of the mesh that the step ran on
+    increment: int  # of the load, from 1
+    gamma: float | None
+    iteration: int  # of the contact, from 1
+    in_contact: int  # nodes
+    changed: int  # nodes that change sides after this step
+    finest: bool  # whether this is the mesh that was asked for
+
+
+@dataclass(frozen=True, slots=True)
+class Certificate:
+    """How well the result fulfils the equations; every figure is a ratio unless it says otherwise.
+
+    All of them are computed anew from the solution, with none of the matrices that were factorised.
+    """
+
+    residual: float  # largest force left over at a node / largest nodal force
+    load: float  # sum of the loads [N]
+    reaction: float  # sum of the contact forces and of the supports' reactions [N]
+    force_balance: float  # |load - reaction| / sum of the loads' sizes
+    moment_balance: float  # the same for the moments about both axes, over load size times plate size
+    ground_balance: float  # contact forces against what the ground carries down and out, over load size
+    worst_gap: float  # largest violation of g >= 0, over the largest settlement
+    worst_pressure: float  # largest violation of p >= 0, over the largest nodal contact force
+    worst_product: float  # largest |p g|, over largest contact force times largest settlement
+    gamma_change: float  # relative change of gamma in the last step
+    margin_effect: float | None  # relative change of the largest settlement when an infinite ground's margin is doubled
+
+    TOLERANCE = 1e-6
+
+    @property
+    def holds(self) -> bool:
+        """Whether every figure that must vanish is below TOLERANCE."""
+        return all(value <= self.TOLERANCE for value in self.must_vanish().values())
+
+    def must_vanish(self) -> dict[str, float]:
+        """Return the figures that are zero for an exact solution, by name."""
+        names = (
+            "residual", "force_balance", "moment_balance", "ground_balance",
+            "worst_gap", "worst_pressure", "worst_product", "gamma_change",
+        )  # fmt: skip
+        return {name: getattr(self, name) for name in names}
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """All that came out of one analysis, with the description that it came from."""
+
+    model: Model
+    plate: PlateResult
+    ground: GroundResult
+    constants: Constants
+    certificate: Certificate
+    steps: tuple[Step, ...]
+    solver: str
+    unknowns: int
+    symmetry: tuple[bool, bool]
