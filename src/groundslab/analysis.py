@@ -1,0 +1,149 @@
+"""The strategy of solution: meshes from coarse to fine, load increments, gamma outside, contact inside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from groundslab import contact, linear
+from groundslab.checks import certificate, decay_squared
+from groundslab.discretise import coarsest, discretise
+from groundslab.errors import NotConverged
+from groundslab.ground import Column
+from groundslab.linear import Solver, Symbolic
+from groundslab.mesh import Mesh, interpolate_linear
+from groundslab.model import Model
+from groundslab.problem import Problem, System, nodal, right_hand_side, stiffness, system
+from groundslab.recover import recover
+from groundslab.results import Results, Step
+from groundslab.shape import Flags
+from groundslab.solution import Solution
+from groundslab.statics import require_equilibrium
+from groundslab.vlasov import Soil
+
+#: gamma is iterated until one more step would change it by less than this share.
+GAMMA_TOLERANCE = 1e-6
+#: On the coarser meshes gamma need only be good enough to start the next mesh.
+GAMMA_TOLERANCE_COARSE = 1e-3
+GAMMA_LIMIT = 60
+GAMMA_START = 1.0
+
+OnStep = Callable[[Step], None]
+
+
+def solve(model: Model, on_step: OnStep | None = None) -> Results:
+    """Return the certified results of a model.
+
+    on_step is told every step of the iteration as it ends. Raises InputError for a description without a problem in it,
+    NoEquilibrium if the loads cannot be balanced, NotConverged with history and last iterate, SingularMatrix.
+    """
+    name, solver = linear.choose(model.analysis.solver)
+    steps: list[Step] = []
+
+    def report(step: Step) -> None:
+        steps.append(step)
+        if on_step is not None:
+            on_step(step)
+
+    solution = _nested(model, solver, report, finest=0, margin=1.0)
+    effect = _margin_effect(model, solver) if model.beyond.kind == "infinite" else None
+    return recover(model, solution, certificate(solution, effect), tuple(steps), name)
+
+
+def _nested(model: Model, solver: Solver, report: OnStep, finest: int, margin: float) -> Solution:
+    """Return the solution on the mesh coarsened `finest` times, reached from the coarsest mesh upwards."""
+    before: list[Solution] = []
+    for coarsening in range(max(coarsest(model), finest), finest - 1, -1):
+        problem = discretise(model, coarsening, margin)
+        require_equilibrium(problem)
+        before = _increments(model, system(problem), solver, before, report, coarsening == finest)
+    return before[-1]
+
+
+def _increments(
+    model: Model, s: System, solver: Solver, coarser: list[Solution], report: OnStep, finest: bool
+) -> list[Solution]:
+    """Return a solution for each load increment, each started from the same increment on the coarser mesh."""
+    symbolic = solver(s.pattern.indptr, s.pattern.indices)
+    done: list[Solution] = []
+    for number in range(1, model.analysis.increments + 1):
+        start = coarser[number - 1] if coarser else (done[-1] if done else None)
+
+        def told(step: Step, number: int = number) -> None:
+            report(replace(step, increment=number, finest=finest))
+
+        factor = number / model.analysis.increments
+        done.append(_equilibrium(model, s, symbolic, factor, start, told, finest))
+    return done
+
+
+def _equilibrium(
+    model: Model, s: System, symbolic: Symbolic, factor: float, start: Solution | None, report: OnStep, finest: bool
+) -> Solution:
+    """Return the solution for one load on one mesh: gamma by a secant iteration on its fixed point, contact inside."""
+    given = getattr(model.ground, "gamma", None)
+    ground = s.problem.ground
+    iterated = isinstance(ground, Soil) and given == "iterate"
+    gamma = None if isinstance(ground, Column) else float(given) if given != "iterate" else GAMMA_START  # type: ignore[arg-type]
+    slope = 0.0
+    if iterated and start is not None and start.gamma is not None:
+        gamma, slope = start.gamma, start.gamma_slope
+    closed = _zone(start, s.problem)
+    tolerance = GAMMA_TOLERANCE if finest else GAMMA_TOLERANCE_COARSE
+    history: list[tuple[float, float]] = []
+    while True:
+        column = ground if isinstance(ground, Column) else ground.column(gamma)  # type: ignore[arg-type]
+        data = stiffness(s, column)
+        f = right_hand_side(s, data, factor)
+
+        def told(iteration: int, in_contact: int, changed: int, gamma: float | None = gamma) -> None:
+            report(Step(s.pattern.size, 1, gamma, iteration, in_contact, changed, finest=True))
+
+        c = contact.solve(s.pattern, data, f, symbolic, s.problem.gaps, closed, model.analysis.max_iterations, told)
+        closed, U = c.closed, nodal(s.problem, c.u)
+        if not iterated:
+            return Solution(s, U, c, column, gamma, 0.0, 0.0, 0)
+        assert isinstance(ground, Soil)
+        assert gamma is not None
+        found = ground.gamma(decay_squared(s, U, column))
+        history.append((gamma, found))
+        if len(history) > 1 and history[-1][0] != history[-2][0]:
+            (g0, f0), (g1, f1) = history[-2:]
+            slope = (f1 - f0) / (g1 - g0)
+        change = abs(found - gamma) / found
+        if change <= tolerance:
+            return Solution(s, U, c, column, gamma, change, slope, len(history))
+        if len(history) >= GAMMA_LIMIT:
+            raise NotConverged("gamma", [{"gamma": a, "next": b} for a, b in history], {"U": U, "gamma": gamma})
+        # slopes near or above one would throw the secant far off; then one plain step is taken
+        step = (found - gamma) / (1 - slope) if slope < 0.8 else found - gamma
+        gamma = min(max(gamma + step, gamma / 4), 4 * gamma)
+
+
+def _zone(start: Solution | None, problem: Problem) -> Flags:
+    """Return which gaps to close at first: all, or those closed in a solution on the same or a coarser mesh."""
+    nodes = problem.plate_nodes
+    if not problem.tensionless:
+        return np.zeros(0, dtype=bool)
+    if start is None:
+        return np.ones(len(nodes), dtype=bool)
+    coarse: Mesh = start.system.problem.mesh
+    if coarse is problem.mesh:
+        return start.contact.closed
+    zone: Flags = interpolate_linear(coarse, start.closed, problem.mesh)[nodes] <= 0
+    return zone
+
+
+def _margin_effect(model: Model, solver: Solver) -> float:
+    """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively.
+
+    Judged on the next coarser mesh, where it costs little.
+    """
+    level = min(1, coarsest(model))
+    largest, unheard = [], list[Step]()
+    for margin in (1.0, 2.0):
+        solution = _nested(model, solver, unheard.append, level, margin)
+        largest.append(np.abs(solution.U[:, 0]).max())
+    return float(abs(largest[1] - largest[0]) / largest[1])

@@ -1,0 +1,178 @@
+"""The certificate of a result: equilibrium and complementarity, computed anew from the solution."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.assembly import scatter
+from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, tail
+from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, System, W, edge_lengths, fields_of, surface_settlement
+from groundslab.results import Certificate
+from groundslab.shape import Array, Integers
+from groundslab.solution import Solution
+
+_CHUNK = 4096
+
+
+def decay_squared(s: System, U: Array, column: Column) -> float:
+    """Return int |grad w0|^2 / int w0^2 [1/m2] over all ground, that beyond infinite edges included (paper (2.23))."""
+    problem, b = s.problem, s.blocks
+    w = surface_settlement(problem, U)
+    we = w[0][problem.mesh.elements]
+    squares = _by_kind(b.mass, b.ground_kind, we, we)
+    slopes = _by_kind(b.slope, b.ground_kind, we, we)
+    if len(problem.edges):
+        t = tail(column)
+        X, Y, Xc, Yc = t.square_integrals()
+        length = edge_lengths(problem)
+        c = np.einsum("ms,sek->ekm", t.share, w[:, problem.edges])
+        along = np.einsum("e,ekm,kl,eln->mn", length, c, EDGE_MASS, c)
+        across = np.einsum("e,ekm,kl,eln->mn", 1 / length, c, EDGE_SLOPE, c)
+        at_corner = t.share @ w[:, problem.corners]
+        corner = at_corner @ at_corner.T
+        squares += float((X * along).sum() + (Xc * corner).sum())
+        slopes += float((Y * along).sum() + (X * across).sum() + (Yc * corner).sum())
+    return slopes / squares
+
+
+def _by_kind(matrices: Array, kind: Integers, u: Array, v: Array) -> float:
+    """Return the sum over elements of u_e . M_kind(e) v_e."""
+    return float(np.einsum("ea,ea->", u, _apply(matrices, kind, v)))
+
+
+def _apply(matrices: Array, kind: Integers, v: Array) -> Array:
+    """Return M_kind(e) v_e for every element, (m, rows), some thousand elements at a time to spare memory."""
+    if len(matrices) == 1:
+        only: Array = v @ matrices[0].T
+        return only
+    out = np.empty((len(v), matrices.shape[1]))
+    for start in range(0, len(v), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        out[part] = np.einsum("eab,eb->ea", matrices[kind[part]], v[part], optimize=True)
+    return out
+
+
+def plate_forces(s: System, U: Array) -> Array:
+    """Return the forces (n, 3) that the plate's deformation puts on w, beta_x, beta_y of each node."""
+    problem, b = s.problem, s.blocks
+    elements = problem.mesh.elements[problem.plate_elements]
+    u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
+    f = _apply(b.plate, b.plate_kind, u)
+    n = len(problem.mesh.nodes)
+    return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
+
+
+def ground_forces(s: System, U: Array, column: Column) -> Array:
+    """Return the forces (n, 1 + S) that the ground's deformation puts on the plate's w and on each surface.
+
+    The first column differs from the second only where a plate's centre w hangs on its element's other nodes.
+    """
+    problem, b = s.problem, s.blocks
+    w = surface_settlement(problem, U)
+    elements, n = problem.mesh.elements, len(problem.mesh.nodes)
+    forces = np.zeros((n, 1 + column.surfaces))
+    mass = [_apply(b.mass, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
+    slope = [_apply(b.slope, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
+    for i in range(column.surfaces):
+        by_element = np.zeros_like(mass[0])
+        for j in range(column.surfaces):
+            by_element += column.A0[..., i, j, None] * mass[j] + column.A1[..., i, j, None] * slope[j]
+        forces[:, 1 + i] = scatter(elements, by_element, n)
+        if i == 0:
+            on_w = np.einsum("ea,eab->eb", by_element, b.T[b.ground_kind])
+            under = problem.plate_nodes
+            forces[under, 0] = scatter(elements, on_w, n)[under]
+    if len(problem.edges):
+        forces[:, 1:] += _tail_forces(problem, w, column)
+    return forces
+
+
+def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
+    """Return the forces (n, S) that infinite ground puts on the outer edges."""
+    t, length = tail(column), edge_lengths(problem)
+    we = w[:, problem.edges]
+    f = np.einsum("ij,e,kl,jel->iek", t.spring, length, EDGE_MASS, we)
+    f += np.einsum("ij,e,kl,jel->iek", t.slope, 1 / length, EDGE_SLOPE, we)
+    n = len(problem.mesh.nodes)
+    forces = np.column_stack([scatter(problem.edges, each, n) for each in f])
+    forces[problem.corners] += (t.corner @ w[:, problem.corners]).T
+    return forces
+
+
+def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
+    """Return the certificate of a solution under the full load."""
+    s, U, column, force = solution.system, solution.U, solution.column, solution.contact.force
+    problem = s.problem
+    nodes, under = problem.mesh.nodes, problem.plate_nodes
+    plate, ground = plate_forces(s, U), ground_forces(s, U, column)
+    load = problem.load
+
+    inner = np.zeros_like(U)
+    inner[:, :TOP] = plate
+    for surface in range(column.surfaces):
+        for field in fields_of(surface):
+            inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
+    left_over = inner - load
+    held = problem.unknown < 0
+    if problem.tensionless:
+        left_over[under, TOP] -= force
+    scale = max(np.abs(inner).max(), np.abs(load).max())
+    residual = float(np.abs(left_over[~held]).max() / scale)
+
+    # what the ground and the supports push up on the plate, moments about the origin
+    support = np.where(held[:, :TOP], left_over[:, :TOP], 0.0)
+    support[:, W] *= _own_w(problem)
+    pushed = ground[:, 0].sum()
+    up = np.column_stack([ground[:, 0], np.zeros((len(nodes), 2))])
+    reaction = _resultant(nodes, up - support)
+    wanted = _resultant(nodes, load[:, :TOP])
+    missing = np.abs(reaction - wanted)
+    size = np.abs(load[:, W]).sum()
+    length = np.ptp(nodes[under], axis=0).max()
+    moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
+
+    gap = U[under, TOP] if problem.tensionless else np.zeros(1)
+    forces = force if problem.tensionless else np.zeros(1)
+    settlement = np.abs(U[:, W]).max()
+    largest = max(np.abs(forces).max(), 1e-300)
+    share = 2.0 ** sum(problem.symmetry)
+    return Certificate(
+        residual=residual,
+        load=float(wanted[0] * share),
+        reaction=float(reaction[0] * share),
+        force_balance=float(missing[0] / size),
+        moment_balance=float(moments.max() / (size * length)),
+        ground_balance=float(abs(_carried(s, U, column, inner) - pushed) / size),
+        worst_gap=float(max(0.0, -gap.min()) / settlement),
+        worst_pressure=float(max(0.0, -forces.min()) / largest),
+        worst_product=float(np.abs(forces * gap).max() / (largest * settlement)),
+        gamma_change=solution.gamma_change,
+        margin_effect=margin_effect,
+    )
+
+
+def _own_w(problem: Problem) -> Array:
+    """Return 0.0 at centres whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
+    own = np.ones(len(problem.mesh.nodes))
+    if not problem.element.centre_w:
+        own[problem.mesh.elements[problem.plate_elements, 8]] = 0.0
+    return own
+
+
+def _resultant(nodes: Array, forces: Array) -> Array:
+    """Return sum F, sum F x + M_x, sum F y + M_y of nodal forces (n, 3) on w, beta_x, beta_y."""
+    F = forces[:, W]
+    return np.array([F.sum(), F @ nodes[:, 0] + forces[:, BETA_X].sum(), F @ nodes[:, 1] + forces[:, BETA_Y].sum()])
+
+
+def _carried(s: System, U: Array, column: Column, inner: Array) -> float:
+    """Return the force that leaves the ground: into the rigid base, into fixed outer edges and into infinite ground."""
+    problem = s.problem
+    w = surface_settlement(problem, U)
+    volume = s.blocks.mass.sum(axis=1)[s.blocks.ground_kind]  # int N over each element
+    base = np.einsum("...ij,jea,ea->e", column.A0, w[:, problem.mesh.elements], volume).sum()
+    beyond = np.setdiff1d(np.arange(len(w[0])), problem.plate_nodes)
+    fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)
+    edge = -(inner[:, TOP:] * fixed)[beyond].sum()
+    lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
+    return float(base + edge + lost)

@@ -1,0 +1,224 @@
+"""The arrays that an analysis works on, and the matrices made of them.
+
+Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the gap g under the plate and the settlement of the
+ground's surface beyond it; then the settlements of the lower surfaces. Under the plate w_0 = w + g - g0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab import assembly, plate
+from groundslab.assembly import Pattern, add, congruent, gather, scatter
+from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
+from groundslab.mesh import Mesh, elimination_order
+from groundslab.shape import Array, Integers, gauss, jacobian, q9
+from groundslab.vlasov import Soil
+
+W, BETA_X, BETA_Y, TOP = range(4)
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One mesh with everything on it, in SI units. n nodes, m elements, F fields, S surfaces of the ground."""
+
+    mesh: Mesh
+    plate_elements: Integers  # (mp,)
+    element: plate.PlateElement
+    bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections
+    shear: Array  # (k,) [N/m]
+    section: Integers  # (mp,): which section each plate element has
+    ground: Soil | Column
+    unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
+    load: Array  # (n, F) [N, N m]
+    initial_gap: Array  # (n,) [m]
+    tensionless: bool
+    edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
+    corners: Integers  # (c,): nodes at which two such edges meet
+    symmetry: tuple[bool, bool]
+
+    @property
+    def plate_nodes(self) -> Integers:
+        """Return the nodes of the plate, ascending."""
+        nodes: Integers = np.unique(self.mesh.elements[self.plate_elements])
+        return nodes
+
+    @property
+    def gaps(self) -> Integers:
+        """Return the unknowns of the gaps, one for each plate node (none if the plate is glued to the ground)."""
+        if not self.tensionless:
+            return np.zeros(0, dtype=np.int64)
+        numbers: Integers = self.unknown[self.plate_nodes, TOP]
+        return numbers
+
+
+def nodal_area(mesh: Mesh, elements: Integers) -> Array:
+    """Return each node's share of the area of some elements, int N dA (n,) [m2]."""
+    points, weights = gauss(3)
+    N, dN = q9(points)
+    shares = (jacobian(dN, mesh.xy[elements])[2] * weights) @ N
+    return scatter(mesh.elements[elements], shares, len(mesh.nodes))
+
+
+@dataclass(frozen=True, slots=True)
+class Blocks:
+    """Element matrices of the different kinds of elements (shape, section), and the kind of each element.
+
+    Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
+    column; with a plate whose centre w hangs on its other nodes, T makes rows and columns of w from them.
+    """
+
+    plate: Array  # (u, 27, 27)
+    plate_kind: Integers  # (mp,)
+    mass: Array  # (v, 9, 9)
+    slope: Array  # (v, 9, 9)
+    T: Array  # (v, 9, 9)
+    ground_kind: Integers  # (m,)
+
+    def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
+        """Return mass and slope (v, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
+        mass, slope = self.mass, self.slope
+        if plate_rows:
+            mass, slope = np.swapaxes(self.T, 1, 2) @ mass, np.swapaxes(self.T, 1, 2) @ slope
+        if plate_columns:
+            mass, slope = mass @ self.T, slope @ self.T
+        return mass, slope
+
+
+def blocks(problem: Problem) -> Blocks:
+    """Return the element matrices of a problem, each computed once for all elements of its kind."""
+    xy = problem.mesh.xy
+    shapes, shape = congruent(xy)
+    sections = len(problem.bending)
+    plate_shape = shape[problem.plate_elements]
+    pairs, plate_kind = np.unique(plate_shape * sections + problem.section, return_inverse=True)
+    section = pairs % sections
+    plate_xy = xy[shapes[pairs // sections]]
+    K = plate.stiffness(problem.element, plate_xy, problem.bending[section], problem.shear[section])
+
+    under = np.zeros(len(xy), dtype=np.int64)
+    under[problem.plate_elements] = 1
+    kinds, ground_kind = np.unique(2 * shape + under, return_inverse=True)
+    ground_xy = xy[shapes[kinds // 2]]
+    mass, slope = mass_and_slope(ground_xy)
+    T = np.where((kinds % 2 == 1)[:, None, None], problem.element.w_functions(ground_xy), np.eye(9))
+    return Blocks(K, plate_kind, mass, slope, T, ground_kind)
+
+
+@dataclass(frozen=True, slots=True)
+class System:
+    """A problem with its pattern, its element matrices and the plate's part of the stiffness."""
+
+    problem: Problem
+    pattern: Pattern
+    blocks: Blocks
+    plate_data: Array  # (entries,)
+
+
+def system(problem: Problem) -> System:
+    """Return the system of a problem; everything in it holds for every column of ground."""
+    p = assembly.pattern(problem.mesh.elements, elimination_order(problem.mesh), problem.unknown)
+    b = blocks(problem)
+    data = np.zeros(len(p.indices))
+    for i in (W, BETA_X, BETA_Y):
+        for j in (W, BETA_X, BETA_Y):
+            K = b.plate[:, 9 * i : 9 * i + 9, 9 * j : 9 * j + 9]
+            add(p, data, i, j, gather(p, K, b.plate_kind, problem.plate_elements))
+    return System(problem, p, b, data)
+
+
+def fields_of(surface: int) -> tuple[int, ...]:
+    """Return the fields whose sum is the settlement of a surface of the ground."""
+    return (W, TOP) if surface == 0 else (TOP + surface,)
+
+
+def stiffness(s: System, column: Column) -> Array:
+    """Return the entries (entries,) of plate and ground together; the ground's column may differ between elements."""
+    p, data = s.pattern, s.plate_data.copy()
+    of_plate_w = {field: field == W and not s.problem.element.centre_w for field in range(p.unknown.shape[1])}
+    sums: dict[tuple[bool, bool], tuple[Array, Array]] = {}
+    for a in range(column.surfaces):
+        for b in range(column.surfaces):
+            A0, A1 = column.A0[..., a, b], column.A1[..., a, b]
+            if not (A0.any() or A1.any()):
+                continue
+            for i in fields_of(a):
+                for j in fields_of(b):
+                    sides = of_plate_w[i], of_plate_w[j]
+                    mass, slope = s.blocks.ground(*sides)
+                    if A0.ndim == 0:
+                        if sides not in sums:
+                            sums[sides] = tuple(gather(p, M, s.blocks.ground_kind) for M in (mass, slope))  # type: ignore[assignment]
+                        values = A0 * sums[sides][0] + A1 * sums[sides][1]
+                    else:
+                        kind = s.blocks.ground_kind
+                        each = A0[:, None, None] * mass[kind] + A1[:, None, None] * slope[kind]
+                        values = gather(p, each, np.arange(len(kind)))
+                    add(p, data, i, j, values)
+    if len(s.problem.edges):
+        _add_tail(s, data, tail(column))
+    return data
+
+
+def _add_tail(s: System, data: Array, t: Tail) -> None:
+    """Add the infinite ground's springs on the outer edges and corners (docs/theory.md, infinite ground)."""
+    problem, p = s.problem, s.pattern
+    length = edge_lengths(problem)
+    a, b = np.triu_indices(3)
+    pair = p.pairs(problem.edges[:, a], problem.edges[:, b])
+    mass = scatter(pair, length[:, None] * EDGE_MASS[a, b], len(p.keys))
+    slope = scatter(pair, EDGE_SLOPE[a, b] / length[:, None], len(p.keys))
+    at_corner = p.pairs(problem.corners, problem.corners)
+    point = scatter(at_corner, np.ones(len(at_corner)), len(p.keys))
+    for i in range(len(t.decay)):
+        for j in range(len(t.decay)):
+            values = t.spring[i, j] * mass + t.slope[i, j] * slope + t.corner[i, j] * point
+            add(p, data, TOP + i, TOP + j, values)
+
+
+def edge_lengths(problem: Problem) -> Array:
+    """Return the lengths (e,) [m] of the outer sides on which infinite ground follows."""
+    ends = problem.mesh.nodes[problem.edges[:, :2]]
+    length: Array = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    return length
+
+
+def right_hand_side(s: System, data: Array, factor: float) -> Array:
+    """Return f (size,): the loads times a factor, and what the initial gap takes off the ground."""
+    p, problem = s.pattern, s.problem
+    f = np.zeros(p.size)
+    has = p.unknown >= 0
+    f[p.unknown[has]] = factor * problem.load[has]
+    if problem.initial_gap.any():
+        gap = np.zeros(p.size)
+        gap[p.unknown[problem.plate_nodes, TOP]] = problem.initial_gap[problem.plate_nodes]
+        f += assembly.multiply(p, data, gap)
+    return f
+
+
+def nodal(problem: Problem, u: Array) -> Array:
+    """Return unknowns (size,) as a table (n, F), with zeros where there is no unknown."""
+    table = np.zeros(problem.unknown.shape)
+    has = problem.unknown >= 0
+    table[has] = u[problem.unknown[has]]
+    return table
+
+
+def surface_settlement(problem: Problem, U: Array) -> Array:
+    """Return the settlement of every surface of the ground at every node, (S, n) [m], from the table U (n, F)."""
+    top = U[:, TOP].copy()
+    under = problem.plate_nodes
+    top[under] += plate_settlement(problem, U)[under] - problem.initial_gap[under]
+    return np.vstack([top, U[:, TOP + 1 :].T])
+
+
+def plate_settlement(problem: Problem, U: Array) -> Array:
+    """Return the plate's settlement at every node (n,) [m], dependent centres included."""
+    w: Array = U[:, W].copy()
+    if not problem.element.centre_w:
+        elements = problem.mesh.elements[problem.plate_elements]
+        T = problem.element.w_functions(problem.mesh.nodes[elements])
+        w[elements[:, 8]] = np.einsum("ea,ea->e", T[:, 8], U[elements, W])
+    return w

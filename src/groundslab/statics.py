@@ -1,0 +1,105 @@
+"""Whether a plate that the ground can only push can be in equilibrium at all: decided before anything is solved."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+
+from groundslab.errors import NoEquilibrium
+from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W
+from groundslab.shape import Array
+
+#: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
+MARGIN = 1e-9
+
+
+def require_equilibrium(problem: Problem) -> None:
+    """Raise NoEquilibrium, saying why, unless contact pressure and supports can balance the load with room to spare.
+
+    The load's work on the rigid motions that the supports leave free must lie inside the cone of what single upward
+    forces under the plate do on them (docs/theory.md, equilibrium). A plate glued to the ground is always held.
+    """
+    if not problem.tensionless:
+        return
+    free = _free_motions(problem)
+    if free.shape[1] == 0:
+        return
+    corners = _extreme_points(problem)
+    size = np.ptp(corners, axis=0).max()
+    scale = np.array([1.0, 1 / size, 1 / size])
+    motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
+    generators = np.column_stack([np.ones(len(corners)), corners * scale[1:]]) @ motions
+    work = (_resultant(problem) * scale) @ motions
+    worst = min((float(n @ work) for n in _faces(generators)), default=np.inf)
+    if worst > MARGIN * np.abs(problem.load[:, W]).sum():
+        return
+    raise NoEquilibrium(_reason(problem, corners))
+
+
+def _free_motions(problem: Problem) -> Array:
+    """Return the rigid motions w = a + b x + c y that the supports allow, as columns (3, d)."""
+    nodes = problem.plate_nodes
+    held = problem.unknown[nodes] < 0
+    x, y = problem.mesh.nodes[nodes].T
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    own_w = np.ones(len(nodes), dtype=bool)
+    if not problem.element.centre_w:
+        own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
+    rows = [
+        np.column_stack([one, x, y])[held[:, W] & own_w],
+        np.column_stack([zero, one, zero])[held[:, BETA_X]],
+        np.column_stack([zero, zero, one])[held[:, BETA_Y]],
+    ]
+    constraints = np.vstack([*rows, np.zeros((1, 3))])
+    _, sizes, V = np.linalg.svd(constraints, full_matrices=True)
+    rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
+    return V[rank:].T
+
+
+def _extreme_points(problem: Problem) -> Array:
+    """Return the corners (c, 2) of the convex hull of the plate [m]; here the plate is a rectangle."""
+    nodes = problem.mesh.nodes[problem.plate_nodes]
+    (x0, y0), (x1, y1) = nodes.min(axis=0), nodes.max(axis=0)
+    return np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
+
+
+def _resultant(problem: Problem) -> Array:
+    """Return the load's force and its moments (sum F, sum F x, sum F y) [N, N m], moments at nodes included."""
+    x, y = problem.mesh.nodes.T
+    F = problem.load[:, : TOP + 1]
+    return np.array([F[:, W].sum(), (F[:, W] * x + F[:, BETA_X]).sum(), (F[:, W] * y + F[:, BETA_Y]).sum()])
+
+
+def _faces(generators: Array) -> list[Array]:
+    """Return the inward normals of the faces of the cone that the rows of generators (c, d), d <= 3, span."""
+    d = generators.shape[1]
+    normals = []
+    for subset in combinations(generators, d - 1):
+        _, sizes, V = np.linalg.svd(np.reshape(subset, (d - 1, d)), full_matrices=True)
+        if len(sizes) and sizes.min() < 1e-12:
+            continue
+        normals += [n for n in (V[-1], -V[-1]) if (generators @ n >= -1e-12).all()]
+    return normals
+
+
+def _reason(problem: Problem, corners: Array) -> str:
+    """Return a sentence that says where the load goes and where it would have to go."""
+    F, Fx, Fy = _resultant(problem)
+    share = 2.0 ** sum(problem.symmetry)
+    size = np.abs(problem.load[:, W]).sum()
+    if MARGIN * size >= F:
+        return (
+            f"the loads do not press the plate down: their sum is {F * share / 1e3:.6g} kN (downwards positive), and "
+            "ground that cannot pull holds nothing against it; add the missing load (self weight?), or glue the plate "
+            "to the ground with contact.tensionless = false"
+        )
+    place = [0.0 if mirrored else value / F for value, mirrored in zip((Fx, Fy), problem.symmetry, strict=True)]
+    (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
+    x0, y0 = (-x1 if problem.symmetry[0] else x0), (-y1 if problem.symmetry[1] else y0)
+    return (
+        f"the loads topple the plate: their resultant of {F * share / 1e3:.6g} kN acts at x = {place[0]:.6g} m, "
+        f"y = {place[1]:.6g} m, on or outside the edge of the plate (x {x0:.6g} .. {x1:.6g} m, "
+        f"y {y0:.6g} .. {y1:.6g} m), where pressure alone cannot balance it; move the load inwards, enlarge the plate "
+        "or support it"
+    )
