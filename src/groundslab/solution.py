@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.contact import Contact
 from groundslab.ground import Column
-from groundslab.problem import TOP, System
+from groundslab.problem import System
 from groundslab.shape import Array
 
 
@@ -27,10 +27,8 @@ class Solution:
 
     @property
     def closed(self) -> Array:
-        """Return a nodal field (n,) that is negative where the plate touches and positive where it gapes."""
+        """Return -1.0 at the nodes where the plate touches the ground, else 1.0, (n,)."""
         problem = self.system.problem
-        field = np.zeros(len(problem.mesh.nodes))
-        force, gap = self.contact.force, self.U[problem.plate_nodes, TOP]
-        per_force, per_gap = 1 / max(force.max(initial=0), 1e-300), 1 / max(gap.max(initial=0), 1e-300)
-        field[problem.plate_nodes] = np.where(self.contact.closed, -np.maximum(force * per_force, 1e-12), gap * per_gap)
+        field = np.ones(len(problem.mesh.nodes))
+        field[problem.plate_nodes[self.contact.closed]] = -1.0
         return field
