@@ -27,6 +27,8 @@ from groundslab.vlasov import Soil
 GAMMA_TOLERANCE = 1e-6
 #: On the coarser meshes gamma need only be good enough to start the next mesh.
 GAMMA_TOLERANCE_COARSE = 1e-3
+#: Below this gamma, k0 and k1 hardly depend on it any more; its change is then taken relative to this value.
+GAMMA_SMALL = 0.01
 GAMMA_LIMIT = 60
 GAMMA_START = 1.0
 #: A node starts closed where the coarser mesh's contact (-1 closed, 1 open, linear between) is below this: the value
@@ -115,7 +117,7 @@ def _equilibrium(
         if len(history) > 1 and history[-1][0] != history[-2][0]:
             (g0, f0), (g1, f1) = history[-2:]
             slope = (f1 - f0) / (g1 - g0)
-        change = abs(found - gamma) / found
+        change = abs(found - gamma) / max(found, GAMMA_SMALL)
         if change <= tolerance:
             return Solution(s, U, c, column, gamma, change, slope, len(history))
         if len(history) >= GAMMA_LIMIT:
