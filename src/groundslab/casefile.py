@@ -1,0 +1,215 @@
+"""The input file: TOML with units to a Model and back, and a file to start from."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from groundslab.errors import Fault, InputError
+from groundslab.findings import describe, quote
+from groundslab.keys import FROM_FILE
+from groundslab.model import Model
+from groundslab.schema import Part, key_of, nested
+
+LARGEST = 10_000_000  # bytes of a file
+_PLACE = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
+_BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
+
+
+def load(path: str | Path) -> Model:
+    """Return the Model that a file describes; raises InputError with all faults."""
+    try:
+        with Path(path).open("rb") as file:
+            content = file.read(LARGEST + 1)
+    except FileNotFoundError:
+        raise _unreadable(path, "no file of that name") from None
+    except IsADirectoryError:
+        raise _unreadable(path, "a directory") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise _unreadable(path, f"a file that cannot be read ({reason})") from None
+    if len(content) > LARGEST:
+        raise _unreadable(path, "a larger file", f"a TOML file of at most {LARGEST // 1_000_000} MB")
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        where = f"{path}, line {line}"
+        raise InputError([Fault(where, "bytes that are not UTF-8", "UTF-8 text", "save it as UTF-8")]) from None
+    return loads(text, str(path))
+
+
+def loads(text: str, name: str = "the text") -> Model:
+    """Return the Model that a text describes; ``name`` stands for the file in messages."""
+    if len(text) > LARGEST:
+        raise _unreadable(name, "a longer text", f"at most {LARGEST:,} characters")
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError([_syntax(text, name, str(error))]) from None
+    except RecursionError:
+        raise _unreadable(name, "lists or tables nested too deeply", "the tables of an input file") from None
+    except ValueError as error:  # such as a number of very many digits
+        raise _unreadable(name, f"a value that cannot be read ({error})", "TOML") from None
+    return Model.model_validate(data, context=FROM_FILE)
+
+
+def to_toml(model: Model) -> str:
+    """Return the Model as an input file that ``loads`` turns into an equal Model; defaults are left out."""
+    return "\n".join(_lines(model, "")).strip() + "\n"
+
+
+def _unreadable(path: str | Path, got: str, expected: str = "a TOML file") -> InputError:
+    return InputError([Fault(str(path), got, expected)])
+
+
+def _syntax(text: str, name: str, message: str) -> Fault:
+    """Return what is wrong with the TOML, from tomllib's message, which ends with the place."""
+    lines = text.split("\n")
+    place = _PLACE.search(message)
+    line, column = (int(place[1]), int(place[2])) if place and place[1] else (len(lines), len(lines[-1]) + 1)
+    content = lines[line - 1].strip() if line <= len(lines) else ""
+    mend = _PLACE.sub("", message)
+    if _BARE_UNIT.search(content):
+        mend = 'number and unit stand in quotes, as in thickness = "200 mm"'
+    return Fault(f"{name}, line {line}, column {column}", describe(content) if content else "nothing", "TOML", mend)
+
+
+def _lines(part: Part, path: str) -> Iterator[str]:
+    """Yield the lines of a part: its values, then the parts in it."""
+    tables: list[tuple[str, Part]] = []
+    for name, field in type(part).model_fields.items():
+        value: Any = getattr(part, name)
+        key, inner = key_of(field), nested(field)
+        below = f"{path}.{name}" if path else name
+        if inner.many:
+            tables += [(f"[[{below}]]", each) for each in value]
+        elif inner.parts:
+            if value is not None and (field.is_required() or value != field.default):
+                tables.append((f"[{below}]", value))
+        elif key is None:
+            yield f"{name} = {quote(value)}"
+        elif value is not None and (field.is_required() or value != field.default):
+            yield f"{name} = {key.write(value)}"
+    for heading, inner_part in tables:
+        yield ""
+        yield heading
+        yield from _lines(inner_part, heading.strip("[]"))
+
+
+def starter() -> str:
+    """Return a commented input file to start from."""
+    return STARTER
+
+
+STARTER = """\
+# Input file of groundslab: a slab on two layers of soil.
+#
+# A number with a dimension is text with its unit: "200 mm", "30 MPa", "20 MN/m^3", "60 kip". Pure numbers
+# (Poisson's ratio, counts) stand without quotes. Loads and settlements are positive downwards.
+# The centre of the plate is the origin of x and y. What is commented out is the default or an alternative.
+
+title = "A slab of 6 x 4 m on two layers"
+
+# The plate: sides, thickness, elastic constants.
+[plate]
+length_x = "6 m"
+length_y = "4 m"
+thickness = "250 mm"
+E = "30 GPa"
+nu = 0.2
+# shear_factor = 0.8333        # 5/6
+# element = "mitc9"            # or "heterosis", or "q9" (too stiff if the plate is thin)
+# edges = {left = "free", right = "free", bottom = "free", top = "free"}
+#                              # or "hinged" (no settlement, no rotation along the edge),
+#                              # "soft" (no settlement), "clamped"
+
+# The ground under the plate. A Vlasov ground settles in one mode over the depth of its layers; its two
+# stiffnesses follow from the elastic constants. The layers stand from the top downwards, on a rigid base.
+[ground]
+kind = "vlasov"
+# gamma = "iterate"            # decay of the mode, found by iteration; or a number
+# mode = "auto"                # "sinh" for one layer, "profile" for several
+
+[[ground.layers]]
+E = "20 MPa"                   # at the top of the layer
+# E_bottom = "40 MPa"          # if it varies with the depth ...
+# variation = "linear"         # ... so, or "quadratic"
+nu = 0.3
+thickness = "2 m"
+
+[[ground.layers]]
+E = "60 MPa"
+nu = 0.3
+thickness = "4 m"
+
+# Other kinds of ground, each instead of all of the above:
+#
+# [ground]
+# kind = "winkler"
+# k = "20 MPa/m"               # or: selvadurai = {E = "40 MPa", depth = "5 m"}
+#
+# [ground]
+# kind = "pasternak"
+# k0 = "20 MPa/m"
+# k1 = "10 MN/m"
+#
+# [ground]
+# kind = "layered"             # a settlement of its own for each surface between layers
+# coupling = "consistent"      # or "interface", whose layers may also be given by k0 and k1
+# [[ground.layers]]
+# E = "20 MPa"
+# nu = 0.3
+# thickness = "2 m"
+# sublayers = 4
+
+# The ground beyond the plate.
+[beyond]
+kind = "infinite"              # or "none" (default), or "margin"
+# width = "5 m"                # of a margin
+# edge = "free"                # outer edge of a margin; or "fixed"
+# sides = ["left", "right", "bottom", "top"]
+
+# Contact between plate and ground.
+[contact]
+tensionless = true             # the plate may lift off; false: it is held down
+# gap = "0 mm"                 # initial gap everywhere
+# [[contact.voids]]            # a rectangle where the ground lies deeper
+# depth = "5 mm"
+# x = ["-3 m", "-2 m"]
+# y = ["-2 m", "-1 m"]
+
+# The loads, as many as there are.
+[[loads]]
+kind = "uniform"               # on the whole plate
+name = "own weight"
+q = "6.25 kPa"
+
+[[loads]]
+kind = "patch"                 # on a rectangle
+name = "machine"
+q = "200 kPa"
+x = ["1 m", "2.5 m"]
+y = ["-0.5 m", "1 m"]
+
+# [[loads]]
+# kind = "point"
+# P = "50 kN"
+# x = "0 m"
+# y = "0 m"
+
+# The mesh of the plate. Without this section the shorter side has 24 elements.
+# [mesh]
+# size = "0.25 m"              # or: counts = [24, 16]
+# symmetry = "auto"            # or "off"
+
+# How the equations are solved.
+# [analysis]
+# increments = 1
+# solver = "auto"              # or "pardiso", "superlu"
+# nested = true                # start the contact zone from coarser meshes
+# max_iterations = 200
+"""

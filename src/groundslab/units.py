@@ -1,0 +1,189 @@
+"""Quantities with units: text such as "30 MPa" to a float in SI units, and back to text for people."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from functools import cache, lru_cache
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """What a group of quantities has in common: powers of length, mass and time, and how it is written."""
+
+    phrase: str
+    example: str
+    si: str
+    powers: tuple[int, int, int]
+    steps: tuple[tuple[float, str], ...]  # units for people, the smallest first: size in SI units, name
+
+
+#: All dimensions that the input knows, by name.
+DIMENSIONS: dict[str, Dimension] = {
+    "length": Dimension("a length", "0.2 m", "m", (1, 0, 0), ((1e-3, "mm"), (1.0, "m"))),
+    "pressure": Dimension(
+        "a pressure", "30 MPa", "Pa", (-1, 1, -2), ((1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa"))
+    ),
+    "pressure per length": Dimension(
+        "a pressure per length", "20 MPa/m", "Pa/m", (-2, 1, -2),
+        ((1.0, "Pa/m"), (1e3, "kPa/m"), (1e6, "MPa/m"), (1e9, "GPa/m")),
+    ),
+    "pressure times length": Dimension(
+        "a pressure times length", "5 MN/m", "Pa m", (0, 1, -2),
+        ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"), (1e9, "GN/m")),
+    ),
+    "force": Dimension("a force", "50 kN", "N", (1, 1, -2), ((1.0, "N"), (1e3, "kN"), (1e6, "MN"))),
+}  # fmt: skip
+
+LONGEST = 100  # characters of a quantity
+NUMBER = r"[+-]?(?:[0-9]{1,40}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?"
+_QUANTITY = re.compile(rf"\s*(?P<number>{NUMBER})\s*(?P<unit>\S.*?)?\s*")
+_UNIT = re.compile(
+    r"(?P<operator>\s*[*/·]\s*|\s+)?"
+    r"(?P<name>[A-Za-zµμ_]{1,30})"
+    r"(?P<power>(?:\^|\*\*)-?[1-9]|[1-9]|⁻?[¹²³⁴])?"
+)
+_PLAIN = str.maketrans("⁻¹²³⁴", "-1234", "^*")
+
+# Everyday units, exact and without waiting for pint: size in SI units and powers of length, mass, time.
+_EVERYDAY: dict[str, tuple[Decimal, tuple[int, int, int]]] = {
+    prefix + name: (Decimal(size), powers)
+    for name, prefixes, powers in (
+        ("m", {"": "1", "c": "0.01", "m": "0.001"}, (1, 0, 0)),
+        ("Pa", {"": "1", "k": "1e3", "M": "1e6", "G": "1e9"}, (-1, 1, -2)),
+        ("N", {"": "1", "k": "1e3", "M": "1e6", "G": "1e9"}, (1, 1, -2)),
+    )
+    for prefix, size in prefixes.items()
+}
+# What engineers write and pint does not know (or takes for something else).
+_ALIASES = {"psf": "lbf/ft^2", "ksf": "kip/ft^2", "pci": "lbf/in^3", "pcf": "lbf/ft^3", "kcf": "kip/ft^3"}
+_EXACT = Context(prec=60)
+
+
+class QuantityError(ValueError):
+    """A text is no quantity of the dimension asked for: ``expected`` says what would be."""
+
+    def __init__(self, expected: str, reason: str) -> None:
+        """Keep both parts, so that a message can be put together from them."""
+        super().__init__(expected, reason)
+        self.expected = expected
+        self.reason = reason
+
+    def __str__(self) -> str:
+        """Return both parts on one line."""
+        return f"expected {self.expected}: {self.reason}"
+
+
+def expectation(dimension: str) -> str:
+    """Return what a quantity looks like, for messages: ``a pressure such as "30 MPa"``."""
+    known = DIMENSIONS[dimension]
+    return f'{known.phrase} such as "{known.example}"'
+
+
+def parse(text: str, dimension: str) -> float:
+    """Return the quantity in ``text`` in SI units; the unit is mandatory.
+
+    Raises QuantityError (a ValueError) if the text is anything but a number and a unit of the dimension.
+    """
+    expected = expectation(dimension)
+    if len(text) > LONGEST:
+        raise QuantityError(expected, f"a text of {len(text)} characters is no quantity")
+    match = _QUANTITY.fullmatch(text)
+    if not match:
+        raise QuantityError(expected, "it is not a number followed by a unit")
+    if match["unit"] is None:
+        raise QuantityError(expected, "the unit is missing")
+    size, powers = _unit(match["unit"], expected)
+    if powers != DIMENSIONS[dimension].powers:
+        raise QuantityError(expected, f'"{match["unit"]}" is no unit of {DIMENSIONS[dimension].phrase}')
+    # Decimal, so that "700 mm" is the float nearest to 0.7 and not 700 * 0.001
+    value = float(_EXACT.multiply(Decimal(match["number"]), size))
+    if not math.isfinite(value):
+        raise QuantityError(expected, "the number is too large")
+    return value
+
+
+def show(value: float, dimension: str) -> str:
+    """Return a quantity given in SI units as people write it, with five digits and a fitting unit."""
+    steps = DIMENSIONS[dimension].steps
+    if value == 0:
+        return f"0 {next(unit for size, unit in steps if size == 1.0)}"
+    # the rounded number decides, so that 999.9999 Pa becomes 1 kPa
+    fitting = [step for step in steps if abs(float(f"{value / step[0]:.5g}")) >= 1.0]
+    size, unit = fitting[-1] if fitting else steps[0]
+    return f"{value / size:.5g} {unit}"
+
+
+def write(value: float, dimension: str) -> str:
+    """Return a quantity given in SI units with all its digits: ``parse`` gives back the same float."""
+    return f"{value!r} {DIMENSIONS[dimension].si}"
+
+
+def _unit(text: str, expected: str) -> tuple[Decimal, tuple[int, ...]]:
+    """Return size in SI units and the powers of length, mass and time of a unit such as kN/m^2."""
+    size, powers, position = Decimal(1), (0, 0, 0), 0
+    while position < len(text):
+        match = _UNIT.match(text, position)
+        if not match or (match["operator"] is None) != (position == 0):
+            raise QuantityError(expected, f'"{text}" is not written as a unit')
+        position = match.end()
+        power = int((match["power"] or "1").translate(_PLAIN))
+        if (match["operator"] or "").strip() == "/":
+            power = -power
+        factor, own = _name(match["name"], expected)
+        size = _EXACT.multiply(size, _EXACT.power(factor, power))
+        powers = tuple(total + power * each for total, each in zip(powers, own, strict=True))  # type: ignore[assignment]
+    return size, powers
+
+
+def _name(name: str, expected: str) -> tuple[Decimal, tuple[int, ...]]:
+    """Return size in SI units and powers of a unit's name."""
+    if name in _EVERYDAY:
+        return _EVERYDAY[name]
+    if name in _ALIASES:
+        return _unit(_ALIASES[name], expected)
+    found = _ask_pint(name)
+    if found is None:
+        raise QuantityError(expected, f'"{name}" is no unit that fits')
+    return found
+
+
+@lru_cache(maxsize=256)
+def _ask_pint(name: str) -> tuple[Decimal, tuple[int, ...]] | None:
+    """Return size and powers of a unit that pint knows, None if it is not made of length, mass, time."""
+    import pint
+
+    registry = _registry()
+    try:
+        dimensions = dict(registry.get_dimensionality(name))
+        if not dimensions or not dimensions.keys() <= {"[length]", "[mass]", "[time]"}:
+            return None
+        raw = [dimensions.get(each, 0) for each in ("[length]", "[mass]", "[time]")]
+        nothing, size, twice = (float(registry.Quantity(n, name).to_base_units().magnitude) for n in (0.0, 1.0, 2.0))
+    except (pint.errors.PintError, AttributeError, ArithmeticError, LookupError, TypeError, ValueError):
+        return None
+    # a scale that does not start at zero, or a logarithmic one, is no unit to multiply with
+    powers = tuple(int(each) for each in raw)
+    if nothing != 0.0 or twice != 2.0 * size or not 0.0 < size < math.inf or list(powers) != raw:
+        return None
+    return Decimal(_without_noise(size)), powers
+
+
+def _without_noise(size: float) -> str:
+    """Return the digits of a unit's size without the rounding errors of its computation."""
+    short = f"{size:.12g}"
+    return short if math.isclose(float(short), size, rel_tol=1e-15) else repr(size)
+
+
+@cache
+def _registry() -> Any:
+    """Return pint's registry, kept in pint's cache folder where that can be written."""
+    import pint
+
+    try:
+        return pint.UnitRegistry(cache_folder=":auto:")
+    except Exception:  # a full disk, a read-only home, a damaged cache: the cache only saves time
+        return pint.UnitRegistry()

@@ -1,0 +1,231 @@
+"""Whatever the input, the answer is a Model or an InputError; and a Model survives being written and read."""
+
+from __future__ import annotations
+
+import datetime
+import pickle
+import tomllib
+from collections.abc import Mapping
+from copy import deepcopy
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from groundslab.casefile import load, loads, starter, to_toml
+from groundslab.errors import InputError
+from groundslab.keys import FROM_FILE
+from groundslab.model import Model, docs_table
+from strategies import models
+
+SECOND = """
+title = "everything at once"
+mesh = {counts = [8, 6], symmetry = "off"}
+analysis = {increments = 2, solver = "superlu", nested = false, max_iterations = 50}
+beyond = {kind = "margin", width = "5 m", edge = "fixed", sides = ["left", "top"]}
+[plate]
+length_x = "9 m"
+length_y = "7 m"
+thickness = "20 cm"
+E = "23 GPa"
+nu = 0
+element = "heterosis"
+edges = {left = "hinged"}
+[ground]
+kind = "layered"
+coupling = "interface"
+layers = [{k0 = "20 MPa/m", k1 = "5 MN/m"}, {k0 = "40 kN/m^3", k1 = "0 N/m"}]
+[contact]
+gap = "1 mm"
+voids = [{depth = "5 mm", x = ["0 m", "1 ft"], y = ["-1 m", "1 m"]}]
+[[loads]]
+kind = "point"
+P = "10 kip"
+x = "1 m"
+y = "1 m"
+[[loads]]
+kind = "uniform"
+q = "100 psf"
+"""
+FILES = {"starter": starter(), "second": SECOND}
+DATA = {name: tomllib.loads(text) for name, text in FILES.items()}
+
+#: Every word of the schema, so that a wrong value is often nearly right.
+WORDS = sorted({word for text in (docs_table(), *FILES.values()) for word in text.replace('"', " ").split()})
+
+QUICK = settings(derandomize=True, deadline=None, database=None)
+
+
+def answer(description: Any, **options: Any) -> None:
+    """Make a Model of the description, or make sure that the refusal says something."""
+    try:
+        model = Model.model_validate(description, **options)
+    except InputError as error:
+        check(error)
+    else:
+        assert isinstance(model, Model)
+
+
+def check(error: InputError) -> None:
+    """Make sure that a refusal has faults that can be printed and pickled."""
+    assert error.faults
+    for fault in error.faults:
+        assert fault.where
+        assert fault.got
+        assert fault.expected
+        assert len(str(fault)) < 1000
+    str(error).encode()
+    pickle.dumps(error)
+
+
+def texts() -> st.SearchStrategy[str]:
+    """Return text of all sorts: words of the schema, quantities, anything, with lone surrogates too."""
+    number = st.sampled_from(["0", "-1", "30", "1e9", "1e999", "nan", "inf", ".5", "9**9", "１"])
+    unit = st.sampled_from(["", "m", "mm", "MPa", "MPa/m", "MN/m", "kN", "psf", "degC", "parsec", "m^9", "°", "\0"])
+    quantity = st.builds("{} {}".format, number, unit)
+    return st.sampled_from(WORDS) | quantity | st.text(max_size=20) | st.text(min_size=120, max_size=200)
+
+
+def scalars() -> st.SearchStrategy[Any]:
+    """Return values that a TOML file can hold."""
+    return (
+        texts()
+        | st.integers()
+        | st.sampled_from([0, 1, -1, 10**400, 0.5, float("nan"), float("inf"), -0.0])
+        | st.floats()
+        | st.booleans()
+        | st.just(datetime.datetime(2026, 1, 1, tzinfo=datetime.UTC))
+        | st.just(datetime.time(1, 2))
+    )
+
+
+def values() -> st.SearchStrategy[Any]:
+    """Return nested values that a TOML file can hold."""
+    return st.recursive(
+        scalars(), lambda inner: st.lists(inner, max_size=3) | st.dictionaries(texts(), inner, max_size=3), max_leaves=6
+    )
+
+
+def places(data: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """Return the paths of the values in nested tables and lists, down to a depth of eight."""
+    if len(path) == 8:
+        return []
+    inner = data.items() if isinstance(data, Mapping) else enumerate(data) if isinstance(data, list) else ()
+    return [found for key, value in inner for found in ((*path, key), *places(value, (*path, key)))]
+
+
+def mutate(draw: st.DrawFn, data: Any) -> None:
+    """Change the data at one place: drop, replace, move, rename, repeat, or wrap what is there."""
+    path = draw(st.sampled_from(places(data) or [()]))
+    if not path:
+        return
+    holder = data
+    for step in path[:-1]:
+        holder = holder[step]
+    last = path[-1]
+    change = draw(st.sampled_from(["drop", "replace", "replace", "copy", "add", "list", "table", "deep"]))
+    if change == "drop":
+        del holder[last]
+    elif change == "replace":
+        holder[last] = draw(values())
+    elif change == "copy":
+        source = data
+        for step in draw(st.sampled_from(places(data))):
+            source = source[step]
+        holder[last] = deepcopy(source)
+    elif change == "add" and isinstance(holder, dict):
+        holder[draw(texts())] = draw(values())
+    elif change == "list":
+        holder[last] = [holder[last]] * draw(st.integers(0, 3))
+    elif change == "table":
+        holder[last] = {draw(texts()): holder[last]}
+    elif change == "deep":
+        for _ in range(20):
+            holder[last] = [holder[last]]
+
+
+@st.composite
+def descriptions(draw: st.DrawFn) -> Any:
+    """Return a sound description with one to four changes."""
+    data = deepcopy(DATA[draw(st.sampled_from(sorted(DATA)))])
+    for _ in range(draw(st.integers(1, 4))):
+        mutate(draw, data)
+    return data
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_fuzzed_files_are_sound(name: str) -> None:
+    """The descriptions that the tests below damage are sound to begin with."""
+    assert Model.model_validate(DATA[name], context=FROM_FILE) == loads(FILES[name])
+
+
+@settings(QUICK, max_examples=400)
+@given(descriptions())
+def test_damaged_structure(data: Any) -> None:
+    """Dropped, moved, renamed and replaced keys, wrong types and deep nesting: a Model or an InputError."""
+    answer(data, context=FROM_FILE)
+    answer(data)
+
+
+@pytest.mark.parametrize("kind", [list, dict])
+def test_deep_nesting(kind: type) -> None:
+    """A value nested two thousand deep, at any place of the description: an InputError, and nothing on the side."""
+    for place in places(DATA["starter"]):
+        data = deepcopy(DATA["starter"])
+        holder = data
+        for step in place[:-1]:
+            holder = holder[step]
+        for _ in range(2000):
+            holder[place[-1]] = [holder[place[-1]]] if kind is list else {"kind": holder[place[-1]]}
+        with pytest.raises(InputError) as error:
+            Model.model_validate(data, context=FROM_FILE)
+        check(error.value)
+
+
+@settings(QUICK, max_examples=150)
+@given(values() | st.binary() | st.dictionaries(st.integers() | st.none() | st.binary(), st.integers(), max_size=3))
+def test_any_object(data: Any) -> None:
+    """What is no description at all, in Python too, is an InputError."""
+    answer(data, context=FROM_FILE)
+    answer({"plate": data, "ground": data, "loads": data, "beyond": data, "contact": data, "mesh": data})
+    answer(
+        {**DATA["starter"], "loads": [data], "ground": {"kind": "layered", "coupling": "interface", "layers": [data]}}
+    )
+
+
+@settings(QUICK, max_examples=200)
+@given(st.data())
+def test_damaged_text(data: st.DataObject) -> None:
+    """A piece of the file's text replaced by another: a Model or an InputError."""
+    text = FILES[data.draw(st.sampled_from(sorted(FILES)))]
+    start = data.draw(st.integers(0, len(text)))
+    end = start + data.draw(st.integers(0, 20))
+    piece = data.draw(texts() | st.sampled_from(["\n", "[", "]]", "=", '"', '"""', "{", "}", "#", "\\", "\r", "\0"]))
+    try:
+        loads(text[:start] + piece + text[end:])
+    except InputError as error:
+        check(error)
+
+
+@settings(QUICK, max_examples=100)
+@given(st.data())
+def test_damaged_bytes(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
+    """Any bytes put into the file: a Model or an InputError."""
+    content = starter().encode()
+    start = data.draw(st.integers(0, len(content)))
+    path = tmp_path_factory.getbasetemp() / "damaged.toml"
+    path.write_bytes(content[:start] + data.draw(st.binary(max_size=20)) + content[start:])
+    try:
+        load(path)
+    except InputError as error:
+        check(error)
+
+
+@settings(QUICK, max_examples=120)
+@given(models())
+def test_written_model_is_read_back(model: Model) -> None:
+    """Every Model, written as a file and read, or dumped and rebuilt, or pickled, is the same to the last bit."""
+    assert loads(to_toml(model)) == model
+    assert Model(**model.model_dump()) == model
+    assert pickle.loads(pickle.dumps(model)) == model
