@@ -1,3 +1,97 @@
-"""Thick plates on layered, two-parameter, tensionless ground."""
+"""Thick plates on layered, two-parameter, tensionless ground.
+
+    import groundslab
+
+    model = groundslab.load("case.toml")
+    results = groundslab.solve(model)
+
+The public names load when they are first used, so that importing the package costs nothing.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from groundslab.analysis import solve
+    from groundslab.casefile import load
+    from groundslab.errors import GroundslabError, InputError, NoEquilibrium, NotConverged
+    from groundslab.model import (
+        Analysis,
+        Beyond,
+        Contact,
+        Edges,
+        InterfaceLayer,
+        Layered,
+        Mesh,
+        Model,
+        Pasternak,
+        PatchLoad,
+        Plate,
+        PointLoad,
+        Selvadurai,
+        SoilLayer,
+        UniformLoad,
+        Vlasov,
+        Void,
+        Winkler,
+    )
+    from groundslab.results import Results
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "Analysis",
+    "Beyond",
+    "Contact",
+    "Edges",
+    "GroundslabError",
+    "InputError",
+    "InterfaceLayer",
+    "Layered",
+    "Mesh",
+    "Model",
+    "NoEquilibrium",
+    "NotConverged",
+    "Pasternak",
+    "PatchLoad",
+    "Plate",
+    "PointLoad",
+    "Results",
+    "Selvadurai",
+    "SoilLayer",
+    "UniformLoad",
+    "Vlasov",
+    "Void",
+    "Winkler",
+    "__version__",
+    "load",
+    "solve",
+]
+
+#: Where the public names live that are not in ``model``.
+_HOME = {
+    "GroundslabError": "errors",
+    "InputError": "errors",
+    "NoEquilibrium": "errors",
+    "NotConverged": "errors",
+    "Results": "results",
+    "load": "casefile",
+    "solve": "analysis",
+}
+
+
+def __getattr__(name: str) -> object:
+    """Return a public name from the module that it lives in, which is imported now."""
+    if name not in __all__:
+        raise AttributeError(f"module 'groundslab' has no attribute {name!r}")
+    from importlib import import_module
+
+    value: object = getattr(import_module(f"groundslab.{_HOME.get(name, 'model')}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Return the public names along with what has been imported so far."""
+    return sorted({*globals(), *__all__})

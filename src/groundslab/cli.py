@@ -1,0 +1,277 @@
+"""The command line: groundslab solve, check, new, verify, schema.
+
+Exit codes: 0 fine; 1 no certified result, or a verification case that fails; 2 wrong input or usage;
+130 interrupted.
+What a command is asked for goes to standard output, everything else to standard error.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Mapping
+from contextlib import nullcontext
+from typing import TYPE_CHECKING
+
+from groundslab import __version__
+from groundslab.errors import Fault, GroundslabError, InputError, NotConverged
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from contextlib import AbstractContextManager
+
+    from rich.console import Console
+
+    from groundslab.results import Results, Step
+
+FINE, NO_RESULT, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit code; errors raised on purpose end without a traceback."""
+    for stream in (sys.stdout, sys.stderr):
+        # A title may hold letters that the terminal's encoding lacks.
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    options = _parser().parse_args(arguments)
+    try:
+        code: int = options.run(options)
+    except InputError as error:
+        _say(_faults(error))
+        return WRONG_INPUT
+    except NotConverged as error:
+        _not_converged(error)
+        return NO_RESULT
+    except GroundslabError as error:
+        _say(f"error: {error}")
+        return NO_RESULT
+    except MemoryError:
+        _say("error: the memory is too small for this analysis; a coarser mesh needs less")
+        return NO_RESULT
+    except BrokenPipeError:
+        _close_output()
+        return FINE
+    except OSError as error:
+        _say(f"error: {error}")
+        return WRONG_INPUT
+    except KeyboardInterrupt:
+        _say("interrupted")
+        return INTERRUPTED
+    return code
+
+
+def _parser() -> argparse.ArgumentParser:
+    """Return the description of the command line."""
+    parser = argparse.ArgumentParser(
+        prog="groundslab",
+        description="Thick plates on layered, two-parameter, tensionless ground.",
+        epilog="Exit codes: 0 fine; 1 no certified result; 2 wrong input or usage; 130 interrupted.",
+    )
+    parser.add_argument("--version", action="version", version=f"groundslab {__version__}")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+
+    solve = _command(commands, "solve", _solve, "analyse a case and keep the results")
+    solve.add_argument("case", help="case file (TOML)")
+    solve.add_argument("--out", metavar="DIR", help="folder for the results (default: <case>-results beside the case)")
+    solve.add_argument("--json", action="store_true", help="print the summary as JSON, and nothing else")
+    solve.add_argument("--plot", action="store_true", help="add picture.png to the results")
+    solve.add_argument("--quiet", action="store_true", help="print neither summary nor progress")
+
+    check = _command(commands, "check", _check, "read a case file and say everything that is wrong with it")
+    check.add_argument("case", help="case file (TOML)")
+
+    new = _command(commands, "new", _new, "write a case file to start from")
+    new.add_argument("file", nargs="?", metavar="FILE", help="file to make (default: print the text)")
+
+    verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
+    verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")
+    verify.add_argument("--list", action="store_true", help="print the names of the cases and stop")
+
+    _command(commands, "schema", _schema, "print the JSON schema of a case file")
+    return parser
+
+
+def _command(
+    commands: argparse._SubParsersAction[argparse.ArgumentParser],
+    name: str,
+    run: Callable[[argparse.Namespace], int],
+    meaning: str,
+) -> argparse.ArgumentParser:
+    """Add a command to the command line and return its own parser."""
+    command = commands.add_parser(name, help=meaning, description=f"{meaning[0].upper()}{meaning[1:]}.")
+    command.set_defaults(run=run)
+    return command
+
+
+def _solve(options: argparse.Namespace) -> int:
+    """Analyse a case, keep the results in a folder, print the summary."""
+    from pathlib import Path
+
+    from groundslab import casefile
+    from groundslab.views import store
+
+    case = Path(options.case)
+    model = casefile.load(case)
+    folder = Path(options.out) if options.out is not None else case.with_name(f"{case.stem}-results")
+    # Asked now, since an analysis may take long and its results would be lost.
+    target = store.check(folder)
+    if target in Path(os.path.realpath(case)).parents:
+        raise InputError(
+            [Fault("--out", f"{folder}, which holds the case file", "another folder", "it would be replaced")]
+        )
+    from groundslab.analysis import solve
+
+    with _progress(options.quiet) as on_step:
+        results = solve(model, on_step=on_step)
+    try:
+        store.write(results, folder, plot=options.plot)
+    except GroundslabError:
+        # The disk is no reason to lose the answer.
+        _show(results, options)
+        raise
+    _show(results, options)
+    if not (options.quiet or options.json):
+        _say(f"results in {folder}")
+    if not results.certificate.holds:
+        _say("error: the result does not fulfil the equations (see its certificate); do not use it")
+        return NO_RESULT
+    return FINE
+
+
+def _show(results: Results, options: argparse.Namespace) -> None:
+    """Print the summary to standard output, as text or as JSON."""
+    if options.json:
+        from groundslab.views.summary import json_text
+
+        _print(json_text(results))
+    elif not options.quiet:
+        from rich.console import Console
+
+        from groundslab.views.table import print_summary
+
+        console = Console()
+        # Captured, since rich ends the program when a pipe breaks.
+        with console.capture() as text:
+            print_summary(results, console)
+        _print(text.get().rstrip("\n"))
+
+
+def _progress(quiet: bool) -> AbstractContextManager[Callable[[Step], None] | None]:
+    """Return a context whose value shows each step on a terminal; without a terminal it does nothing."""
+    if quiet or not sys.stderr.isatty():
+        return nullcontext()
+    from groundslab.views.progress import progress
+
+    return progress()
+
+
+def _check(options: argparse.Namespace) -> int:
+    """Read a case file; wrong ones raise InputError."""
+    from pathlib import Path
+
+    from groundslab import casefile
+
+    model = casefile.load(Path(options.case))
+    plate = model.plate
+    _print(
+        f"{options.case}: fine ({plate.length_x:g} m x {plate.length_y:g} m plate, "
+        f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
+    )
+    return FINE
+
+
+def _new(options: argparse.Namespace) -> int:
+    """Write a case file to start from; an existing file is left alone."""
+    from groundslab import casefile
+
+    text = casefile.starter()
+    if options.file is None:
+        _print(text.rstrip("\n"))
+        return FINE
+    try:
+        with open(options.file, "x", encoding="utf-8", newline="\n") as file:  # noqa: PTH123
+            file.write(text)
+    except FileExistsError:
+        fault = Fault(options.file, "a file that exists", "a name that is free", "choose another name")
+        raise InputError([fault]) from None
+    _say(f"wrote {options.file}; next: groundslab solve {options.file}")
+    return FINE
+
+
+def _verify(options: argparse.Namespace) -> int:
+    """Run the verification cases, or list them."""
+    from groundslab import verify
+
+    known = list(verify.names())
+    if options.list:
+        _print("\n".join(known))
+        return FINE
+    expected = "a case that `groundslab verify --list` names"
+    faults = [Fault("verify", f'"{name}"', expected) for name in options.names if name not in known]
+    if faults:
+        raise InputError(faults)
+    return FINE if verify.run(options.names or known, _console()) else NO_RESULT
+
+
+def _console() -> Console:
+    """Return rich's console on standard output."""
+    from rich.console import Console
+
+    return Console()
+
+
+def _schema(_: argparse.Namespace) -> int:
+    """Print the JSON schema of a case file."""
+    import json
+
+    from groundslab.model import json_schema
+
+    _print(json.dumps(json_schema(), indent=2))
+    return FINE
+
+
+def _faults(error: InputError) -> str:
+    """Return the faults of an input as blocks of lines."""
+    count = len(error.faults)
+    blocks = [f"error: {count} fault{'s' if count != 1 else ''} in the input"]
+    for fault in error.faults:
+        lines = [("got", fault.got), ("expected", fault.expected), ("mend", fault.mend)]
+        blocks.append("\n".join([f"  {fault.where}", *(f"    {word:<9} {text}" for word, text in lines if text)]))
+    return "\n\n".join(blocks)
+
+
+def _not_converged(error: NotConverged) -> None:
+    """Print what did not converge, and how."""
+    from groundslab.results import Step
+
+    steps = [step for step in error.history if isinstance(step, Step)]
+    _say(f"error: {error.what} did not converge in {len(error.history)} steps; the last of them:")
+    if steps and len(steps) == len(error.history):
+        from rich.console import Console
+
+        from groundslab.views.table import print_history
+
+        print_history(steps[-20:], Console(stderr=True))
+    else:
+        for entry in error.history[-20:]:
+            pairs = entry.items() if isinstance(entry, Mapping) else None
+            _say("  " + (", ".join(f"{name} {value}" for name, value in pairs) if pairs else str(entry)))
+
+
+def _say(text: str) -> None:
+    """Print a message to standard error."""
+    print(text, file=sys.stderr)
+
+
+def _print(text: str) -> None:
+    """Print to standard output; a reader that went away early is no failure."""
+    try:
+        print(text, flush=True)
+    except BrokenPipeError:
+        _close_output()
+
+
+def _close_output() -> None:
+    """Let what is still to be printed vanish, so that Python does not complain at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -1,0 +1,307 @@
+"""The figures of a result that a reader wants first, as plain data for the terminal and for JSON."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, fields
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from groundslab import __version__
+from groundslab.errors import GroundslabError
+from groundslab.results import PLATE_FIELDS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from groundslab.results import Array, Certificate, Constants, Flags, GroundResult, PlateResult, Results
+
+#: The version of the JSON summary's layout; it grows when a key changes its name or meaning.
+FORMAT = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit of display, the SI unit that it stands for, and the factor from SI to display."""
+
+    shown: str
+    si: str
+    scale: float
+
+
+METRE = Unit("m", "m", 1.0)
+MODULUS = Unit("MPa", "Pa", 1e-6)
+STIFFNESS = Unit("MPa/m", "Pa/m", 1e-6)
+SHEAR_STIFFNESS = Unit("MPa m", "Pa m", 1e-6)
+FORCE = Unit("kN", "N", 1e-3)
+PERCENT = Unit("%", "1", 1e2)
+
+#: The SI unit behind each unit of display in PLATE_FIELDS.
+SI = {"mm": "m", "mrad": "rad", "kPa": "Pa", "kNm/m": "N m/m", "kN/m": "N/m"}
+
+#: What the figures of the certificate mean, in words.
+CERTIFICATE_WORDS = {
+    "residual": "force left over at a node",
+    "force_balance": "loads against reactions",
+    "moment_balance": "moments of loads and reactions",
+    "ground_balance": "contact against the ground's forces",
+    "worst_gap": "plate inside the ground (gap < 0)",
+    "worst_pressure": "ground pulls (pressure < 0)",
+    "worst_product": "pressure across an open gap",
+    "gamma_change": "last change of gamma",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One line of the summary: a value in SI, or a plain number, or words, and its place on the plate."""
+
+    key: str
+    label: str
+    value: float | int | bool | str
+    unit: Unit | None = None
+    symbol: str = ""
+    place: tuple[float, float] | None = None  # [m]
+    tolerance: float | None = None
+    ok: bool | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """Some lines of the summary under one heading; the notes say what a reader must know about them."""
+
+    key: str
+    title: str
+    rows: tuple[Row, ...]
+    notes: tuple[str, ...] = ()
+
+
+def summary(results: Results) -> list[Section]:
+    """Return the sections of the summary, in the order in which they are shown."""
+    require_finite(results)
+    return [
+        _plate(results),
+        _ground(results),
+        _settlement(results),
+        _contact(results),
+        _section_forces(results),
+        _certificate(results.certificate),
+    ]
+
+
+def to_json(results: Results, files: Sequence[str] = ()) -> dict[str, Any]:
+    """Return the summary as data for JSON, with the names of the files that stand beside it.
+
+    Every number with a dimension is an object {"value", "unit"} in SI units, with "place" = [x, y] in metres
+    where it is an extreme; counts, ratios and words stand for themselves. Lists over layers run downwards.
+    """
+    document: dict[str, Any] = {
+        "program": "groundslab",
+        "version": __version__,
+        "format": FORMAT,
+        "title": results.model.title,
+        "certified": results.certificate.holds,
+    }
+    for section in summary(results):
+        document[section.key] = {row.key: _json_row(row) for row in section.rows}
+        if section.notes:
+            document[section.key]["notes"] = list(section.notes)
+    constants = results.constants
+    document["constants"] = {
+        "k0": [_quantity(value, STIFFNESS) for value in constants.k0],
+        "k1": [_quantity(value, SHEAR_STIFFNESS) for value in constants.k1],
+        "gamma": constants.gamma,
+        "gamma_iterations": constants.gamma_iterations,
+    }
+    document["history"] = [asdict(step) for step in results.steps]
+    document["files"] = list(files)
+    return document
+
+
+def json_text(results: Results, files: Sequence[str] = ()) -> str:
+    """Return the JSON summary as text."""
+    import json
+
+    # Plain Python numbers and NumPy's look alike in a Results; JSON knows the plain ones only.
+    return json.dumps(to_json(results, files), indent=2, allow_nan=False, default=lambda number: number.item())
+
+
+def require_finite(results: Results) -> None:
+    """Raise GroundslabError if any number of the results is infinite or not a number."""
+    parts: dict[str, PlateResult | GroundResult | Constants | Certificate] = {
+        "plate": results.plate,
+        "ground": results.ground,
+        "constants": results.constants,
+        "certificate": results.certificate,
+    }
+    for part, values in parts.items():
+        for item in fields(values):
+            value = getattr(values, item.name)
+            if value is not None and not np.all(np.isfinite(value)):
+                raise GroundslabError(
+                    f"{part}.{item.name} of the results holds a number that is not finite; nothing is shown or written"
+                )
+
+
+def edge_carries_line_force(results: Results) -> bool:
+    """Return whether the pressure at edge nodes also holds the edge line force of a ground with shear."""
+    return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.on_edge.any())
+
+
+def goes_below_zero(values: Array) -> bool:
+    """Return whether the smallest of the values is negative by more than rounding."""
+    return bool(values.min() < -1e-9 * np.abs(values).max())
+
+
+def extreme(nodes: Array, values: Array, kind: Literal["largest", "smallest"]) -> tuple[float, tuple[float, float]]:
+    """Return the largest or smallest of the nodal values and its place [m].
+
+    Of values that are equal but for rounding, as on a symmetric plate, the one nearest to the centre is
+    named, and of these the one with the largest x, then y.
+    """
+    signed = values if kind == "largest" else -values
+    equal = np.flatnonzero(signed >= signed.max() - 1e-9 * np.abs(values).max())
+    # Rounded to nanometres, so that mirrored places are equally far, and no place is at -0.0.
+    places = np.round(nodes[equal], 9) + 0.0
+    x, y = places.T
+    first = np.lexsort((-y, -x, np.round(np.hypot(x, y), 9)))[0]
+    return float(values[equal[first]]), (float(x[first]), float(y[first]))
+
+
+def _plate(results: Results) -> Section:
+    """Return what was analysed: plate and mesh."""
+    plate, edges = results.model.plate, results.model.plate.edges
+    held = [f"{side} {kind}" for side in ("left", "right", "bottom", "top") if (kind := getattr(edges, side)) != "free"]
+    directions = [name for name, used in zip("xy", results.symmetry, strict=True) if used]
+    rows = (
+        Row("length_x", "length along x", plate.length_x, METRE),
+        Row("length_y", "length along y", plate.length_y, METRE),
+        Row("thickness", "thickness", plate.thickness, METRE, "t"),
+        Row("E", "Young's modulus", plate.E, MODULUS, "E"),
+        Row("nu", "Poisson's ratio", plate.nu, None, "nu"),
+        Row("supports", "supported edges", ", ".join(held) or "none"),
+        Row("element", "element", plate.element),
+        Row("elements", "elements on the plate", len(results.plate.elements)),
+        Row("unknowns", "unknowns that were solved for", results.unknowns),
+        Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
+        Row("solver", "solver", results.solver),
+    )
+    return Section("plate", "Plate", rows)
+
+
+def _ground(results: Results) -> Section:
+    """Return the kind of ground and the constants that the analysis ended with, layer by layer."""
+    constants = results.constants
+    several = len(constants.k0) > 1
+    rows = [Row("kind", "model", results.model.ground.kind)]
+    for name, unit, meaning, values in (
+        ("k0", STIFFNESS, "compression", constants.k0),
+        ("k1", SHEAR_STIFFNESS, "shear", constants.k1),
+    ):
+        for number, value in enumerate(values, 1):
+            key, where = (f"{name}_{number}", f", layer {number}") if several else (name, "")
+            rows.append(Row(key, meaning + where, value, unit, key))
+    if constants.gamma is not None:
+        rows.append(Row("gamma", "decay of the mode", constants.gamma, None, "gamma"))
+        rows.append(Row("gamma_iterations", "iterations for gamma", constants.gamma_iterations))
+    return Section("ground", "Ground", tuple(rows))
+
+
+def _settlement(results: Results) -> Section:
+    """Return the largest and the smallest settlement; a smallest one below zero is called uplift."""
+    plate, unit = results.plate, _unit("settlement")
+    largest, place = extreme(plate.nodes, plate.settlement, "largest")
+    smallest, place_of_smallest = extreme(plate.nodes, plate.settlement, "smallest")
+    rows = [Row("largest", "largest settlement", largest, unit, "w", place)]
+    if goes_below_zero(plate.settlement):
+        rows.append(Row("largest_uplift", "largest uplift", -smallest, unit, "-w", place_of_smallest))
+    else:
+        rows.append(Row("smallest", "smallest settlement", smallest, unit, "w", place_of_smallest))
+    return Section("settlement", "Settlement", tuple(rows))
+
+
+def _contact(results: Results) -> Section:
+    """Return how much of the plate rests on the ground, the largest gap and the pressures."""
+    plate, unit = results.plate, _unit("pressure")
+    share = float(plate.area[plate.in_contact].sum() / plate.area.sum())
+    gap, place = extreme(plate.nodes, plate.gap, "largest")
+    rows = [Row("share", "plate's area in contact", share, PERCENT)]
+    rows.append(Row("largest_gap", "largest gap", gap, _unit("gap"), "g", place if gap > 0 else None))
+    notes: tuple[str, ...] = ()
+    line_force = edge_carries_line_force(results)
+    inside = ~plate.on_edge if line_force else np.ones_like(plate.on_edge)
+    rows += _pressures(plate.nodes, plate.pressure, inside, unit, "", " inside" if line_force else "")
+    if line_force:
+        rows += _pressures(plate.nodes, plate.pressure, plate.on_edge, unit, "_at_edge", " at edge nodes")
+        notes = (
+            "The ground's shear gathers in a line force along the edge [kN/m]. At edge nodes the pressure "
+            "also holds this force, spread over the node's area; it grows as the mesh is refined.",
+        )
+    return Section("contact", "Contact", tuple(rows), notes)
+
+
+def _pressures(nodes: Array, pressure: Array, where: Flags, unit: Unit, key: str, words: str) -> list[Row]:
+    """Return the largest pressure on some of the nodes, and the largest tension if the ground pulls there."""
+    if not where.any():
+        return []
+    largest, place = extreme(nodes[where], pressure[where], "largest")
+    rows = [Row(f"largest_pressure{key}", f"largest pressure{words}", largest, unit, "p", place)]
+    smallest, place = extreme(nodes[where], pressure[where], "smallest")
+    if goes_below_zero(pressure[where]):
+        rows.append(Row(f"largest_tension{key}", f"largest tension{words}", -smallest, unit, "-p", place))
+    return rows
+
+
+def _section_forces(results: Results) -> Section:
+    """Return the extreme moments and shear forces with their places."""
+    plate, rows = results.plate, []
+    kinds: tuple[Literal["largest", "smallest"], ...] = ("largest", "smallest")
+    for name in ("moment_x", "moment_y"):
+        for kind in kinds:
+            value, place = extreme(plate.nodes, getattr(plate, name), kind)
+            symbol = PLATE_FIELDS[name].symbol
+            rows.append(Row(f"{kind}_{name}", f"{kind} {symbol}", value, _unit(name), symbol, place))
+    for name in ("moment_xy", "shear_x", "shear_y"):
+        value, place = extreme(plate.nodes, np.abs(getattr(plate, name)), "largest")
+        symbol = f"|{PLATE_FIELDS[name].symbol}|"
+        rows.append(Row(f"largest_{name}", f"largest {symbol}", value, _unit(name), symbol, place))
+    notes: tuple[str, ...] = ()
+    if any(load.kind == "point" for load in results.model.loads):
+        notes = ("Under a point load moments and shear forces grow without limit as the mesh is refined.",)
+    return Section("section_forces", "Moments and shear forces", tuple(rows), notes)
+
+
+def _certificate(certificate: Certificate) -> Section:
+    """Return the figures that say how well the result fulfils the equations, each with its verdict."""
+    rows = [
+        Row("load", "sum of the loads", certificate.load, FORCE),
+        Row("reaction", "sum of the reactions", certificate.reaction, FORCE),
+    ]
+    limit = certificate.TOLERANCE
+    for name, value in certificate.must_vanish().items():
+        rows.append(Row(name, CERTIFICATE_WORDS[name], value, tolerance=limit, ok=bool(value <= limit)))
+    if certificate.margin_effect is not None:
+        rows.append(Row("margin_effect", "effect of doubling the margin", certificate.margin_effect))
+    return Section("certificate", "Certificate", tuple(rows))
+
+
+def _unit(name: str) -> Unit:
+    """Return the unit of a field of the plate."""
+    field = PLATE_FIELDS[name]
+    return Unit(field.unit, SI[field.unit], field.scale)
+
+
+def _quantity(value: float, unit: Unit) -> dict[str, Any]:
+    """Return a number with a dimension as JSON data."""
+    return {"value": value, "unit": unit.si}
+
+
+def _json_row(row: Row) -> Any:
+    """Return the value of a row as JSON data."""
+    if row.ok is not None:
+        return {"value": row.value, "tolerance": row.tolerance, "ok": row.ok}
+    if row.unit is None or row.unit.si == "1":
+        return row.value
+    assert isinstance(row.value, (int, float))
+    place = {} if row.place is None else {"place": list(row.place)}
+    return _quantity(row.value, row.unit) | place

@@ -1,0 +1,314 @@
+"""The command line: what goes where, and which exit code comes back."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+import groundslab
+import synthetic
+from groundslab import casefile, cli
+from groundslab.errors import Fault, InputError, NoEquilibrium, NotConverged
+from groundslab.views import archive
+
+
+def fake(monkeypatch: pytest.MonkeyPatch, name: str, **contents: Any) -> None:
+    """Put a module of made-up contents in the place of one of the package's."""
+    module = ModuleType(f"groundslab.{name}")
+    vars(module).update(contents)
+    monkeypatch.setitem(sys.modules, f"groundslab.{name}", module)
+    monkeypatch.setattr(groundslab, name, module, raising=False)
+
+
+def solver(outcome: Any) -> Any:
+    """Return a stand-in for the analysis, which reports one step and then returns or raises the outcome."""
+
+    def solve(model: Any, on_step: Any = None) -> Any:
+        if on_step is not None:
+            on_step(synthetic.results().steps[0])
+        if isinstance(outcome, BaseException):
+            raise outcome
+        return replace(outcome, model=model)
+
+    return solve
+
+
+@pytest.fixture
+def case(tmp_path: Path) -> Path:
+    """Return a case file."""
+    path = tmp_path / "raft.toml"
+    path.write_text(casefile.to_toml(synthetic.model()), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def solved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the analysis return made-up results."""
+    fake(monkeypatch, "analysis", solve=solver(synthetic.results()))
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the command line in a process of its own."""
+    return subprocess.run([sys.executable, "-m", "groundslab", *arguments], capture_output=True, text=True, check=False)
+
+
+@pytest.mark.usefixtures("solved")
+class TestSolve:
+    """groundslab solve."""
+
+    def test_keeps_results_beside_the_case(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Without --out the folder is named after the case; the summary goes to standard output."""
+        assert cli.main(["solve", str(case)]) == 0
+        out, err = capsys.readouterr()
+        assert "largest settlement" in out
+        assert "raft-results" in err
+        read = archive.load(case.with_name("raft-results") / "results.npz")
+        synthetic.assert_same(read, synthetic.results())
+
+    def test_json_is_alone_on_standard_output(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Standard output is one JSON document, and standard error is silent without a terminal."""
+        assert cli.main(["solve", str(case), "--json", "--out", str(case.parent / "o"), "--plot"]) == 0
+        out, err = capsys.readouterr()
+        assert json.loads(out)["certified"] is True
+        assert err == ""
+        assert (case.parent / "o" / "picture.png").exists()
+
+    def test_quiet_says_nothing(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Results are kept, nothing is printed."""
+        assert cli.main(["solve", str(case), "--quiet"]) == 0
+        assert capsys.readouterr() == ("", "")
+        assert (case.parent / "raft-results" / "summary.json").exists()
+
+    def test_an_uncertified_result_is_no_success(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A certificate that fails gives exit code 1, a message, and results that say so."""
+        bad = replace(synthetic.CERTIFICATE, residual=1.0)
+        fake(monkeypatch, "analysis", solve=solver(synthetic.results(certificate=bad)))
+        assert cli.main(["solve", str(case)]) == 1
+        out, err = capsys.readouterr()
+        assert "FAILED" in out
+        assert "do not use" in err
+        assert json.loads((case.parent / "raft-results" / "summary.json").read_text())["certified"] is False
+
+    @pytest.mark.parametrize(
+        ("outcome", "code", "words"),
+        [
+            (NoEquilibrium("the loads pull the plate off"), 1, "the loads pull the plate off"),
+            (NotConverged("contact", list(synthetic.results().steps), {}), 1, "Convergence history"),
+            (NotConverged("gamma", [1.1, 1.2], {}), 1, "gamma did not converge in 2 steps"),
+            (NotConverged("contact", [{"iteration": 1, "changed": 61}], {}), 1, "  iteration 1, changed 61"),
+            (InputError([Fault("mesh", "a", "b")]), 2, "mesh"),
+            (MemoryError(), 1, "memory"),
+            (KeyboardInterrupt(), 130, "interrupted"),
+        ],
+    )
+    def test_what_the_analysis_raises(
+        self,
+        case: Path,
+        monkeypatch: pytest.MonkeyPatch,
+        capsys: pytest.CaptureFixture[str],
+        outcome: BaseException,
+        code: int,
+        words: str,
+    ) -> None:
+        """Each failure has its exit code and a message on standard error; nothing is written."""
+        fake(monkeypatch, "analysis", solve=solver(outcome))
+        assert cli.main(["solve", str(case)]) == code
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert words in err
+        assert [path.name for path in case.parent.iterdir()] == ["raft.toml"]
+
+    def test_asks_for_the_folder_before_the_analysis(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """A folder with foreign files is refused before any time is spent."""
+        fake(monkeypatch, "analysis", solve=solver(AssertionError("solved in vain")))
+        (case.parent / "out").mkdir()
+        (case.parent / "out" / "notes.txt").touch()
+        assert cli.main(["solve", str(case), "--out", str(case.parent / "out")]) == 2
+
+    def test_the_case_file_is_never_replaced(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A case inside the folder of its results is refused, since the folder is replaced as a whole."""
+        assert cli.main(["solve", str(case), "--quiet"]) == 0
+        inner = case.parent / "raft-results" / "case.toml"
+        assert cli.main(["solve", str(inner), "--out", str(inner.parent)]) == 2
+        assert "holds the case file" in capsys.readouterr().err
+
+    def test_the_summary_survives_a_full_disk(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """If the results cannot be written they are at least shown."""
+        from groundslab.views import store
+
+        def full(*_: Any, **__: Any) -> None:
+            raise InputError([Fault("disk", "no room", "room")])
+
+        monkeypatch.setattr(store, "write", full)
+        assert cli.main(["solve", str(case)]) == 2
+        out, err = capsys.readouterr()
+        assert "largest settlement" in out
+        assert "no room" in err
+
+    def test_progress_is_for_terminals(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
+        got = []
+
+        def solve(model: Any, on_step: Any = None) -> Any:
+            got.append(on_step)
+            return replace(synthetic.results(), model=model)
+
+        fake(monkeypatch, "analysis", solve=solve)
+        cli.main(["solve", str(case)])
+        monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+        cli.main(["solve", str(case)])
+        cli.main(["solve", str(case), "--quiet"])
+        assert [callback is not None for callback in got] == [False, True, False]
+
+
+class TestInput:
+    """Wrong input."""
+
+    def test_faults_are_blocks(self) -> None:
+        """Each fault shows where, got, expected and how to mend, one below the other."""
+        text = cli._faults(InputError([Fault("plate.E", "30", "a pressure", 'say "30 GPa"'), Fault("a", "b", "c")]))
+        assert text.splitlines() == [
+            "error: 2 faults in the input",
+            "",
+            "  plate.E",
+            "    got       30",
+            "    expected  a pressure",
+            '    mend      say "30 GPa"',
+            "",
+            "  a",
+            "    got       b",
+            "    expected  c",
+        ]
+
+    @pytest.mark.parametrize("command", ["solve", "check"])
+    def test_all_faults_of_a_file_come_at_once(
+        self, tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
+    ) -> None:
+        """Exit code 2 and every fault on standard error, no traceback."""
+        (tmp_path / "bad.toml").write_text("[plate]\nlength_x = 3\nthick = 1\n")
+        assert cli.main([command, str(tmp_path / "bad.toml")]) == 2
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert "plate.length_x" in err
+        assert "plate.thick" in err
+        assert "Traceback" not in err
+
+    def test_a_missing_file(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A case file that is not there gives exit code 2 and its name."""
+        assert cli.main(["solve", str(tmp_path / "none.toml")]) == 2
+        assert "none.toml" in capsys.readouterr().err
+
+    @pytest.mark.parametrize("arguments", [[], ["fly"], ["solve"], ["solve", "a", "--fast"]])
+    def test_wrong_usage(self, arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+        """Unknown commands and options and missing arguments end with exit code 2."""
+        with pytest.raises(SystemExit) as caught:
+            cli.main(arguments)
+        assert caught.value.code == 2
+        assert "usage" in capsys.readouterr().err
+
+
+class TestOthers:
+    """check, new, verify, schema and the bare program."""
+
+    def test_check_names_what_it_read(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A file without faults is called fine."""
+        assert cli.main(["check", str(case)]) == 0
+        assert "fine (9.6 m x 7.2 m plate, winkler ground, 3 loads)" in capsys.readouterr().out
+
+    def test_new_prints_a_case_that_can_be_read(self, capsys: pytest.CaptureFixture[str]) -> None:
+        """Without a file name the text goes to standard output, and it is a valid case."""
+        assert cli.main(["new"]) == 0
+        assert casefile.loads(capsys.readouterr().out) == casefile.loads(casefile.starter())
+
+    def test_new_never_overwrites(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A file is made where there is none; a second time it is left alone."""
+        path = tmp_path / "new.toml"
+        assert cli.main(["new", str(path)]) == 0
+        path.write_text("mine")
+        assert cli.main(["new", str(path)]) == 2
+        assert path.read_text() == "mine"
+        assert cli.main(["new", str(tmp_path / "no" / "folder.toml")]) == 2
+        assert "Traceback" not in capsys.readouterr().err
+
+    @pytest.mark.parametrize(("passes", "code"), [(True, 0), (False, 1)])
+    def test_verify_runs_what_is_asked(self, monkeypatch: pytest.MonkeyPatch, passes: bool, code: int) -> None:
+        """The named cases run, or all; a case that fails gives exit code 1."""
+        asked = []
+
+        def check(names: list[str], _: Any) -> bool:
+            asked.append(names)
+            return passes
+
+        fake(monkeypatch, "verify", names=lambda: ["a", "b"], run=check)
+        assert cli.main(["verify", "b"]) == code
+        assert cli.main(["verify"]) == code
+        assert asked == [["b"], ["a", "b"]]
+
+    def test_verify_lists_and_refuses(
+        self, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """The names can be listed; an unknown one is wrong input and nothing runs."""
+        fake(monkeypatch, "verify", names=lambda: ["a", "b"], run=None)
+        assert cli.main(["verify", "--list"]) == 0
+        assert capsys.readouterr().out == "a\nb\n"
+        assert cli.main(["verify", "a", "x"]) == 2
+        assert '"x"' in capsys.readouterr().err
+
+    def test_schema_is_json(self, capsys: pytest.CaptureFixture[str]) -> None:
+        """The schema of a case file is printed as JSON."""
+        assert cli.main(["schema"]) == 0
+        assert "plate" in json.loads(capsys.readouterr().out)["properties"]
+
+    def test_as_a_module(self) -> None:
+        """``python -m groundslab`` is the same program."""
+        version = run("--version")
+        assert version.stdout == f"groundslab {groundslab.__version__}\n"
+        assert version.returncode == 0
+        assert "solve" in run("--help").stdout
+
+    def test_a_reader_that_goes_away_is_no_failure(self) -> None:
+        """A pipe that is closed early gives no traceback and no failure."""
+        command = [sys.executable, "-m", "groundslab", "schema"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            assert process.stdout is not None
+            assert process.stderr is not None
+            process.stdout.close()
+            assert process.stderr.read() == ""
+        assert process.returncode == 0
+
+
+class TestPackage:
+    """import groundslab."""
+
+    def test_is_cheap(self) -> None:
+        """Neither the package nor its command line loads anything but the standard library."""
+        code = (
+            "import sys; before = set(sys.modules); import groundslab.cli; import groundslab; "
+            "heavy = {'numpy', 'scipy', 'pint', 'pydantic', 'rich', 'matplotlib', 'meshio'}; "
+            "assert not heavy & (set(sys.modules) - before)"
+        )
+        subprocess.run([sys.executable, "-c", code], check=True)
+
+    def test_public_names_lead_home(self) -> None:
+        """Every public name can be had, is what its module calls so, and is listed by dir()."""
+        for name in groundslab.__all__:
+            assert getattr(groundslab, name) is not None
+        assert groundslab.load is casefile.load
+        assert groundslab.InputError is InputError
+        assert set(groundslab.__all__) <= set(dir(groundslab))
+
+    def test_other_names_do_not_exist(self) -> None:
+        """A name that is not public is an AttributeError, as in any module."""
+        with pytest.raises(AttributeError, match="slab"):
+            _ = groundslab.slab

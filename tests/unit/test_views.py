@@ -1,0 +1,393 @@
+"""What is said about results: summary, JSON, VTU, archive, picture."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import meshio
+import numpy as np
+import pint
+import pytest
+from rich.console import Console
+
+import synthetic
+from groundslab.errors import GroundslabError, InputError
+from groundslab.results import PLATE_FIELDS
+from groundslab.views import archive, picture, progress, summary, table, vtu
+
+
+def rows(results: Any) -> dict[str, summary.Row]:
+    """Return all rows of a summary by "section.key"."""
+    return {f"{section.key}.{row.key}": row for section in summary.summary(results) for row in section.rows}
+
+
+def printed(results: Any, **options: Any) -> str:
+    """Return what the summary prints."""
+    console = Console(file=io.StringIO(), width=80, **options)
+    table.print_summary(results, console)
+    return console.file.getvalue()  # type: ignore[attr-defined]
+
+
+class TestSummary:
+    """The figures, whoever shows them."""
+
+    def test_extremes_are_those_of_the_formulas(self) -> None:
+        """Values and places are those that the made-up fields have by construction."""
+        got = rows(synthetic.results(4))
+        assert got["settlement.largest"].value == pytest.approx(0.028)
+        assert got["settlement.largest"].place == (0.0, 0.0)
+        assert got["settlement.largest_uplift"].value == pytest.approx(0.028)
+        assert got["contact.largest_gap"].value == pytest.approx(0.028)
+        assert got["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
+        assert got["section_forces.largest_moment_x"].value == pytest.approx(1e5)
+        assert got["section_forces.smallest_moment_y"].value == pytest.approx(-1e4)
+        assert got["section_forces.smallest_moment_y"].place == (0.0, 3.6)
+        assert got["section_forces.largest_moment_xy"].value == pytest.approx(2e3 * 4.8 * 3.6)
+        assert got["section_forces.largest_shear_x"].value == pytest.approx(3e4 * 4.8)
+
+    def test_of_equal_places_always_the_same_one_is_named(self) -> None:
+        """Rounding on a symmetric plate does not decide which of four corners is named."""
+        plain = synthetic.results()
+        for sign in (-1, 1):
+            noise = sign * 1e-18 * np.arange(len(plain.plate.nodes))
+            shaken = replace(plain, plate=replace(plain.plate, settlement=plain.plate.settlement + noise))
+            assert rows(shaken)["settlement.largest_uplift"].place == (4.8, 3.6)
+
+    def test_share_of_contact_is_weighted_by_area(self) -> None:
+        """The share is that of the areas, not of the number of nodes."""
+        results = synthetic.results()
+        only_centre = np.zeros_like(results.plate.in_contact)
+        only_centre[12] = True
+        share = rows(replace(results, plate=replace(results.plate, in_contact=only_centre)))["contact.share"]
+        assert share.value == pytest.approx(4 / 144)
+
+    def test_edge_pressure_is_kept_apart_on_ground_with_shear(self) -> None:
+        """Line forces at the edge do not pass for pressure inside, and the reader is told about them."""
+        results = synthetic.results(4, shear=True)
+        got = rows(results)
+        assert got["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
+        edge = results.plate.pressure[results.plate.on_edge].max()
+        assert got["contact.largest_pressure_at_edge"].value == edge > got["contact.largest_pressure"].value
+        (note,) = next(section for section in summary.summary(results) if section.key == "contact").notes
+        assert "line force" in note
+        assert "contact.largest_pressure_at_edge" not in rows(synthetic.results(4))
+
+    def test_without_uplift_the_smallest_settlement_is_shown(self) -> None:
+        """A plate that rests everywhere has no uplift, and no place for a gap of zero."""
+        got = rows(synthetic.results(lifts=False))
+        assert got["settlement.smallest"].value == pytest.approx(0.014)
+        assert "settlement.largest_uplift" not in got
+        assert got["contact.largest_gap"].place is None
+
+    def test_rounding_is_neither_uplift_nor_tension(self) -> None:
+        """Negative values in the last digits, as at a held edge, are not called by those names."""
+        results = synthetic.results(lifts=False)
+        fields = {"settlement": results.plate.settlement, "pressure": results.plate.pressure}
+        noisy = {name: np.where(results.plate.nodes[:, 0] < 0, -1e-15, values) for name, values in fields.items()}
+        got = rows(replace(results, plate=replace(results.plate, **noisy)))
+        assert "settlement.smallest" in got
+        assert not any("tension" in key for key in got)
+
+    def test_ground_that_pulls_is_reported(self) -> None:
+        """Without tensionless contact a negative pressure shows up as tension."""
+        results = synthetic.results()
+        pulling = replace(results, plate=replace(results.plate, pressure=results.plate.settlement * synthetic.K0))
+        assert rows(pulling)["contact.largest_tension"].value == pytest.approx(0.028 * synthetic.K0)
+
+    def test_every_figure_that_must_vanish_has_words(self) -> None:
+        """The certificate is shown in full."""
+        assert set(summary.CERTIFICATE_WORDS) == set(synthetic.CERTIFICATE.must_vanish())
+
+    @pytest.mark.parametrize("part", ["plate", "ground", "certificate", "constants"])
+    @pytest.mark.parametrize("bad", [np.nan, np.inf])
+    def test_a_number_that_is_none_is_refused(self, part: str, bad: float) -> None:
+        """NaN and infinity are never shown or written, wherever they stand."""
+        results = synthetic.results()
+        values: Any = getattr(results, part)
+        name = {"certificate": "load", "constants": "gamma"}.get(part, "settlement")
+        wrong = bad if part in ("certificate", "constants") else np.full_like(values.settlement, bad)
+        with pytest.raises(GroundslabError, match=rf"{part}\.{name}"):
+            summary.summary(replace(results, **{part: replace(values, **{name: wrong})}))
+
+    def test_units_of_display_agree_with_si(self) -> None:
+        """Every factor from SI to the unit of display is the one that pint finds."""
+        registry = pint.UnitRegistry()
+        units = [summary._unit(name) for name in PLATE_FIELDS]
+        units += [summary.MODULUS, summary.STIFFNESS, summary.SHEAR_STIFFNESS, summary.FORCE]
+        for unit in units:
+            shown, si = (text.replace("kNm", "kN m").replace(" ", " * ") for text in (unit.shown, unit.si))
+            assert registry.Quantity(1.0, si).to(shown).magnitude == pytest.approx(unit.scale), unit
+
+
+class TestJson:
+    """The summary for programs."""
+
+    def test_numbers_with_a_dimension_name_their_si_unit(self) -> None:
+        """Every object with a value has a unit, or is a line of the certificate with its limit."""
+        document = json.loads(summary.json_text(synthetic.results(shear=True), ["summary.json"]))
+
+        def visit(item: Any) -> None:
+            if isinstance(item, dict):
+                if "value" in item:
+                    assert set(item) <= {"value", "unit", "place"} or set(item) == {
+                        "value",
+                        "tolerance",
+                        "ok",
+                    }
+                    assert item.get("unit", "m") in {"m", "Pa", "Pa/m", "Pa m", "N", "N/m", "N m/m"}
+                for value in item.values():
+                    visit(value)
+
+        visit(document)
+        assert document["settlement"]["largest"] == {"value": 0.028, "unit": "m", "place": [0.0, 0.0]}
+        assert document["constants"]["k1"][1] == {"value": synthetic.K1 / 2, "unit": "Pa m"}
+        assert document["certificate"]["residual"]["ok"] is True
+        assert document["history"][2]["finest"] is True
+        assert document["files"] == ["summary.json"]
+        assert document["certified"] is True
+
+    def test_numbers_of_numpy_are_written_too(self) -> None:
+        """A result whose scalars come from NumPy gives the same text as one of plain numbers."""
+        plain = synthetic.results()
+        numpy = replace(
+            plain,
+            unknowns=np.int64(plain.unknowns),
+            symmetry=tuple(np.bool_(used) for used in plain.symmetry),
+            constants=replace(plain.constants, k0=(np.float64(synthetic.K0),)),
+            certificate=replace(plain.certificate, residual=np.float64(plain.certificate.residual)),
+        )
+        assert summary.json_text(numpy) == summary.json_text(plain)
+
+
+class TestTable:
+    """The summary for people."""
+
+    @pytest.mark.parametrize("shear", [False, True])
+    def test_fits_80_columns_and_any_encoding(self, shear: bool) -> None:
+        """No line is wider than 80 columns, and plain ASCII is enough."""
+        text = printed(synthetic.results(4, shear=shear))
+        assert max(map(len, text.splitlines())) <= 80
+        assert text.isascii()
+
+    def test_says_what_it_must(self) -> None:
+        """Values, units, places and the verdict stand on the lines of their names."""
+        lines = printed(synthetic.results()).splitlines()
+        found = {key: next(line for line in lines if key in line) for key in ("uplift", "m_xy", "left over")}
+        assert "28.000 mm" in found["uplift"]
+        assert "at (4.800, 3.600)" in found["uplift"]
+        assert "34.560 kNm/m" in found["m_xy"]
+        assert found["left over"].endswith("3.0e-12 ok (limit 1e-06)")
+        assert any("1234" in line and line.rstrip().endswith("*") for line in lines)
+
+    def test_a_failing_certificate_shows_without_colour(self) -> None:
+        """FAILED stands in words on the line that fails, and at the end."""
+        certificate = replace(synthetic.CERTIFICATE, force_balance=1e-3)
+        text = printed(synthetic.results(certificate=certificate))
+        assert text.count("FAILED") == 2
+        assert "FAILED" in next(line for line in text.splitlines() if "loads against reactions" in line)
+
+    def test_text_of_the_user_is_no_markup(self) -> None:
+        """Brackets in a title are shown as they are."""
+        model = synthetic.model(title="[bold]slab[/nothing]")
+        assert "[bold]slab[/nothing]" in printed(synthetic.results(model=model), force_terminal=True)
+
+    @pytest.mark.parametrize(
+        ("value", "text"),
+        [
+            (0.0, "0"),
+            (13.59, "13.590"),
+            (-0.25, "-0.25000"),
+            (23000.0, "23000"),
+            (1e9, "1.0000e+09"),
+            (2e-5, "2.0000e-05"),
+        ],
+    )
+    def test_numbers_have_five_digits(self, value: float, text: str) -> None:
+        """Five significant digits, an exponent only where needed."""
+        assert table.number(value) == text
+
+    def test_progress_names_the_step(self) -> None:
+        """The line of progress changes with each step and says where the iteration is."""
+        console = Console(file=io.StringIO(), width=100, force_terminal=True)
+        step = synthetic.results().steps[1]
+        with progress.progress(console) as on_step:
+            on_step(step)
+        assert "1234 unknowns" in progress.line(step)
+        assert "17 nodes, 1 changed" in progress.line(step)
+
+
+class TestVtu:
+    """Files for ParaView, read back by meshio."""
+
+    def test_plate_reads_back(self, tmp_path: Path) -> None:
+        """Every field comes back in its unit of display, on quadratic cells in three dimensions."""
+        results = synthetic.results(3)
+        vtu.write_plate(results, tmp_path / "plate.vtu")
+        mesh = meshio.read(tmp_path / "plate.vtu")
+        assert mesh.points.shape[1] == 3
+        assert not mesh.points[:, 2].any()
+        assert [block.type for block in mesh.cells] == ["quad9"]
+        assert np.array_equal(mesh.cells[0].data, results.plate.elements)
+        for name, field in PLATE_FIELDS.items():
+            array = mesh.point_data[vtu.array_name(name)]
+            assert np.allclose(array, getattr(results.plate, name) * field.scale, rtol=1e-15, atol=0)
+        assert np.array_equal(mesh.point_data["in contact"], results.plate.in_contact)
+        assert "settlement w [mm]" in mesh.point_data
+
+    def test_nodes_stand_in_the_order_of_vtk(self) -> None:
+        """Corners run counter-clockwise; midsides 12, 23, 34, 41 and the centre lie between."""
+        mesh = vtu.plate_mesh(synthetic.results())
+        nodes = mesh.points[mesh.cells[0].data][:, :, :2]
+        corners = nodes[:, :4]
+        following = np.roll(corners, -1, axis=1)
+        assert np.allclose(nodes[:, 4:8], (corners + following) / 2)
+        assert np.allclose(nodes[:, 8], corners.mean(axis=1))
+        twice_area = (corners[..., 0] * following[..., 1] - corners[..., 1] * following[..., 0]).sum(axis=1)
+        assert (twice_area > 0).all()
+
+    def test_type_in_the_file_is_the_biquadratic_quadrilateral(self, tmp_path: Path) -> None:
+        """VTK's number 28 stands in the file, checked without meshio's own table."""
+        mesh = vtu.plate_mesh(synthetic.results())
+        mesh.write(tmp_path / "plain.vtu", file_format="vtu", binary=False)
+        text = (tmp_path / "plain.vtu").read_text()
+        types = text.split('Name="types"')[1].split(">")[1].split("<")[0].split()
+        assert types == ["28"] * 4
+
+    def test_ground_holds_each_surface_and_the_plate_above(self, tmp_path: Path) -> None:
+        """Surfaces are numbered from the top; the plate stands at its own places, zero beyond."""
+        results = synthetic.results(shear=True)
+        vtu.write_ground(results, tmp_path / "ground.vtu")
+        mesh = meshio.read(tmp_path / "ground.vtu")
+        data = mesh.point_data
+        assert np.allclose(data["settlement w_1 [mm]"], 1e3 * results.ground.settlement[1])
+        under = data["under the plate"] == 1
+        inside = (np.abs(mesh.points[:, 0]) < 4.801) & (np.abs(mesh.points[:, 1]) < 3.601)
+        assert np.array_equal(under, inside)
+        x, y = mesh.points[under, :2].T
+        expected = 28 * (1 - 2 * (x**2 + y**2) / 36)
+        assert np.allclose(data["settlement of the plate [mm]"][under], expected)
+        assert not data["settlement of the plate [mm]"][~under].any()
+        assert all(np.isfinite(array).all() for array in data.values())
+
+    def test_places_match_in_spite_of_rounding(self) -> None:
+        """Coordinates that differ in the last digits are one place; a place that is missing is an error."""
+        among, _ = synthetic.grid(7, 5, 9.6, 7.2)
+        order = np.random.default_rng(1).permutation(len(among))
+        shaken = among[order] * (1 + 3e-16) + 1e-15
+        assert np.array_equal(vtu.match(shaken, among), order)
+        with pytest.raises(GroundslabError):
+            vtu.match(among + 0.01, among)
+
+
+class TestArchive:
+    """The archive of all numbers."""
+
+    @pytest.mark.parametrize("shear", [False, True])
+    def test_comes_back_bit_by_bit(self, tmp_path: Path, shear: bool) -> None:
+        """What is read is what was written, from arrays to history; it cannot be changed."""
+        results = synthetic.results(3, shear=shear)
+        archive.write(results, tmp_path / "results.npz")
+        read = archive.load(tmp_path / "results.npz")
+        synthetic.assert_same(read, results)
+        with pytest.raises(ValueError, match="read-only"):
+            read.plate.settlement[0] = 1.0
+
+    def test_needs_no_pickle(self, tmp_path: Path) -> None:
+        """Plain NumPy reads every array with pickles forbidden."""
+        archive.write(synthetic.results(), tmp_path / "results.npz")
+        with np.load(tmp_path / "results.npz", allow_pickle=False) as stored:
+            assert stored["plate.settlement"].dtype == np.float64
+            assert json.loads(str(stored["about"]))["solver"] == "superlu"
+
+    @pytest.mark.parametrize("content", [None, b"", b"no archive", b"PK\x03\x04 torn"])
+    def test_refuses_what_is_no_archive(self, tmp_path: Path, content: bytes | None) -> None:
+        """A missing, empty, foreign or torn file gives a fault that names the file."""
+        path = tmp_path / "results.npz"
+        if content is not None:
+            path.write_bytes(content)
+        with pytest.raises(InputError, match=r"results\.npz"):
+            archive.load(path)
+
+    def test_refuses_other_arrays_and_layouts(self, tmp_path: Path) -> None:
+        """An archive of something else, a single array and a layout of the future are refused."""
+        path = tmp_path / "other.npz"
+        np.savez(path, a=np.zeros(3))
+        with pytest.raises(InputError, match="about"):
+            archive.load(path)
+        np.savez(path, about=np.array('{"format": 99}'))
+        with pytest.raises(InputError, match="layout 99"):
+            archive.load(path)
+        with path.open("wb") as file:
+            np.save(file, np.zeros(3))
+        with pytest.raises(InputError):
+            archive.load(path)
+
+
+class TestPicture:
+    """The picture in plan."""
+
+    @pytest.mark.parametrize(("n", "shear", "lifts"), [(2, False, True), (3, True, True), (2, True, False)])
+    def test_is_a_png_with_titles_and_units(self, tmp_path: Path, n: int, shear: bool, lifts: bool) -> None:
+        """A PNG file comes out; both panels name their axes and colour bars with units."""
+        results = synthetic.results(n, shear=shear, lifts=lifts)
+        picture.write(results, tmp_path / "picture.png")
+        assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+        figure = picture.draw(results)
+        panels = figure.axes[:2]
+        assert [axes.get_xlabel() for axes in panels] == ["x [m]", "x [m]"]
+        bars = [axes.child_axes[0].get_ylabel() for axes in panels]
+        assert bars == ["w [mm]", "p [kPa]"]
+        assert [axes.get_title().split(":")[0] for axes in panels] == ["Settlement", "Pressure"]
+        entries = {text.get_text() for text in figure.legends[0].get_texts()}
+        assert ("contact boundary" in entries) == lifts
+        assert any("edge line force" in entry for entry in entries) == shear
+        assert {"loaded area", "point load"} <= entries
+
+    def test_colours_part_at_zero_only_with_uplift(self) -> None:
+        """With uplift zero has the middle colour; without it the colours run one way."""
+        for lifts in (True, False):
+            drawn = picture.draw(synthetic.results(lifts=lifts)).axes[0].collections[0]
+            assert (drawn.norm(0.0) == 0.5 and drawn.get_cmap().name == "RdBu") == lifts
+
+    @pytest.mark.parametrize("value", [0.0, 1e-3])
+    def test_constant_fields_can_be_drawn(self, tmp_path: Path, value: float) -> None:
+        """A plate that settles evenly, or not at all, has a picture too."""
+        results = synthetic.results(lifts=False)
+        flat = np.full_like(results.plate.settlement, value)
+        plate = replace(results.plate, settlement=flat, pressure=flat * synthetic.K0)
+        picture.write(replace(results, plate=plate), tmp_path / "picture.png")
+
+    def test_triangles_cover_the_plate_once(self) -> None:
+        """The triangles all turn the same way and their areas add up to the plate's."""
+        nodes, elements = synthetic.grid(3, 2, 9.6, 7.2)
+        a, b, c = (nodes[corner] for corner in picture.triangulate(elements).T)
+        u, v = b - a, c - a
+        twice = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+        assert (twice > 0).all()
+        assert twice.sum() / 2 == pytest.approx(9.6 * 7.2)
+
+    def test_contact_boundary_lies_where_winkler_has_it(self) -> None:
+        """On Winkler ground the function whose zero is drawn is -k w, straight through the boundary."""
+        results = synthetic.results(4)
+        assert np.allclose(picture.contact_function(results), -synthetic.K0 * results.plate.settlement)
+
+
+def test_heavy_libraries_wait_until_they_are_called() -> None:
+    """Importing every view loads neither matplotlib nor meshio nor rich, and drawing never loads pyplot."""
+    code = f"""
+import sys
+sys.path.insert(0, {str(Path(synthetic.__file__).parent)!r})
+from groundslab.views import archive, picture, progress, store, summary, table, vtu
+assert not {{"matplotlib", "meshio", "rich", "scipy", "pint", "pydantic"}} & set(sys.modules)
+import synthetic
+picture.draw(synthetic.results())
+assert "matplotlib.figure" in sys.modules
+assert "matplotlib.pyplot" not in sys.modules
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
