@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -54,6 +54,11 @@ def loads(text: str, name: str = "the text") -> Model:
         raise _unreadable(name, "lists or tables nested too deeply", "the tables of an input file") from None
     except ValueError as error:  # such as a number of very many digits
         raise _unreadable(name, f"a value that cannot be read ({error})", "TOML") from None
+    return from_table(data)
+
+
+def from_table(data: Mapping[str, Any]) -> Model:
+    """Return the Model that the tables of a case file, already parsed, describe."""
     return Model.model_validate(data, context=FROM_FILE)
 
 

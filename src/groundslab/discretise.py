@@ -150,9 +150,9 @@ def _mesh(model: Model, symmetry: tuple[bool, bool], coarsening: int, width: flo
         before, after = np.zeros(0), np.zeros(0)
         for side in model.beyond.sides if width else ():
             if AXIS[side] == axis and OUTWARD[side] > 0:
-                after = lines_beyond(length / 2, width, first)
+                after = lines_beyond(length / 2, width, first, length / 2)
             elif AXIS[side] == axis and not symmetry[axis]:
-                before = lines_beyond(-length / 2, -width, first)[::-1]
+                before = lines_beyond(-length / 2, -width, first, length / 2)[::-1]
         lines.append(np.concatenate([before, own, after]))
         inside.append(np.repeat([False, True, False], [len(before), count, len(after)]))
     return grid(lines[0], lines[1]), (inside[1][:, None] & inside[0]).ravel()

@@ -76,7 +76,7 @@ class Finding:
         return Fault(path or "the description", self.got, self.expected, self.mend)
 
 
-class Wrong(ValueError):  # noqa: N818 - not for users
+class Wrong(ValueError):
     """Findings on their way through pydantic."""
 
     def __init__(self, *findings: Finding) -> None:

@@ -41,11 +41,17 @@ def with_midpoints(x: Array) -> Array:
     return out
 
 
-def lines_beyond(start: float, width: float, first: float, growth: float = 1.3) -> Array:
-    """Return lines from start outwards over a signed width, the first interval at most `first`, growing by `growth`."""
-    n = max(2, int(np.ceil(np.log1p((growth - 1) * abs(width) / first) / np.log(growth))))
-    steps = growth ** np.arange(n)
-    return start + width * np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])[1:]
+def lines_beyond(start: float, width: float, first: float, scale: float) -> Array:
+    """Return lines from start outwards over a signed width [m], the start left out.
+
+    At a distance d the intervals are about first * (1 + d / scale) long, so that halving `first` halves them all.
+    """
+    reach = np.log1p(abs(width) / scale)
+    n = max(2, int(np.ceil(reach * scale / first)))
+    distance = scale * np.expm1(reach * np.arange(1, n + 1) / n)
+    distance[-1] = abs(width)
+    lines: Array = start + np.sign(width) * distance
+    return lines
 
 
 def locate(x: Array, values: Array) -> tuple[Integers, Array]:

@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.errors import Fault, InputError
+from groundslab.shape import q9
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -65,6 +68,10 @@ class PlateResult:
     on_edge: Flags  # (n,): where the pressure also holds the edge line force of a ground with shear
     area: Array  # (n,): each node's share of the plate's area
 
+    def value_at(self, field: str, x: float, y: float) -> float:
+        """Return a field at a point of the plate, in SI units, by the elements' shape functions."""
+        return _value_at(self.nodes, self.elements, getattr(self, field), x, y)
+
 
 @dataclass(frozen=True, slots=True)
 class GroundResult:
@@ -73,6 +80,22 @@ class GroundResult:
     nodes: Array  # (n, 2)
     elements: Integers  # (m, 9)
     settlement: Array  # (number of surfaces, n)
+
+    def value_at(self, x: float, y: float, surface: int = 0) -> float:
+        """Return the settlement of a surface at a point of the meshed ground [m]."""
+        return _value_at(self.nodes, self.elements, self.settlement[surface], x, y)
+
+
+def _value_at(nodes: Array, elements: Integers, values: Array, x: float, y: float) -> float:
+    corners = nodes[elements[:, :4]]
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    slack = 1e-9 * np.ptp(nodes, axis=0).max()
+    inside = ((low - slack <= (x, y)) & ((x, y) <= high + slack)).all(axis=1)
+    if not inside.any():
+        raise InputError([Fault("point", f"({x:g}, {y:g}) m", "a point inside the meshed region")])
+    element = int(np.argmax(inside))
+    local = 2 * (np.array([[x, y]]) - low[element]) / (high[element] - low[element]) - 1
+    return float((q9(local)[0] @ values[elements[element]])[0])
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,1 @@
+"""Published and analytic cases as data; groundslab.verify reads them."""
