@@ -1,0 +1,191 @@
+"""README and docs are held to the code: links, equation numbers, sources, examples, commands."""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import subprocess
+import sys
+import tokenize
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from groundslab import casefile
+
+ROOT = Path(__file__).resolve().parents[2]
+README = ROOT / "README.md"
+PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
+MODULES = sorted((ROOT / "src" / "groundslab").rglob("*.py"))
+CASES = sorted((ROOT / "src" / "groundslab" / "cases").glob("*.toml"))
+BIBLIOGRAPHY = (ROOT / "docs" / "bibliography.md").read_text(encoding="utf-8")
+
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+TAG = re.compile(r"(?<![\w)])\((\d\.\d{1,2})\)")
+NAME = r"[A-Z][A-Za-z-]+"
+SOURCE = re.compile(rf"({NAME}(?:, {NAME})*(?: and {NAME})?) \(?((?:1[89]|20)\d\d)\b")
+
+
+def blocks(page: Path, *languages: str) -> list[str]:
+    """Return the fenced blocks of a page in some languages."""
+    return [text for language, text in FENCE.findall(page.read_text(encoding="utf-8")) if language in languages]
+
+
+def anchors(page: Path) -> set[str]:
+    """Return the anchors of a page's headings, as GitHub makes them."""
+    headings = re.findall(r"^#+ (.+)$", FENCE.sub("", page.read_text(encoding="utf-8")), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def printed_equations() -> set[str]:
+    """Return the numbers of the paper's equations, as the bibliography lists them: single ones and ranges."""
+    line = re.search(r"^Equation numbers: (.+)$", BIBLIOGRAPHY, re.MULTILINE)
+    assert line
+    numbers: set[str] = set()
+    for first, last in re.findall(r"\((\d\.\d+)\)(?: - \((\d\.\d+)\))?", line[1]):
+        section, start = first.split(".")
+        end = last.split(".")[1] if last else start
+        numbers |= {f"{section}.{n}" for n in range(int(start), int(end) + 1)}
+    return numbers
+
+
+def entries() -> set[str]:
+    """Return the bibliography's keys, such as "Hughes and Cohen 1978"."""
+    return set(re.findall(rf"^### ({NAME}.* \d{{4}})$", BIBLIOGRAPHY, re.MULTILINE))
+
+
+def prose(module: Path) -> str:
+    """Return the comments and texts of a module, one after the other, line ends folded into spaces."""
+    source = io.StringIO(module.read_text(encoding="utf-8"))
+    kinds = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
+    texts = [token.string for token in tokenize.generate_tokens(source.readline) if token.type in kinds]
+    return re.sub(r"\s+", " ", "\n".join(texts))
+
+
+def docstrings(module: Path) -> str:
+    """Return the docstrings of a module, line ends folded into spaces."""
+    tree = ast.parse(module.read_text(encoding="utf-8"))
+    documented = (ast.Module, ast.ClassDef, ast.FunctionDef)
+    texts = [ast.get_docstring(node) or "" for node in ast.walk(tree) if isinstance(node, documented)]
+    return re.sub(r"\s+", " ", "\n".join(texts))
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_links_resolve(page: Path) -> None:
+    """Every relative link leads to a file that is there, and its anchor to a heading."""
+    text = FENCE.sub("", page.read_text(encoding="utf-8"))
+    for link in LINK.findall(text):
+        if re.match(r"[a-z]+:", link):
+            continue
+        path, _, anchor = link.partition("#")
+        target = (page.parent / path).resolve() if path else page
+        assert target.exists(), link
+        if anchor:
+            assert anchor in anchors(target), link
+
+
+def test_theory_has_the_sections_that_the_code_names() -> None:
+    """Every "docs/theory.md, SECTION" in the code names a heading of that page."""
+    known = anchors(ROOT / "docs" / "theory.md")
+    named = {name for module in MODULES for name in re.findall(r"docs/theory\.md, ([a-z ]+)", prose(module))}
+    assert {"infinite ground", "contact", "equilibrium"} <= named
+    for name in named:
+        assert any(anchor.removeprefix("the-") == name.replace(" ", "-") for anchor in known), name
+
+
+def test_files_that_the_code_names_are_there() -> None:
+    """Every docs/... that a comment or text of the package names is a file."""
+    for module in MODULES:
+        for path in re.findall(r"\bdocs/[\w/.-]*\w", prose(module)):
+            assert (ROOT / path).exists(), f"{module.name}: {path}"
+
+
+def test_equation_numbers_are_the_papers() -> None:
+    """Every equation number in the package's comments and texts is one that the paper has."""
+    known = printed_equations()
+    assert len(known) == 30
+    found = {(module.name, number) for module in MODULES for number in TAG.findall(prose(module))}
+    assert len(found) > 10
+    assert not [each for each in found if each[1] not in known]
+
+
+def test_equation_numbers_of_the_docs_are_the_papers() -> None:
+    """The same for the pages on theory, notation and the paper."""
+    known = printed_equations()
+    for name in ("theory.md", "notation.md", "bibliography.md", "paper.md"):
+        numbers = set(TAG.findall((ROOT / "docs" / name).read_text(encoding="utf-8")))
+        assert numbers <= known, name
+
+
+def test_sources_are_in_the_bibliography() -> None:
+    """Every author and year in a docstring of the package or as a case's source has an entry; pages name no others."""
+    known = entries()
+    texts = [docstrings(module) for module in MODULES]
+    texts += [tomllib.loads(case.read_text(encoding="utf-8"))["source"] for case in CASES]
+    found = {" ".join(source) for text in texts for source in SOURCE.findall(text)}
+    assert len(found) > 5
+    assert not found - known
+    for name in ("theory.md", "decisions/0002-mitc9.md"):
+        text = re.sub(r"\s+", " ", (ROOT / "docs" / name).read_text(encoding="utf-8"))
+        assert not {" ".join(source) for source in SOURCE.findall(text)} - known, name
+
+
+def test_files_and_modules_that_the_architecture_names() -> None:
+    """The architecture's table of files names each module of the package, and no other."""
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    table = page.split("## What each file knows")[1].split("##")[0]
+    named = set(re.findall(r"`([\w/]+)`", "\n".join(re.findall(r"^\| (`.+?) \|", table, re.MULTILINE))))
+    folder = ROOT / "src" / "groundslab"
+    there = {path.relative_to(folder).with_suffix("").as_posix() for path in MODULES if not path.stem.startswith("__")}
+    assert named == there
+
+
+def test_cases_of_the_readme_load() -> None:
+    """Every TOML block of the README is a case that loads."""
+    cases = blocks(README, "toml")
+    assert cases
+    for text in cases:
+        casefile.loads(text)
+
+
+def test_python_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    """Every Python block of the README runs; the model is that of the TOML block, and its result is certified."""
+    programs = blocks(README, "python")
+    assert programs
+    for text in programs:
+        names: dict[str, object] = {}
+        exec(compile(text, "README.md", "exec"), names)
+        assert names["model"] == casefile.loads(blocks(README, "toml")[0])
+    assert "True" in capsys.readouterr().out.split()
+
+
+def test_commands_of_the_readme_name_files_and_targets() -> None:
+    """Every file in the README's shell blocks is there, and every make target is one of the Makefile's."""
+    targets = set(re.findall(r"^(\w+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+    lines = [line for block in blocks(README, "sh", "bat") for line in block.splitlines()]
+    files = {word for line in lines for word in re.findall(r"\b\w+/[\w/]+\.(?:toml|txt)\b", line)}
+    assert {"examples/table1.toml", "lock/run.txt"} <= files
+    assert all((ROOT / file).is_file() for file in files)
+    made = {match[1] for line in lines if (match := re.match(r"make (\w+)", line))}
+    assert made
+    assert made <= targets
+
+
+def test_commands_of_the_readme_exist() -> None:
+    """`groundslab --help` names each command that the README or a page of docs shows."""
+    asked = subprocess.run([sys.executable, "-m", "groundslab", "--help"], capture_output=True, text=True, check=True)
+    known = set(re.findall(r"^    (\w+) ", asked.stdout, re.MULTILINE))
+    table = set(re.findall(r"^\| `groundslab (\w+)", README.read_text(encoding="utf-8"), re.MULTILINE))
+    assert table == known - {"COMMAND"}
+    for page in PAGES:
+        inline = re.findall(r"`groundslab (\w+)", FENCE.sub("", page.read_text(encoding="utf-8")))
+        typed = re.findall(r"^groundslab (\w+)", "\n".join(blocks(page, "sh", "bat")), re.MULTILINE)
+        assert {*inline, *typed} <= known, page.name
+
+
+def test_picture_is_small() -> None:
+    """The README's picture does not weigh the repository down."""
+    assert (ROOT / "docs" / "table1.png").stat().st_size < 200_000
