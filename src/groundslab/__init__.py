@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from groundslab.analysis import solve
     from groundslab.casefile import load
-    from groundslab.errors import GroundslabError, InputError, NoEquilibrium, NotConverged
+    from groundslab.errors import GroundslabError, InputError, NoEquilibrium, NotCertified, NotConverged
     from groundslab.model import (
         Analysis,
         Beyond,
@@ -52,6 +52,7 @@ __all__ = [
     "Mesh",
     "Model",
     "NoEquilibrium",
+    "NotCertified",
     "NotConverged",
     "Pasternak",
     "PatchLoad",
@@ -74,6 +75,7 @@ _HOME = {
     "GroundslabError": "errors",
     "InputError": "errors",
     "NoEquilibrium": "errors",
+    "NotCertified": "errors",
     "NotConverged": "errors",
     "Results": "results",
     "load": "casefile",

@@ -15,7 +15,7 @@ from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from groundslab import __version__
-from groundslab.errors import Fault, GroundslabError, InputError, NotConverged
+from groundslab.errors import Fault, GroundslabError, InputError, NotCertified, NotConverged
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -122,8 +122,12 @@ def _solve(options: argparse.Namespace) -> int:
         )
     from groundslab.analysis import solve
 
-    with _progress(options.quiet) as on_step:
-        results = solve(model, on_step=on_step)
+    try:
+        with _progress(options.quiet) as on_step:
+            results = solve(model, on_step=on_step)
+    except NotCertified as error:
+        # Kept and shown, to be looked at; the exit code says that it is no answer.
+        results = error.results
     try:
         store.write(results, folder, plot=options.plot)
     except GroundslabError:

@@ -18,6 +18,8 @@ from groundslab.shape import Array, Flags, Indices, Integers
 
 #: A gap or force that is negative by less than this share of the largest one does not make a node change sides.
 SLACK = 1e-10
+#: Share of a gap's own stiffness that a spring across it gets while the closed gaps alone do not hold the plate.
+WEAK = 1e-5
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,49 +52,60 @@ def solve(
     fewest = len(gaps) + 1
     single = False
     history: list[dict[str, int]] = []
-    before = np.ones_like(closed)
     u = np.zeros(p.size)
+    spring = rest = np.zeros(len(gaps))
     for iteration in range(1, limit + 1):
-        closed, u = _closed_solution(p, data, row, f, symbolic, gaps, closed, before)
-        force = (multiply(p, data, u) - f)[gaps]
+        try:
+            u = _closed_solution(p, data, row, f, symbolic, gaps, closed, spring, rest)
+        except SingularMatrix:
+            if spring.any():
+                raise
+            # the plate floats: a proximal step, with springs that draw the gaps to where they are
+            spring, rest = WEAK * data[p.indptr[gaps]], np.maximum(u[gaps], 0.0)
+            seen, single, fewest = set(), False, len(gaps) + 1
+            u = _closed_solution(p, data, row, f, symbolic, gaps, closed, spring, rest)
+        force = (multiply(p, data, u) - f)[gaps] + spring * (u[gaps] - rest)
         wrong = np.where(closed, force < -SLACK * np.abs(force).max(initial=0), u[gaps] < -SLACK * np.abs(u).max())
         wrongs = int(wrong.sum())
         history.append({"iteration": iteration, "closed": int(closed.sum()), "changed": wrongs})
         report(iteration, int(closed.sum()), wrongs)
-        if wrongs == 0:
+        # springs that no longer move anything carry nothing: the plate is balanced without being held
+        if wrongs == 0 and not (spring * (np.abs(u[gaps] - rest) > SLACK * np.abs(u).max())).any():
             return Contact(u, closed, np.where(closed, force, 0.0))
+        if wrongs == 0:
+            # enough gaps are closed now, or the next proximal step starts from here
+            spring, seen, single, fewest = np.zeros(len(gaps)), set(), False, len(gaps) + 1
+            continue
         key = np.packbits(closed).tobytes()
         if key in seen and not single:
-            single, fewest = True, wrongs
+            single, fewest = True, min(fewest, wrongs)
         elif wrongs < fewest:
             single, fewest = False, wrongs
         seen.add(key)
-        before = closed
         closed = closed ^ (_last_only(wrong) if single else wrong)
     raise NotConverged("the contact zone", history, {"u": u, "closed": closed})
 
 
 def _closed_solution(
-    p: Pattern, data: Array, row: Indices, f: Array, symbolic: Symbolic, gaps: Integers, closed: Flags, before: Flags
-) -> tuple[Flags, Array]:
-    """Return the gaps held closed and the solution with them.
-
-    If they are too few to hold the plate, half of those just opened are closed again, until they are enough.
-    """
-    while True:
-        keep = np.ones(p.size)
-        keep[gaps[closed]] = 0.0
-        held = data * keep[row] * keep[p.indices] if closed.any() else data.copy()
-        diagonal = p.indptr[gaps[closed]]
-        held[diagonal] = data[diagonal]
-        try:
-            return closed, symbolic.factor(held).solve(f * keep)
-        except SingularMatrix:
-            opened = np.flatnonzero(before & ~closed)
-            if len(opened) == 0:
-                raise
-            closed = closed.copy()
-            closed[opened[: (len(opened) + 1) // 2]] = True
+    p: Pattern,
+    data: Array,
+    row: Indices,
+    f: Array,
+    symbolic: Symbolic,
+    gaps: Integers,
+    closed: Flags,
+    spring: Array,
+    rest: Array,
+) -> Array:
+    """Return the solution with some gaps held closed, and springs (c,) that draw the others to their rest (c,)."""
+    keep = np.ones(p.size)
+    keep[gaps[closed]] = 0.0
+    held = data * keep[row] * keep[p.indices] if closed.any() else data.copy()
+    diagonal = p.indptr[gaps]
+    held[diagonal] = data[diagonal] + spring
+    load = f.copy()
+    load[gaps] += spring * rest
+    return symbolic.factor(held).solve(load * keep)
 
 
 def _last_only(wrong: Flags) -> Flags:

@@ -22,6 +22,7 @@ from groundslab.model import (
     SoilLayer,
     UniformLoad,
     Vlasov,
+    Void,
     Winkler,
 )
 from groundslab.problem import BETA_X, TOP, Problem, W
@@ -32,6 +33,8 @@ from groundslab.vlasov import Soil
 COARSEST = 4
 #: Of an infinite ground, this many decay lengths are meshed before the tails begin.
 MESHED_DECAYS = 1.0
+#: Positions closer than this, relative to the longer side of the plate, are one.
+SAME_PLACE = 1e-9
 AXIS = {"left": 0, "right": 0, "bottom": 1, "top": 1}
 OUTWARD = {"left": -1, "right": 1, "bottom": -1, "top": 1}
 
@@ -61,7 +64,7 @@ def discretise(model: Model, coarsening: int = 0, margin: float = 1.0) -> Proble
         ground=ground,
         unknown=number(elimination_order(mesh), present),
         load=load,
-        initial_gap=_initial_gap(model, mesh, plate_elements),
+        initial_gap=_initial_gap(model, symmetry, mesh, plate_elements, coarsening == 0),
         tensionless=model.contact.tensionless,
         edges=edges,
         corners=corners,
@@ -73,8 +76,10 @@ def coarsest(model: Model) -> int:
     """Return how often the counts of a model's mesh can be halved for the nested iteration."""
     if not model.analysis.nested:
         return 0
-    least = min(_counts(model, symmetries(model), 0))
-    return max(0, int(math.log2(least / COARSEST))) if least >= COARSEST else 0
+    times, symmetry = 0, symmetries(model)
+    while COARSEST <= min(_counts(model, symmetry, times + 1)) < min(_counts(model, symmetry, times)):
+        times += 1
+    return times
 
 
 def symmetries(model: Model) -> tuple[bool, bool]:
@@ -133,7 +138,7 @@ def _width_beyond(model: Model, ground: Soil | Column) -> float:
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
-    column = ground if isinstance(ground, Column) else ground.column(1.0)
+    column = ground if isinstance(ground, Column) else ground.column(ground.gamma or 1.0)
     longest = 1 / float(tail(column).decay.min())
     return MESHED_DECAYS * min(longest, 2 * max(model.plate.length_x, model.plate.length_y))
 
@@ -264,10 +269,11 @@ def _point(load: PointLoad, symmetry: tuple[bool, bool], mesh: Mesh) -> Array:
     """Return the element loads (m, 9) of a point load; on a line of symmetry each side takes half of it."""
     loads = np.zeros((len(mesh.elements), 9))
     share = 1.0
+    on_axis = SAME_PLACE * np.ptp(mesh.nodes, axis=0).max()
     for value, mirrored in zip((load.x, load.y), symmetry, strict=True):
-        if mirrored and value < 0:
+        if mirrored and value < -on_axis:
             return loads
-        share *= 0.5 if mirrored and value == 0 else 1.0
+        share *= 0.5 if mirrored and value <= on_axis else 1.0
     owner, N = functions_at(mesh, np.array([[load.x, load.y]]))
     loads[owner[0]] = share * load.P * N[0]
     return loads
@@ -284,18 +290,32 @@ def _interval_integrals(lines: Array, start: float, end: float) -> Array:
     return integrals
 
 
-def _initial_gap(model: Model, mesh: Mesh, plate_elements: Integers) -> Array:
+def _initial_gap(
+    model: Model, symmetry: tuple[bool, bool], mesh: Mesh, plate_elements: Integers, finest: bool
+) -> Array:
     """Return the initial gap at every node (n,) [m], zero beyond the plate."""
     gap = np.zeros(len(mesh.nodes))
     under = np.unique(mesh.elements[plate_elements])
     gap[under] = model.contact.gap
     x, y = mesh.nodes[under].T
     extra = np.zeros(len(under))
-    for void in model.contact.voids:
-        inside = (x >= void.x[0]) & (x <= void.x[1]) & (y >= void.y[0]) & (y <= void.y[1])
+    near = SAME_PLACE * max(model.plate.length_x, model.plate.length_y)
+    faults: list[Fault] = []
+    mend = "make the elements smaller than the void"
+    for place, void in enumerate(model.contact.voids, start=1):
+        inside = (x >= void.x[0] - near) & (x <= void.x[1] + near) & (y >= void.y[0] - near) & (y <= void.y[1] + near)
+        if finest and not inside.any() and not _mirrored_away(void, symmetry):
+            faults.append(Fault(f"contact.voids[{place}]", "a void between the nodes", "one that holds a node", mend))
         extra = np.where(inside, np.maximum(extra, void.depth), extra)
+    if faults:
+        raise InputError(faults)
     gap[under] += extra
     return gap
+
+
+def _mirrored_away(void: Void, symmetry: tuple[bool, bool]) -> bool:
+    """Return whether a void lies on the side of a mirror that is not meshed; its image is there."""
+    return (symmetry[0] and void.x[1] < 0) or (symmetry[1] and void.y[1] < 0)
 
 
 def layer_of(layer: SoilLayer) -> Layer:
@@ -314,19 +334,20 @@ def ground_of(model: Model) -> Soil | Column:
     if isinstance(ground, Pasternak):
         return single(ground.k0, ground.k1)
     printed = ground.formulas == "as printed"
+    gamma = None if ground.gamma == "iterate" else float(ground.gamma)
     if isinstance(ground, Vlasov):
         layers = tuple(layer_of(layer) for layer in ground.layers)
         by_profile = ground.mode == "profile" or (ground.mode == "auto" and len(layers) > 1)
-        return Soil(layers, "profile" if by_profile else "sinh", printed)
-    return _layered(ground, printed)
+        return Soil(layers, "profile" if by_profile else "sinh", printed, gamma)
+    return _layered(ground, printed, gamma)
 
 
-def _layered(ground: Layered, printed: bool) -> Soil | Column:
+def _layered(ground: Layered, printed: bool, gamma: float | None) -> Soil | Column:
     if ground.coupling == "consistent":
         return consistent_stack(consistent_parts(ground))
     soil = [layer for layer in ground.layers if isinstance(layer, SoilLayer)]
     if soil:
-        return Soil(tuple(layer_of(layer) for layer in soil), "interface", printed)
+        return Soil(tuple(layer_of(layer) for layer in soil), "interface", printed, gamma)
     given = [layer for layer in ground.layers if not isinstance(layer, SoilLayer)]
     return interface_stack(np.array([layer.k0 for layer in given]), np.array([layer.k1 for layer in given]))
 

@@ -46,6 +46,21 @@ class SingularMatrix(GroundslabError):
     """A matrix that should be positive definite is not."""
 
 
+class NotCertified(GroundslabError):
+    """A result does not fulfil the equations; ``results`` holds it all the same, to be looked at, not to be used."""
+
+    def __init__(self, results: Any) -> None:
+        self.results = results
+        super().__init__(results)
+
+    def __str__(self) -> str:
+        """Return which figures of the certificate are too large."""
+        certificate = self.results.certificate
+        figures = certificate.must_vanish().items()
+        large = [f"{name} {value:.1e}" for name, value in figures if not value <= certificate.TOLERANCE]
+        return f"the result does not fulfil the equations: {', '.join(large)}; it must not be used"
+
+
 @dataclass(eq=False)
 class NotConverged(GroundslabError):
     """An iteration ended without converging.

@@ -14,7 +14,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from groundslab.errors import SingularMatrix
+from groundslab.errors import Fault, InputError, SingularMatrix
 from groundslab.shape import Array, Indices, Integers
 
 
@@ -52,12 +52,14 @@ class _Pardiso:
         n = len(indptr) - 1
         self.A = csr_array((np.zeros(len(indices)), indices, indptr), shape=(n, n))
         self.analysed = False
+        self.used = False  # whether PARDISO was ever called and may hold memory
 
     def factor(self, data: Array) -> Factor:
         if not np.isfinite(data).all():
             raise SingularMatrix("the matrix holds entries that are not finite numbers")
         self.A.data = data
-        self._call(22 if self.analysed else 12, np.zeros(self.A.shape[0]))
+        phase, self.used = 22 if self.analysed else 12, True
+        self._call(phase, np.zeros(self.A.shape[0]))
         self.analysed = True
         return self
 
@@ -76,7 +78,7 @@ class _Pardiso:
 
     def __del__(self) -> None:
         # PARDISO keeps its factor outside Python's memory
-        if hasattr(self, "handle"):
+        if getattr(self, "used", False):
             self.handle.free_memory(everything=True)
 
 
@@ -112,12 +114,17 @@ class _SuperLU:
         from scipy.sparse import csc_array
         from scipy.sparse.linalg import splu
 
+        if not np.isfinite(data).all():
+            raise SingularMatrix("the matrix holds entries that are not finite numbers")
         n = len(self.starts) - 1
         A = csc_array((data[self.source], self.rows, self.starts), shape=(n, n))
         try:
             lu = splu(A, permc_spec="NATURAL", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
         except RuntimeError as error:
             raise SingularMatrix(f"the stiffness matrix is not positive definite ({error})") from error
+        # SuperLU is content with any pivot but zero; rows that changed places had a zero on the diagonal
+        if (lu.U.diagonal() <= 0).any() or (lu.perm_r != lu.perm_c).any():
+            raise SingularMatrix("the stiffness matrix is not positive definite")
         factor: Factor = lu
         return factor
 
@@ -137,7 +144,14 @@ def choose(name: str) -> tuple[str, Solver]:
     solvers: dict[str, Solver] = {"pardiso": pardiso, "superlu": superlu}
     if name != "auto":
         if name == "pardiso":
-            _pardiso_wrapper()
+            try:
+                _pardiso_wrapper()
+            except ImportError as error:
+                mend = 'solver = "auto" takes it where it is there'
+                fault = Fault(
+                    "analysis.solver", f'"pardiso", which cannot be loaded ({error})', '"superlu" or "auto"', mend
+                )
+                raise InputError([fault]) from error
         return name, solvers[name]
     if platform.machine().lower() in ("x86_64", "amd64"):
         try:

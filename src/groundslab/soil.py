@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from groundslab.findings import Finding, describe
+from groundslab.findings import Finding, describe, quote
 from groundslab.keys import Choice, Number, Quantity, Range, Whole
 from groundslab.schema import Check, Part, Table, kind_of
 
@@ -59,8 +59,15 @@ class Pasternak(Part):
     k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", Range(at_least=0))]
 
 
+def _variation_has_an_end(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[Finding]:
+    if "variation" in given and E_bottom is None:
+        yield Finding(("variation",), quote(variation), "no variation without E_bottom", "give E_bottom as well")
+
+
 class SoilLayer(Part):
     """A layer of soil given by its elastic constants."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_variation_has_an_end,)
 
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus, at the top of the layer", POSITIVE)]
     E_bottom: Annotated[

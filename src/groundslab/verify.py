@@ -182,9 +182,10 @@ def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., Resu
     """Return the row's quantity in SI units; k0 and k1 for a given gamma need no solution."""
     if row["quantity"] in ("k0", "k1"):
         ground = ground_of(model_of(case, row["model"]))
-        gamma = case.models[row["model"]]["ground"].get("gamma")
-        if isinstance(ground, Soil) and isinstance(gamma, float):
-            return float(ground.layer_parameters(gamma)[("k0", "k1").index(row["quantity"])][row.get("layer", 1) - 1])
+        if isinstance(ground, Soil) and ground.gamma is not None:
+            return float(
+                ground.layer_parameters(ground.gamma)[("k0", "k1").index(row["quantity"])][row.get("layer", 1) - 1]
+            )
     return QUANTITIES[row["quantity"]][1](results_of(row["model"], row.get("counts", ())), row)
 
 

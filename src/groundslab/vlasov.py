@@ -13,6 +13,7 @@ from typing import Literal
 
 import numpy as np
 
+from groundslab.errors import Fault, InputError
 from groundslab.ground import Column, Layer, interface_stack, single
 from groundslab.shape import Array, lagrange
 
@@ -147,6 +148,7 @@ class Soil:
     layers: tuple[Layer, ...]
     way: Literal["sinh", "profile", "interface"]
     as_printed: bool = False
+    gamma: float | None = None  # given; None if it is to be found from the settlement
 
     @property
     def depth(self) -> float:
@@ -158,7 +160,7 @@ class Soil:
         """Return G / Ec = (1 - 2 nu) / 2(1 - nu), the mean over the depth."""
         return sum(layer.thickness * layer.shear / layer.constrained for layer in self.layers) / self.depth
 
-    def gamma(self, decay2: float) -> float:
+    def gamma_of(self, decay2: float) -> float:
         """Return gamma (2.23) for decay2 = int |grad w|^2 / int w^2 [1/m2]."""
         return float(self.depth * np.sqrt(self._ratio * decay2))
 
@@ -168,8 +170,11 @@ class Soil:
             mode = profile(self.layers, gamma**2 / (self.depth**2 * self._ratio))
             return np.array([mode.k0]), np.array([mode.k1])
         formula = parameters_as_printed if self.as_printed else parameters
-        k0, k1 = zip(*(formula(layer, gamma) for layer in self.layers), strict=True)
-        return np.array(k0), np.array(k1)
+        k0, k1 = np.array([formula(layer, gamma) for layer in self.layers]).T
+        if not ((k0 > 0) & (k1 >= 0) & np.isfinite(k1)).all():
+            got = f'"as printed", which gives k0 = {k0} Pa/m and k1 = {k1} Pa m at gamma = {gamma:.4g}'
+            raise InputError([Fault("ground.formulas", got, "formulas without misprints", 'use formulas = "exact"')])
+        return k0, k1
 
     def column(self, gamma: float) -> Column:
         """Return the column of the ground for a gamma."""

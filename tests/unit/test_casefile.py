@@ -82,7 +82,10 @@ def test_alternatives_of_the_starter_are_toml() -> None:
         ("# gamma", "gamma"),
         ("# mode", "mode"),
         ("# E_bottom", "E_bottom"),
-        ("# variation", "variation"),
+        (
+            '# E_bottom = "40 MPa"          # if it varies with the depth ...\n# variation',
+            'E_bottom = "40 MPa"\nvariation',
+        ),
         ("# sides", "sides"),
         (
             '# [[loads]]\n# kind = "point"\n# P = "50 kN"\n# x = "0 m"\n# y = "0 m"',
