@@ -30,7 +30,7 @@ from groundslab.shape import COLUMN, ROW, Array, Flags, Integers, gauss_line, la
 from groundslab.vlasov import Soil
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
-COARSEST = 4
+COARSEST = 3
 #: Of an infinite ground, this many decay lengths are meshed before the tails begin.
 MESHED_DECAYS = 1.0
 #: Positions closer than this, relative to the longer side of the plate, are one.
@@ -50,6 +50,7 @@ def discretise(model: Model, coarsening: int = 0, margin: float = 1.0) -> Proble
     edges, corners = _infinite_edges(model, symmetry, mesh)
     surfaces = _surfaces(ground)
     present = _present(model, symmetry, mesh, plate_elements, element, surfaces)
+    rank = elimination_order(mesh)
     load = _loads(model, symmetry, mesh, plate_elements, element, present.shape[1])
     if not load.any():
         fault = Fault("loads", "loads that are all zero", "at least one load that is not", "nothing would settle")
@@ -62,7 +63,8 @@ def discretise(model: Model, coarsening: int = 0, margin: float = 1.0) -> Proble
         shear=np.array([plate.shear_rigidity(sheet.E, sheet.nu, sheet.thickness, sheet.shear_factor)]),
         section=np.zeros(len(plate_elements), dtype=np.int64),
         ground=ground,
-        unknown=number(elimination_order(mesh), present),
+        rank=rank,
+        unknown=number(rank, present),
         load=load,
         initial_gap=_initial_gap(model, symmetry, mesh, plate_elements, coarsening == 0),
         tensionless=model.contact.tensionless,

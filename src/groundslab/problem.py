@@ -13,7 +13,7 @@ import numpy as np
 from groundslab import assembly, plate
 from groundslab.assembly import Pattern, add, congruent, gather, scatter
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
-from groundslab.mesh import Mesh, elimination_order
+from groundslab.mesh import Mesh
 from groundslab.shape import Array, Integers, gauss, jacobian, q9
 from groundslab.vlasov import Soil
 
@@ -31,6 +31,7 @@ class Problem:
     shear: Array  # (k,) [N/m]
     section: Integers  # (mp,): which section each plate element has
     ground: Soil | Column
+    rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
     load: Array  # (n, F) [N, N m]
     initial_gap: Array  # (n,) [m]
@@ -119,7 +120,7 @@ class System:
 
 def system(problem: Problem) -> System:
     """Return the system of a problem; everything in it holds for every column of ground."""
-    p = assembly.pattern(problem.mesh.elements, elimination_order(problem.mesh), problem.unknown)
+    p = assembly.pattern(problem.mesh.elements, problem.rank, problem.unknown)
     b = blocks(problem)
     data = np.zeros(len(p.indices))
     for i in (W, BETA_X, BETA_Y):

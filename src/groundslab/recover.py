@@ -41,9 +41,11 @@ def recover(model: Model, solution: Solution, proof: Certificate, steps: tuple[S
         if not problem.symmetry[axis]:
             continue
         mesh, source, side = mirror(mesh, axis)
-        fields = {name: f[source] * (side if name in ODD[axis] else 1.0) for name, f in fields.items()}
-        ground = {number: w[source] for number, w in ground.items()}
         on_axis = mesh.nodes[:, axis] == 0.0
+        # on the axis the means of both sides' odd fields vanish; those of the meshed side alone need not
+        odd = np.where(on_axis, 0.0, side)
+        fields = {name: f[source] * (odd if name in ODD[axis] else 1.0) for name, f in fields.items()}
+        ground = {number: w[source] for number, w in ground.items()}
         area, closed, under = area[source] * np.where(on_axis, 2.0, 1.0), closed[source], under[source]
 
     elements, edge = _plate_part(mesh, under)
