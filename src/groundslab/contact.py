@@ -47,13 +47,10 @@ def solve(
     is one linear solution. Raises NotConverged after `limit` iterations, SingularMatrix if A itself is not positive.
     """
     row: Indices = np.repeat(np.arange(p.size, dtype=np.int32), np.diff(p.indptr))
-    closed = start.copy()
-    seen: set[bytes] = set()
-    fewest = len(gaps) + 1
-    single = False
     history: list[dict[str, int]] = []
+    closed, pivots = start.copy(), _Pivots(len(gaps))
     u = np.zeros(p.size)
-    spring = rest = np.zeros(len(gaps))
+    spring = rest = no_spring = np.zeros(len(gaps))
     for iteration in range(1, limit + 1):
         try:
             u = _closed_solution(p, data, row, f, symbolic, gaps, closed, spring, rest)
@@ -61,29 +58,46 @@ def solve(
             if spring.any():
                 raise
             # the plate floats: a proximal step, with springs that draw the gaps to where they are
-            spring, rest = WEAK * data[p.indptr[gaps]], np.maximum(u[gaps], 0.0)
-            seen, single, fewest = set(), False, len(gaps) + 1
+            spring, rest, pivots = WEAK * data[p.indptr[gaps]], np.maximum(u[gaps], 0.0), _Pivots(len(gaps))
             u = _closed_solution(p, data, row, f, symbolic, gaps, closed, spring, rest)
         force = (multiply(p, data, u) - f)[gaps] + spring * (u[gaps] - rest)
-        wrong = np.where(closed, force < -SLACK * np.abs(force).max(initial=0), u[gaps] < -SLACK * np.abs(u).max())
-        wrongs = int(wrong.sum())
-        history.append({"iteration": iteration, "closed": int(closed.sum()), "changed": wrongs})
-        report(iteration, int(closed.sum()), wrongs)
-        # springs that no longer move anything carry nothing: the plate is balanced without being held
-        if wrongs == 0 and not (spring * (np.abs(u[gaps] - rest) > SLACK * np.abs(u).max())).any():
-            return Contact(u, closed, np.where(closed, force, 0.0))
-        if wrongs == 0:
+        slack = SLACK * np.abs(u).max()
+        wrong = np.where(closed, force < -SLACK * np.abs(force).max(initial=0), u[gaps] < -slack)
+        history.append({"iteration": iteration, "closed": int(closed.sum()), "changed": int(wrong.sum())})
+        report(iteration, int(closed.sum()), int(wrong.sum()))
+        if wrong.any():
+            closed = pivots.change(closed, wrong)
+        elif (spring * (np.abs(u[gaps] - rest) > slack)).any():
             # enough gaps are closed now, or the next proximal step starts from here
-            spring, seen, single, fewest = np.zeros(len(gaps)), set(), False, len(gaps) + 1
-            continue
-        key = np.packbits(closed).tobytes()
-        if key in seen and not single:
-            single, fewest = True, min(fewest, wrongs)
-        elif wrongs < fewest:
-            single, fewest = False, wrongs
-        seen.add(key)
-        closed = closed ^ (_last_only(wrong) if single else wrong)
+            spring, pivots = no_spring, _Pivots(len(gaps))
+        else:
+            # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held
+            return Contact(u, closed, np.where(closed, force, 0.0))
     raise NotConverged("the contact zone", history, {"u": u, "closed": closed})
+
+
+class _Pivots:
+    """Which wrong gaps change sides: all of them, or, once a set of closed gaps has come back, the last one alone.
+
+    Back to all of them when fewer are wrong than ever before (Judice and Pires 1994).
+    """
+
+    def __init__(self, gaps: int) -> None:
+        self.seen: set[bytes] = set()
+        self.fewest = gaps + 1
+        self.single = False
+
+    def change(self, closed: Flags, wrong: Flags) -> Flags:
+        """Return the gaps to close next."""
+        wrongs, key = int(wrong.sum()), np.packbits(closed).tobytes()
+        if key in self.seen and not self.single:
+            self.single, self.fewest = True, min(self.fewest, wrongs)
+        elif wrongs < self.fewest:
+            self.single, self.fewest = False, wrongs
+        self.seen.add(key)
+        if self.single:
+            wrong = np.arange(len(wrong)) == np.flatnonzero(wrong)[-1]
+        return closed ^ wrong
 
 
 def _closed_solution(
@@ -106,10 +120,3 @@ def _closed_solution(
     load = f.copy()
     load[gaps] += spring * rest
     return symbolic.factor(held).solve(load * keep)
-
-
-def _last_only(wrong: Flags) -> Flags:
-    """Return wrong with only its last entry left."""
-    one = np.zeros_like(wrong)
-    one[np.flatnonzero(wrong)[-1]] = True
-    return one
