@@ -70,7 +70,12 @@ def plates() -> st.SearchStrategy[Plate]:
 
 def soil_layers(sublayers: int = 1) -> st.SearchStrategy[SoilLayer]:
     """Return layers given by elastic constants, with up to so many sublayers."""
-    common = {"E": MODULI_OF_SOIL, "nu": POISSON, "thickness": st.floats(0.5, 8.0), "sublayers": st.integers(1, sublayers)}
+    common = {
+        "E": MODULI_OF_SOIL,
+        "nu": POISSON,
+        "thickness": st.floats(0.5, 8.0),
+        "sublayers": st.integers(1, sublayers),
+    }
     varying = st.builds(SoilLayer, E_bottom=MODULI_OF_SOIL, variation=any_of(SoilLayer, "variation"), **common)
     return st.builds(SoilLayer, **common) | varying
 

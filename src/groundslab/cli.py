@@ -136,7 +136,8 @@ def _solve(options: argparse.Namespace) -> int:
         raise
     _show(results, options)
     if not (options.quiet or options.json):
-        _say(f"results in {folder}")
+        names = ", ".join(sorted(path.name for path in folder.iterdir()))
+        _say(f"results in {folder}: {names}")
     if not results.certificate.holds:
         _say("error: the result does not fulfil the equations (see its certificate); do not use it")
         return NO_RESULT

@@ -1,0 +1,192 @@
+"""Rectilinear meshes: numbering, location, transfer between meshes, order of elimination, mirroring."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+from scipy.sparse.csgraph import connected_components
+from scipy.sparse.linalg import splu
+
+from groundslab.mesh import (
+    Mesh,
+    elimination_order,
+    functions_at,
+    grid,
+    interpolate_linear,
+    lines_beyond,
+    locate,
+    mirror,
+    with_midpoints,
+)
+
+X = np.array([-2.0, -1.5, 0.3, 1.0, 4.0])
+Y = np.array([0.0, 0.7, 1.0, 2.5])
+
+
+def square(n: int) -> Mesh:
+    """Return n x n elements on the unit square."""
+    return grid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1))
+
+
+def graph(mesh: Mesh) -> sp.csr_array:
+    """Return the matrix of which nodes share an element."""
+    m, n = len(mesh.elements), len(mesh.nodes)
+    owns = sp.coo_array((np.ones(9 * m), (np.repeat(np.arange(m), 9), mesh.elements.ravel())), shape=(m, n)).tocsr()
+    return (owns.T @ owns).tocsr()
+
+
+def test_grid_puts_every_node_in_its_place() -> None:
+    """Each element is the rectangle between its lines, with midsides and centre halfway; no node is unused or twice."""
+    mesh = grid(X, Y)
+    places = np.array([(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1), (1, 1)]) / 2
+    for j in range(len(Y) - 1):
+        for i in range(len(X) - 1):
+            wanted = [X[i], Y[j]] + places * [X[i + 1] - X[i], Y[j + 1] - Y[j]]
+            np.testing.assert_allclose(mesh.xy[i + j * (len(X) - 1)], wanted, atol=1e-14)
+    assert len(mesh.nodes) == (2 * len(X) - 1) * (2 * len(Y) - 1)
+    assert set(mesh.elements.ravel()) == set(range(len(mesh.nodes)))
+    assert len(np.unique(mesh.nodes, axis=0)) == len(mesh.nodes)
+
+
+def test_with_midpoints() -> None:
+    """Midpoints stand between the given lines, which are kept to the last bit."""
+    np.testing.assert_array_equal(with_midpoints(np.array([0.0, 1.0, 4.0])), [0, 0.5, 1, 2.5, 4])
+
+
+@pytest.mark.parametrize("width", [0.1, 1.0, 7.3, 400.0])
+@pytest.mark.parametrize("scale", [0.8, 5.0])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_lines_beyond_reach_exactly_and_grow(width: float, scale: float, sign: int) -> None:
+    """The lines end at start + width, go one way, and at a distance d are about first (1 + d / scale) apart."""
+    first = 0.25
+    lines = np.concatenate([[3.0], lines_beyond(3.0, sign * width, first, scale)])
+    distance = (lines - 3.0) * sign
+    steps = np.diff(distance)
+    assert distance[-1] == pytest.approx(width, rel=1e-14)
+    assert (steps > 0).all()
+    assert len(steps) >= 2
+    wanted = first * (1 + (distance[1:] + distance[:-1]) / 2 / scale)
+    assert (steps <= wanted * (1 + 1e-9)).all()
+    if len(steps) > 10:
+        assert (steps >= 0.85 * wanted).all()
+
+
+def test_lines_beyond_are_halved_with_the_first() -> None:
+    """Asking for half the first interval puts a line into each of the old ones: meshes refine outside too."""
+    coarse = lines_beyond(0.0, np.e**2 - 1, 0.25, 1.0)
+    fine = lines_beyond(0.0, np.e**2 - 1, 0.125, 1.0)
+    assert len(fine) == 2 * len(coarse)
+    np.testing.assert_allclose(fine[1::2], coarse, rtol=1e-12)
+
+
+def test_locate_within_on_and_outside_the_lines() -> None:
+    """Values come back as interval and local coordinate; those outside are carried on from the outermost interval."""
+    values = np.array([-3.0, -2.0, -1.9, -1.5, 0.0, 1.0, 3.9, 4.0, 5.0])
+    i, xi = locate(X, values)
+    np.testing.assert_array_equal(i, [0, 0, 0, 1, 1, 3, 3, 3, 3])
+    np.testing.assert_allclose((X[i] + X[i + 1]) / 2 + xi * (X[i + 1] - X[i]) / 2, values, atol=1e-14)
+    assert xi[0] < -1
+    assert xi[-1] > 1
+
+
+def test_functions_at_points_interpolate_biquadratics() -> None:
+    """Element and functions of a point give the value there of any biquadratic, so element and place are right."""
+    mesh = grid(X, Y)
+    points = np.random.default_rng(1).uniform([-2, 0], [4, 2.5], (50, 2))
+    element, N = functions_at(mesh, points)
+
+    def f(p: np.ndarray) -> np.ndarray:
+        return 3 - p[:, 0] + p[:, 0] ** 2 * p[:, 1] - 0.4 * p[:, 1] ** 2 * p[:, 0] ** 2
+
+    values = np.einsum("pa,pa->p", N, f(mesh.nodes)[mesh.elements[element]])
+    np.testing.assert_allclose(values, f(points), atol=1e-12)
+    low, high = mesh.xy[element].min(axis=1), mesh.xy[element].max(axis=1)
+    assert ((low <= points) & (points <= high)).all()
+
+
+def test_interpolation_between_meshes_keeps_bilinear_fields() -> None:
+    """A bilinear field goes exactly from one mesh to another whose lines have nothing to do with the first's."""
+    coarse = grid(X, Y)
+    fine = grid(np.linspace(-2, 4, 8), np.linspace(0, 2.5, 6))
+
+    def field(p: np.ndarray) -> np.ndarray:
+        return 1 - 2 * p[:, 0] + 0.5 * p[:, 1] + 3 * p[:, 0] * p[:, 1]
+
+    np.testing.assert_allclose(interpolate_linear(coarse, field(coarse.nodes), fine), field(fine.nodes), atol=1e-12)
+
+
+def test_interpolation_between_meshes_never_overshoots() -> None:
+    """Values stay between the least and the greatest nodal value, outside the first mesh too."""
+    coarse = grid(X, Y)
+    wide = grid(np.linspace(-5, 9, 30), np.linspace(-3, 5, 30))
+    values = np.where(np.random.default_rng(2).random(len(coarse.nodes)) < 0.5, -1.0, 1.0)
+    result = interpolate_linear(coarse, values, wide)
+    assert result.min() >= -1 - 1e-14
+    assert result.max() <= 1 + 1e-14
+    corner = (coarse.nodes == [X[-1], Y[-1]]).all(axis=1)
+    assert result[-1] == pytest.approx(values[corner][0])
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 2), (1, 7), (5, 1), (3, 7), (8, 8), (24, 10)])
+def test_elimination_order_is_a_permutation(shape: tuple[int, int]) -> None:
+    """Every node gets one rank, on meshes of one element, strips and odd counts too."""
+    mesh = grid(np.arange(shape[0] + 1.0), np.arange(shape[1] + 1.0) * 1.7)
+    np.testing.assert_array_equal(np.sort(elimination_order(mesh)), np.arange(len(mesh.nodes)))
+
+
+def test_elimination_order_is_a_nested_dissection() -> None:
+    """The nodes eliminated last are one line across, without them the mesh is two halves, and so on in each half."""
+    mesh = square(16)
+    adjacency, rank = graph(mesh), elimination_order(mesh)
+    parts = [np.arange(len(mesh.nodes))]
+    for separator in (33, 16, 16):
+        halves: list[np.ndarray] = []
+        for part in parts:
+            inside = part[np.argsort(rank[part])][:-separator]
+            count, label = connected_components(adjacency[inside][:, inside])
+            assert count == 2
+            pair = [inside[label == k] for k in (0, 1)]
+            assert abs(len(pair[0]) - len(pair[1])) <= separator
+            halves += pair
+        parts = halves
+    for part in parts:
+        # a part is eliminated in one go
+        assert np.ptp(rank[part]) == len(part) - 1
+
+
+def test_elimination_order_saves_fill() -> None:
+    """On 24 x 24 elements SuperLU's factor, eliminating as numbered, is much smaller than row by row."""
+    mesh = square(24)
+    A = graph(mesh)
+    A = sp.csc_array(A + 100 * sp.eye_array(len(mesh.nodes)))
+
+    def fill(order: np.ndarray) -> int:
+        lu = splu(A[order][:, order], permc_spec="NATURAL", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        return int(lu.L.nnz)
+
+    by_rank = np.argsort(elimination_order(mesh))
+    row_by_row = np.arange(len(mesh.nodes))
+    assert fill(by_rank) < 0.6 * fill(row_by_row)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_mirror_doubles_about_the_axis(axis: int) -> None:
+    """Even and odd functions of a half mesh come out even and odd on the doubled one, whose other axis is untouched."""
+    half = grid(np.array([0.0, 0.4, 1.0, 3.0]), np.array([0.0, 2.0, 2.5]))
+    whole, source, side = mirror(half, axis)
+    position, other = whole.nodes[:, axis], whole.nodes[:, 1 - axis]
+    assert len(whole.elements) == 2 * len(half.elements)
+    np.testing.assert_allclose(np.abs(position), half.nodes[source, axis], atol=1e-15)
+    np.testing.assert_array_equal(other, half.nodes[source, 1 - axis])
+    np.testing.assert_array_equal(side, np.where(position < 0, -1.0, 1.0))
+    np.testing.assert_allclose(half.nodes[source, axis] ** 3 * side, position**3, atol=1e-14)
+
+
+def test_mirrored_twice_is_the_full_mesh() -> None:
+    """A quarter mirrored about both axes has the very nodes of the grid between the mirrored lines."""
+    quarter = grid(np.array([0.0, 0.4, 1.0]), np.array([0.0, 2.0, 2.5]))
+    whole = mirror(mirror(quarter, 0)[0], 1)[0]
+    direct = grid(np.array([-1.0, -0.4, 0.0, 0.4, 1.0]), np.array([-2.5, -2.0, 0.0, 2.0, 2.5]))
+    np.testing.assert_allclose(whole.nodes, direct.nodes, atol=1e-15)
+    np.testing.assert_array_equal(whole.elements, direct.elements)

@@ -1,0 +1,189 @@
+"""Whether equilibrium is possible at all, against a linear program that looks for the pressures."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import linprog
+
+from groundslab.discretise import discretise
+from groundslab.errors import NoEquilibrium
+from groundslab.model import Contact, Edges, Mesh, Model, PatchLoad, Plate, PointLoad, UniformLoad, Winkler
+from groundslab.problem import BETA_X
+from groundslab.statics import require_equilibrium
+
+LX, LY = 6.0, 4.0
+
+
+def model(loads: list[Any], edges: Edges | None = None, **keys: Any) -> Model:
+    """Return a plate of 6 x 4 m on springs."""
+    element = keys.pop("element", "mitc9")
+    return Model(
+        plate=Plate(length_x=LX, length_y=LY, thickness=0.2, E=30e9, nu=0.2, element=element, edges=edges or Edges()),
+        ground=Winkler(k=20e6),
+        loads=loads,
+        mesh=Mesh(counts=keys.pop("counts", (4, 4)), symmetry=keys.pop("symmetry", "auto")),
+        contact=Contact(**keys),
+    )
+
+
+def possible(described: Model) -> bool:
+    """Return whether the module lets the model pass."""
+    try:
+        require_equilibrium(discretise(described))
+    except NoEquilibrium:
+        return False
+    return True
+
+
+def point(P: float, x: float, y: float) -> PointLoad:
+    """Return a point load."""
+    return PointLoad(P=P, x=x, y=y)
+
+
+@pytest.mark.parametrize("element", ["mitc9", "q9", "heterosis"])
+@pytest.mark.parametrize(
+    ("x", "y", "allowed"),
+    [
+        (0, 0, True),
+        (2.99, 0, True),
+        (2.99, 1.99, True),
+        (-2.999, 1.999, True),
+        (3, 0, False),
+        (3, 2, False),
+        (0, -2, False),
+    ],
+)
+def test_a_force_inside_stands_and_on_the_edge_topples(element: str, x: float, y: float, allowed: bool) -> None:
+    """Pressure needs room on both sides of the resultant: within the plate it stands, right on its edge it does not."""
+    assert possible(model([point(1e5, x, y)], element=element)) is allowed
+
+
+def test_the_resultant_counts_not_each_load() -> None:
+    """Two loads of which one pulls: the resultant decides, inside as well as far outside the plate."""
+    assert possible(model([point(2e5, 2.0, 0), point(-1e5, 1.5, 1.0)]))
+    assert not possible(model([point(2e5, 2.0, 0), point(-1e5, -2.0, 0)]))
+    assert not possible(model([point(2e5, 1.0, 1.5), point(-1e5, -1.0, 0)]))
+
+
+def test_uplift_is_told_apart_from_toppling() -> None:
+    """A net pull is reported as such with the sum of the loads, an eccentric push with the place of the resultant."""
+    with pytest.raises(NoEquilibrium, match=r"do not press the plate down.* -30 kN"):
+        require_equilibrium(discretise(model([point(1e4, 0, 0), point(-4e4, 1, 1)])))
+    with pytest.raises(NoEquilibrium, match=r"topple.* 10 kN acts at x = 5 m, y = 1 m"):
+        require_equilibrium(discretise(model([point(2e4, 2, 0), point(-1e4, -1, -1)])))
+
+
+def test_whole_loads_are_named_when_a_quarter_is_meshed() -> None:
+    """The message gives the sum over the whole plate, not over the meshed part."""
+    with pytest.raises(NoEquilibrium, match=r"-24 kN"):
+        require_equilibrium(discretise(model([UniformLoad(q=-1e3)])))
+    with pytest.raises(NoEquilibrium, match=r"-24 kN"):
+        require_equilibrium(discretise(model([UniformLoad(q=-1e3)], symmetry="off")))
+
+
+def test_balanced_pull_and_push_do_not_stand() -> None:
+    """Loads that sum to zero leave nothing to press the plate down, with or without a moment."""
+    assert not possible(model([point(1e5, 1, 0), point(-1e5, -1, 0)]))
+    assert not possible(model([PatchLoad(q=1e3, x=(-1, 1), y=(-1, 1)), point(-4e3, 0, 0)]))
+
+
+def test_glued_to_the_ground_everything_stands() -> None:
+    """Ground that can pull holds any load."""
+    assert possible(model([point(-1e5, 3.0, 2.0)], tensionless=False))
+
+
+@pytest.mark.parametrize("support", ["clamped"])
+def test_a_clamped_edge_holds_everything(support: str) -> None:
+    """With no rigid motion left there is nothing to ask of the ground."""
+    assert possible(model([point(-1e5, 2.9, 1.9)], Edges(left=support)))
+
+
+@pytest.mark.parametrize("support", ["soft", "hinged"])
+def test_moment_about_a_hinged_edge_decides(support: str) -> None:
+    """Held along x = -3 the plate stands exactly if the loads press it down about that edge."""
+    held = Edges(left=support)
+    assert possible(model([point(1e5, 2.9, 0)], held))
+    assert possible(model([point(1e5, 3.0, 2.0)], held))
+    assert not possible(model([point(-1e5, 2.9, 0)], held))
+    # 2 kN down at 1 m from the edge against 1 kN up at 3 m, then at 1.5 m
+    assert not possible(model([point(2e3, -2, 0), point(-1e3, 0, 0)], held))
+    assert possible(model([point(2e3, -2, 0), point(-1e3, -1.5, 0)], held))
+    # net uplift is no matter as long as the moment is right
+    assert possible(model([point(1e3, 3, 0), point(-3e3, -2.0, 0)], held))
+
+
+def test_two_opposite_edges_hold_everything() -> None:
+    """Supports on two edges leave no rigid motion."""
+    assert possible(model([point(-1e5, 0, 0)], Edges(left="soft", right="soft")))
+    assert possible(model([point(-1e5, 0, 0)], Edges(left="soft", bottom="soft")))
+
+
+def supported(side: str, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Return which points lie on a side of the plate."""
+    return {"left": x == -LX / 2, "right": x == LX / 2, "bottom": y == -LY / 2, "top": y == LY / 2}[side]
+
+
+@settings(max_examples=40, derandomize=True, deadline=None)
+@given(seed=st.integers(0, 100_000), side=st.sampled_from([None, "left", "right", "bottom", "top"]))
+def test_decision_equals_a_linear_program(seed: int, side: str | None) -> None:
+    """Random pushes and pulls: the plate stands exactly where pressures all greater than zero balance the loads.
+
+    The program looks for forces at 5 x 5 points, free in sign on a supported edge, and makes the least one elsewhere
+    as large as it can.
+    """
+    rng = np.random.default_rng(seed)
+    P = rng.choice([1.0, 1.0, -0.7], 3) * rng.uniform(0.5, 2.0, 3)
+    px, py = rng.uniform(-LX / 2, LX / 2, 3), rng.uniform(-LY / 2, LY / 2, 3)
+    edges = Edges(**{side: "soft"}) if side else Edges()
+    described = model([point(float(p), float(a), float(b)) for p, a, b in zip(P, px, py, strict=True)], edges)
+
+    x, y = (a.ravel() for a in np.meshgrid(np.linspace(-LX / 2, LX / 2, 5), np.linspace(-LY / 2, LY / 2, 5)))
+    held = supported(side, x, y) if side else np.zeros(25, dtype=bool)
+    balance = np.column_stack([np.vstack([np.ones(25), x, y]), np.zeros(3)])
+    wanted = [P.sum(), P @ px, P @ py]
+    least = np.column_stack([-np.eye(25)[~held], np.ones((~held).sum())])
+    bounds = [(None, None)] * 25 + [(None, 1.0)]
+    found = linprog(np.r_[np.zeros(25), -1.0], least, np.zeros((~held).sum()), balance, wanted, bounds=bounds)
+    assert found.status == 0
+    assert possible(described) is bool(found.x[-1] > 1e-7)
+
+
+@pytest.mark.parametrize("symmetry", ["auto", "off"])
+def test_symmetry_makes_no_difference(symmetry: str) -> None:
+    """The same verdicts whether a quarter, a half or the whole plate is meshed."""
+    assert possible(model([point(1e5, 0, 0)], symmetry=symmetry))
+    assert possible(model([point(1e5, 3, 0), point(1e5, -3, 0)], symmetry=symmetry))
+    assert not possible(model([point(-1e5, 0, 0)], symmetry=symmetry))
+    assert not possible(model([point(1e5, 0, 2)], symmetry=symmetry))
+    assert possible(model([point(1e5, 0, 1.9)], symmetry=symmetry))
+    assert possible(model([UniformLoad(q=1e3), PatchLoad(q=-1e3, x=(-2, 2), y=(-1, 1))], symmetry=symmetry))
+    held = Edges(left="soft", right="soft")
+    assert possible(model([point(-1e5, 0, 0)], held, symmetry=symmetry))
+
+
+@pytest.mark.parametrize(("moment", "allowed"), [(2.9e5, True), (3.1e5, False), (-2.9e5, True), (-3.1e5, False)])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_moments_at_nodes_shift_the_resultant(axis: int, moment: float, allowed: bool) -> None:
+    """A force of 100 kN in the middle and a moment of the load itself: it stands while M / F stays on the plate."""
+    problem = discretise(model([point(1e5, 0, 0)], symmetry="off"))
+    load = problem.load.copy()
+    load[7, BETA_X + axis] = moment * (1.0 if axis == 0 else LY / LX)
+    turned = replace(problem, load=load)
+    if allowed:
+        require_equilibrium(turned)
+    else:
+        with pytest.raises(NoEquilibrium, match="topple"):
+            require_equilibrium(turned)
+
+
+@pytest.mark.parametrize("factor", [1e-9, 1.0, 1e12])
+def test_size_of_forces_does_not_matter(factor: float) -> None:
+    """The verdict depends on where loads act, not on their units."""
+    assert possible(model([point(factor, 2.9, 1.9)]))
+    assert not possible(model([point(factor, 3.0, 1.9)]))
