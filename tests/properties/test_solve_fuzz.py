@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from hypothesis import HealthCheck, given, settings
-from strategies import models
 
 from groundslab.analysis import solve
+from groundslab.discretise import discretise
 from groundslab.errors import GroundslabError
+from groundslab.statics import require_equilibrium
+from strategies import models
 
 
 @settings(max_examples=250, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
@@ -16,7 +18,10 @@ def test_any_model_ends_in_a_certified_result_or_a_clear_error(model):
     try:
         results = solve(model)
     except GroundslabError as error:
-        assert len(str(error)) > 20
+        said = str(error)
+        results = None
+    if results is None:
+        assert len(said) > 20
     else:
         assert results.certificate.holds
         assert all(abs(value) < float("inf") for value in results.plate.settlement)
@@ -28,12 +33,8 @@ def test_most_models_have_a_result(model):
     """An ordinary model, without misprinted formulas and with a load that can be balanced, does give a result."""
     if getattr(model.ground, "formulas", "exact") == "as printed":
         return
-    from groundslab.discretise import discretise
-    from groundslab.errors import NoEquilibrium
-    from groundslab.statics import require_equilibrium
-
     try:
         require_equilibrium(discretise(model))
-    except (NoEquilibrium, GroundslabError):
+    except GroundslabError:
         return
     assert solve(model).certificate.holds
