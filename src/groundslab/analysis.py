@@ -10,11 +10,12 @@ import numpy as np
 from groundslab import contact, linear
 from groundslab.checks import certificate, decay_squared
 from groundslab.contact import Contact
-from groundslab.discretise import coarsest, discretise
+from groundslab.discretise import discretise
 from groundslab.errors import NotCertified, NotConverged
 from groundslab.ground import Column
+from groundslab.layout import coarsest
 from groundslab.linear import Solver, Symbolic
-from groundslab.mesh import Mesh, interpolate_linear
+from groundslab.mesh import Mesh, values_between
 from groundslab.model import Model
 from groundslab.problem import Problem, System, nodal, right_hand_side, stiffness, system
 from groundslab.recover import recover
@@ -167,7 +168,7 @@ def _zone(start: Solution | None, problem: Problem) -> Flags:
     coarse: Mesh = start.system.problem.mesh
     if coarse is problem.mesh:
         return start.contact.closed
-    zone: Flags = interpolate_linear(coarse, start.closed, problem.mesh)[nodes] <= CLOSED_AT
+    zone: Flags = values_between(coarse, start.closed, problem.mesh.nodes[nodes]) <= CLOSED_AT
     return zone
 
 

@@ -1,4 +1,4 @@
-"""Nine-node meshes: rectilinear grids, their order of elimination, values between nodes, mirroring."""
+"""Nine-node meshes: grids, where a point lies, sides, the order of elimination, mirroring."""
 
 from __future__ import annotations
 
@@ -6,17 +6,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.shape import COLUMN, ROW, Array, Integers, lagrange
+from groundslab.shape import COLUMN, ROW, Array, Integers, q9
+
+#: The nodes of an element's four sides: end, end, middle.
+SIDES = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
+#: The nodes of an element in the order that its mirror image needs to run counter-clockwise again.
+MIRRORED = np.array([1, 0, 3, 2, 4, 7, 6, 5, 8])
+#: A point this far outside an element, relative to its size, still counts as in it.
+NEAR = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
 class Mesh:
-    """A rectilinear mesh of nine-node quadrilaterals between the lines x (nx+1,) and y (ny+1,) [m]."""
+    """Nine-node quadrilaterals: nodes (n, 2) [m] and elements (m, 9), counter-clockwise."""
 
-    x: Array
-    y: Array
-    nodes: Array  # (n, 2) [m]
-    elements: Integers  # (nx * ny, 9)
+    nodes: Array
+    elements: Integers
 
     @property
     def xy(self) -> Array:
@@ -31,7 +36,7 @@ def grid(x: Array, y: Array) -> Mesh:
     nodes = np.column_stack([np.tile(X, len(Y)), np.repeat(Y, len(X))])
     column, row = np.meshgrid(np.arange(len(x) - 1), np.arange(len(y) - 1))
     elements = (2 * column.reshape(-1, 1) + COLUMN) + (2 * row.reshape(-1, 1) + ROW) * len(X)
-    return Mesh(x, y, nodes, elements)
+    return Mesh(nodes, elements)
 
 
 def with_midpoints(x: Array) -> Array:
@@ -54,38 +59,85 @@ def lines_beyond(start: float, width: float, first: float, scale: float) -> Arra
     return lines
 
 
-def locate(x: Array, values: Array) -> tuple[Integers, Array]:
-    """Return the interval of the ascending lines x that holds each value, and the local coordinate in it (-1 .. 1).
+def locate(mesh: Mesh, points: Array, reach: float = NEAR) -> tuple[Integers, Array]:
+    """Return the element that holds each point (p, 2) and the point's place in it, (p, 2) on the reference square.
 
-    Values outside lie in the first or last interval, with a local coordinate beyond -1 or 1.
+    A point on a common side belongs to one of the elements. A point that lies outside the mesh by more than `reach`
+    times an element's size gets the element -1.
     """
-    i = np.clip(np.searchsorted(x, values, side="right") - 1, 0, len(x) - 2)
-    return i, 2 * (values - x[i]) / (x[i + 1] - x[i]) - 1
+    import shapely
+
+    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
+    margin = reach * (high - low).max(axis=1, keepdims=True)
+    low, high = low - margin, high + margin
+    tree = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
+    which, candidate = tree.query(shapely.points(points))
+    local = place_in(mesh.xy[candidate], points[which])
+    beside = np.abs(local).max(axis=1, initial=0)
+    order = np.lexsort((candidate, beside, which))
+    best = order[np.unique(which[order], return_index=True)[1]]
+    best = best[beside[best] <= 1 + 10 * reach]
+    element, place = np.full(len(points), -1), np.zeros((len(points), 2))
+    element[which[best]], place[which[best]] = candidate[best], local[best]
+    return element, place
 
 
-def functions_at(mesh: Mesh, points: Array) -> tuple[Integers, Array]:
-    """Return the element of each point (p,) and the shape functions there (p, 9)."""
-    i, xi = locate(mesh.x, points[:, 0])
-    j, eta = locate(mesh.y, points[:, 1])
-    N = lagrange(xi)[0][:, COLUMN] * lagrange(eta)[0][:, ROW]
-    return i + j * (len(mesh.x) - 1), N
+def _nearest(mesh: Mesh, points: Array) -> Integers:
+    """Return the element whose bounding box is nearest to each point (p,)."""
+    import shapely
+
+    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
+    tree = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
+    nearest: Integers = tree.nearest(shapely.points(points))
+    return nearest
 
 
-def interpolate_linear(mesh: Mesh, values: Array, target: Mesh) -> Array:
-    """Return nodal values (n,) of one mesh at the nodes of another, bilinear between neighbouring nodes."""
-    X, Y = with_midpoints(mesh.x), with_midpoints(mesh.y)
-    table = values.reshape(len(Y), len(X))
-    along_x = _linear(X, with_midpoints(target.x))
-    along_y = _linear(Y, with_midpoints(target.y))
-    (i, s), (j, t) = along_x, along_y
-    rows = table[:, i] * (1 - s) + table[:, i + 1] * s
-    result: Array = rows[j] * (1 - t[:, None]) + rows[j + 1] * t[:, None]
-    return result.ravel()
+def place_in(xy: Array, points: Array) -> Array:
+    """Return where points (c, 2) lie in elements with nodes xy (c, 9, 2), on the reference square, by Newton's method.
+
+    Points far outside their element are only followed to its neighbourhood.
+    """
+    local = np.zeros_like(points)
+    for _ in range(20):
+        N, dN = q9(local)
+        J = np.einsum("cia,cax->cxi", dN, xy)
+        step = np.linalg.solve(J, (points - np.einsum("ca,cax->cx", N, xy))[..., None])[..., 0]
+        local = np.clip(local + step, -1.5, 1.5)
+        if np.abs(step).max(initial=0) < 1e-14:
+            break
+    return local
 
 
-def _linear(x: Array, values: Array) -> tuple[Integers, Array]:
-    i, xi = locate(x, np.clip(values, x[0], x[-1]))
-    return i, (xi + 1) / 2
+def values_at(mesh: Mesh, values: Array, points: Array) -> Array:
+    """Return nodal values (n,) at points (p, 2) of the mesh, by the shape functions; ValueError for a point outside."""
+    element, place = locate(mesh, points)
+    if (element < 0).any():
+        raise ValueError(f"the point {points[np.argmin(element)]} lies outside the mesh")
+    result: Array = np.einsum("pa,pa->p", q9(place)[0], values[mesh.elements[element]])
+    return result
+
+
+def values_between(mesh: Mesh, values: Array, points: Array) -> Array:
+    """Return nodal values (n,) at points (p, 2), bilinear between neighbouring nodes; points outside take the nearest.
+
+    Where a boundary is curved, a finer mesh has points a little outside a coarser one.
+    """
+    element, place = locate(mesh, points)
+    outside = element < 0
+    if outside.any():
+        element[outside] = _nearest(mesh, points[outside])
+        place[outside] = place_in(mesh.xy[element[outside]], points[outside])
+    hat = np.maximum(0.0, 1 - np.abs(np.clip(place, -1, 1)[:, None, :] - np.array([-1.0, 0.0, 1.0])[:, None]))
+    between: Array = np.einsum("pa,pa,pa->p", hat[:, COLUMN, 0], hat[:, ROW, 1], values[mesh.elements[element]])
+    return between
+
+
+def sides_on_boundary(elements: Integers) -> Integers:
+    """Return the sides (s, 3: end, end, middle) that belong to one element only."""
+    sides = elements[:, SIDES].reshape(-1, 3)
+    _, first, count = np.unique(sides[:, 2], return_index=True, return_counts=True)
+    boundary: Integers = sides[first[count == 1]]
+    return boundary
 
 
 def elimination_order(mesh: Mesh) -> Integers:
@@ -127,19 +179,26 @@ def elimination_order(mesh: Mesh) -> Integers:
     return rank
 
 
+def row_by_row(mesh: Mesh) -> tuple[Mesh, Integers]:
+    """Return the mesh with nodes and elements numbered by y, then x, and the old number of each node (n,)."""
+    old = np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1]))
+    new = np.empty_like(old)
+    new[old] = np.arange(len(old))
+    centre = mesh.nodes[mesh.elements[:, 8]]
+    return Mesh(mesh.nodes[old], new[mesh.elements[np.lexsort((centre[:, 0], centre[:, 1]))]]), old
+
+
 def mirror(mesh: Mesh, axis: int) -> tuple[Mesh, Integers, Array]:
-    """Return the mesh doubled about the line where its lowest coordinate along `axis` lies at 0.
+    """Return the mesh doubled about the line where the coordinate along `axis` is zero.
 
     Also the source node of each node (n2,) and whether it lies on the mirrored side: -1.0 there, else 1.0 (n2,).
     """
-    lines = [mesh.x, mesh.y]
-    lines[axis] = np.concatenate([-lines[axis][:0:-1], lines[axis]])
-    doubled = grid(lines[0], lines[1])
-    counts = [2 * len(mesh.x) - 1, 2 * len(mesh.y) - 1]
-    place = [np.arange(c) for c in counts]
-    side = [np.ones(c) for c in counts]
-    k = np.arange(2 * counts[axis] - 1) - (counts[axis] - 1)
-    place[axis], side[axis] = np.abs(k), np.where(k < 0, -1.0, 1.0)
-    source = (place[0][None, :] + place[1][:, None] * counts[0]).ravel()
-    sign = (np.ones((len(place[1]), len(place[0]))) * (side[0][None, :] if axis == 0 else side[1][:, None])).ravel()
-    return doubled, source, sign
+    n = len(mesh.nodes)
+    apart = mesh.nodes[:, axis] != 0.0
+    images = mesh.nodes[apart]
+    images[:, axis] *= -1
+    image_of = np.arange(n)
+    image_of[apart] = n + np.arange(apart.sum())
+    doubled = Mesh(np.vstack([mesh.nodes, images]), np.vstack([mesh.elements, image_of[mesh.elements[:, MIRRORED]]]))
+    source = np.concatenate([np.arange(n), np.flatnonzero(apart)])
+    return doubled, source, np.repeat([1.0, -1.0], [n, len(images)])

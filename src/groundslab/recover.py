@@ -7,13 +7,13 @@ import numpy as np
 from groundslab import plate
 from groundslab.assembly import scatter
 from groundslab.checks import ground_forces
-from groundslab.discretise import consistent_parts
-from groundslab.mesh import Mesh, mirror
+from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import InterfaceLayer, Layered, Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
 from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step
 from groundslab.shape import COLUMN, ROW, Array, Flags, Integers, gauss
 from groundslab.solution import Solution
+from groundslab.subsoil import consistent_parts
 from groundslab.vlasov import Soil
 
 #: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
@@ -48,6 +48,10 @@ def recover(model: Model, solution: Solution, proof: Certificate, steps: tuple[S
         ground = {number: w[source] for number, w in ground.items()}
         area, closed, under = area[source] * np.where(on_axis, 2.0, 1.0), closed[source], under[source]
 
+    mesh, old = row_by_row(mesh)  # the same numbers whether a part was computed or the whole
+    fields = {name: f[old] for name, f in fields.items()}
+    ground = {number: w[old] for number, w in ground.items()}
+    area, closed, under = area[old], closed[old], under[old]
     elements, edge = _plate_part(mesh, under)
     return Results(
         model=model,
@@ -108,11 +112,10 @@ def nodal_section_forces(problem: Problem, U: Array) -> list[Array]:
 
 def _plate_part(mesh: Mesh, under: Flags) -> tuple[Integers, Flags]:
     """Return the plate's elements in the numbers of its own nodes, and which of these lie on the plate's edge."""
-    elements = mesh.elements[under[mesh.elements[:, 8]]]
-    own = np.cumsum(under) - 1
-    nodes = mesh.nodes[under]
-    low, high = nodes.min(axis=0), nodes.max(axis=0)
-    return own[elements], ((nodes == low) | (nodes == high)).any(axis=1)
+    elements = (np.cumsum(under) - 1)[mesh.elements[under[mesh.elements[:, 8]]]]
+    edge = np.zeros(under.sum(), dtype=bool)
+    edge[sides_on_boundary(elements)] = True
+    return elements, edge
 
 
 def _constants(model: Model, solution: Solution) -> Constants:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.errors import Fault, InputError
-from groundslab.shape import q9
+from groundslab.mesh import Mesh, values_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -87,15 +87,10 @@ class GroundResult:
 
 
 def _value_at(nodes: Array, elements: Integers, values: Array, x: float, y: float) -> float:
-    corners = nodes[elements[:, :4]]
-    low, high = corners.min(axis=1), corners.max(axis=1)
-    slack = 1e-9 * np.ptp(nodes, axis=0).max()
-    inside = ((low - slack <= (x, y)) & ((x, y) <= high + slack)).all(axis=1)
-    if not inside.any():
-        raise InputError([Fault("point", f"({x:g}, {y:g}) m", "a point inside the meshed region")])
-    element = int(np.argmax(inside))
-    local = 2 * (np.array([[x, y]]) - low[element]) / (high[element] - low[element]) - 1
-    return float((q9(local)[0] @ values[elements[element]])[0])
+    try:
+        return float(values_at(Mesh(nodes, elements), values, np.array([[x, y]]))[0])
+    except ValueError:
+        raise InputError([Fault("point", f"({x:g}, {y:g}) m", "a point inside the meshed region")]) from None
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,11 +17,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from groundslab import analysis, casefile, units
-from groundslab.discretise import ground_of
 from groundslab.exact import FORMULAS
 from groundslab.model import Model, SoilLayer
 from groundslab.proofs import PROOFS
 from groundslab.results import Results
+from groundslab.subsoil import ground_of
 from groundslab.vlasov import Soil
 
 if TYPE_CHECKING:

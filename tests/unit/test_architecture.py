@@ -19,8 +19,8 @@ PACKAGE = Path(groundslab.__file__).parent
 FLOORS = [
     ["errors", "units"],
     ["model", "schema", "keys", "findings", "reference", "soil", "casefile", "shape", "mesh", "results"],
-    ["plate", "ground", "vlasov", "assembly", "linear", "contact", "problem"],
-    ["discretise"],
+    ["plate", "ground", "vlasov", "assembly", "linear", "contact", "problem", "loads"],
+    ["subsoil", "layout", "discretise"],
     ["statics", "solution", "checks", "recover", "analysis"],
     ["verify", "exact", "proofs", "cases"],
     ["views", "study"],

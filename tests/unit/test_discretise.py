@@ -11,10 +11,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.sparse import csr_array
 
-from groundslab import discretise as rooms
-from groundslab.discretise import discretise, symmetries, winkler_modulus
+from groundslab import subsoil as rooms
+from groundslab.discretise import discretise
 from groundslab.errors import InputError
 from groundslab.ground import Column, interface_stack, single
+from groundslab.layout import symmetries
+from groundslab.mesh import Mesh as NodeMesh
 from groundslab.model import (
     Beyond,
     Contact,
@@ -35,6 +37,7 @@ from groundslab.model import (
     Winkler,
 )
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, stiffness, system
+from groundslab.subsoil import winkler_modulus
 from groundslab.vlasov import Soil
 
 LX, LY = 6.0, 4.0
@@ -73,6 +76,11 @@ def line_integrals(lines: np.ndarray, start: float, end: float) -> np.ndarray:
     return out
 
 
+def lines(mesh: NodeMesh, axis: int) -> np.ndarray:
+    """Return the lines between a grid's elements, from its corner nodes."""
+    return np.unique(mesh.nodes[mesh.elements[:, :4], axis])
+
+
 PATCHES = {
     "across borders": ((-1.7, 2.3), (-0.5, 1.9)),
     "smaller than an element": ((0.1, 0.4), (0.2, 0.25)),
@@ -88,7 +96,9 @@ PATCHES = {
 def test_patch_loads_are_integrated_exactly(x: tuple[float, float], y: tuple[float, float]) -> None:
     """Nodal forces are q int N over the patch, wherever it cuts elements: products of exact line integrals."""
     problem = discretise(model([PatchLoad(q=7.0, x=x, y=y)]))
-    wanted = 7.0 * np.outer(line_integrals(problem.mesh.y, *y), line_integrals(problem.mesh.x, *x)).ravel()
+    wanted = (
+        7.0 * np.outer(line_integrals(lines(problem.mesh, 1), *y), line_integrals(lines(problem.mesh, 0), *x)).ravel()
+    )
     np.testing.assert_allclose(problem.load[:, W], wanted, atol=1e-13)
     assert not problem.load[:, 1:].any()
 
@@ -239,9 +249,9 @@ def test_a_size_is_never_exceeded() -> None:
     for symmetry in ("auto", "off"):
         described = model(symmetry=symmetry).model_copy(update={"mesh": Mesh(size=0.7, symmetry=symmetry)})
         mesh = discretise(described).mesh
-        for lines in (mesh.x, mesh.y):
-            assert np.diff(lines).max() <= 0.7 * (1 + 1e-12)
-            assert np.diff(lines).max() > 0.55
+        for axis in (0, 1):
+            assert np.diff(lines(mesh, axis)).max() <= 0.7 * (1 + 1e-12)
+            assert np.diff(lines(mesh, axis)).max() > 0.55
 
 
 def test_coarser_meshes_halve_the_counts() -> None:
@@ -249,8 +259,8 @@ def test_coarser_meshes_halve_the_counts() -> None:
     described = model(counts=(13, 8))
     for level, counts in enumerate([(13, 8), (7, 4), (4, 2), (2, 1)]):
         mesh = discretise(described, level).mesh
-        assert (len(mesh.x) - 1, len(mesh.y) - 1) == counts
-        assert (mesh.x[0], mesh.x[-1]) == (-3.0, 3.0)
+        assert (len(lines(mesh, 0)) - 1, len(lines(mesh, 1)) - 1) == counts
+        assert (mesh.nodes[:, 0].min(), mesh.nodes[:, 0].max()) == (-3.0, 3.0)
 
 
 SUPPORTS = {
@@ -354,9 +364,9 @@ def test_infinite_edges(sides: tuple[str, ...], symmetry: str, length: float, co
 def test_width_of_infinite_ground_is_a_decay_length() -> None:
     """Without a width the mesh goes one decay length sqrt(k1/k0) beyond the plate."""
     problem = discretise(model(ground=Pasternak(k0=30e6, k1=20e6), beyond=Beyond(kind="infinite")))
-    assert problem.mesh.x[-1] == pytest.approx(3.0 + np.sqrt(2 / 3))
+    assert problem.mesh.nodes[:, 0].max() == pytest.approx(3.0 + np.sqrt(2 / 3))
     wider = discretise(model(ground=Pasternak(k0=30e6, k1=20e6), beyond=Beyond(kind="infinite")), margin=2.0)
-    assert wider.mesh.x[-1] == pytest.approx(3.0 + 2 * np.sqrt(2 / 3))
+    assert wider.mesh.nodes[:, 0].max() == pytest.approx(3.0 + 2 * np.sqrt(2 / 3))
 
 
 @pytest.mark.parametrize("order", [1, -1])

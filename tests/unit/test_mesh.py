@@ -1,4 +1,4 @@
-"""Rectilinear meshes: numbering, location, transfer between meshes, order of elimination, mirroring."""
+"""Meshes: numbering, location, transfer between meshes, order of elimination, mirroring."""
 
 from __future__ import annotations
 
@@ -11,14 +11,17 @@ from scipy.sparse.linalg import splu
 from groundslab.mesh import (
     Mesh,
     elimination_order,
-    functions_at,
     grid,
-    interpolate_linear,
     lines_beyond,
     locate,
     mirror,
+    place_in,
+    sides_on_boundary,
+    values_at,
+    values_between,
     with_midpoints,
 )
+from groundslab.shape import q9
 
 X = np.array([-2.0, -1.5, 0.3, 1.0, 4.0])
 Y = np.array([0.0, 0.7, 1.0, 2.5])
@@ -80,32 +83,51 @@ def test_lines_beyond_are_halved_with_the_first() -> None:
     np.testing.assert_allclose(fine[1::2], coarse, rtol=1e-12)
 
 
-def test_locate_within_on_and_outside_the_lines() -> None:
-    """Values come back as interval and local coordinate; those outside are carried on from the outermost interval."""
-    values = np.array([-3.0, -2.0, -1.9, -1.5, 0.0, 1.0, 3.9, 4.0, 5.0])
-    i, xi = locate(X, values)
-    np.testing.assert_array_equal(i, [0, 0, 0, 1, 1, 3, 3, 3, 3])
-    np.testing.assert_allclose((X[i] + X[i + 1]) / 2 + xi * (X[i + 1] - X[i]) / 2, values, atol=1e-14)
-    assert xi[0] < -1
-    assert xi[-1] > 1
+def crooked(seed: int = 3) -> Mesh:
+    """Return a mesh of crooked quadrilaterals on -2 .. 4 x 0 .. 2.5, with one curved side on its boundary."""
+    mesh = grid(X, Y)
+    nodes = mesh.nodes.copy()
+    inner = (nodes[:, 0] > -2) & (nodes[:, 0] < 4) & (nodes[:, 1] > 0) & (nodes[:, 1] < 2.5)
+    nodes[inner] += np.random.default_rng(seed).uniform(-0.04, 0.04, (inner.sum(), 2))
+    nodes[mesh.elements[0, 4]] -= [0, 0.05]
+    return Mesh(nodes, mesh.elements)
 
 
-def test_functions_at_points_interpolate_biquadratics() -> None:
-    """Element and functions of a point give the value there of any biquadratic, so element and place are right."""
+def test_place_in_an_element_is_the_inverse_of_its_map() -> None:
+    """The place found for a point maps back to the point, in straight, crooked and curved elements."""
+    mesh = crooked()
+    place = np.random.default_rng(5).uniform(-1, 1, (len(mesh.elements), 2))
+    points = np.einsum("ea,eax->ex", q9(place)[0], mesh.xy)
+    np.testing.assert_allclose(place_in(mesh.xy, points), place, atol=1e-12)
+
+
+def test_locate_finds_the_element_of_a_point() -> None:
+    """A point comes back with an element and a place that map to it; on sides and corners too; -1 outside."""
+    mesh = crooked()
+    inside = np.random.default_rng(1).uniform([-1.99, 0.01], [3.99, 2.49], (200, 2))
+    points = np.vstack([inside, mesh.nodes])
+    element, place = locate(mesh, points)
+    assert (element >= 0).all()
+    assert np.abs(place).max() <= 1 + 1e-8
+    np.testing.assert_allclose(np.einsum("pa,pax->px", q9(place)[0], mesh.xy[element]), points, atol=1e-12)
+    outside = np.array([[-2.1, 1.0], [5.0, 1.0], [0.0, 2.6], [0.0, -0.06], [1e6, 1e6]])
+    np.testing.assert_array_equal(locate(mesh, outside)[0], -1)
+
+
+def test_values_at_points_are_those_of_the_shape_functions() -> None:
+    """On rectangles any biquadratic is met exactly; a point outside is refused by name."""
     mesh = grid(X, Y)
     points = np.random.default_rng(1).uniform([-2, 0], [4, 2.5], (50, 2))
-    element, N = functions_at(mesh, points)
 
     def f(p: np.ndarray) -> np.ndarray:
         return 3 - p[:, 0] + p[:, 0] ** 2 * p[:, 1] - 0.4 * p[:, 1] ** 2 * p[:, 0] ** 2
 
-    values = np.einsum("pa,pa->p", N, f(mesh.nodes)[mesh.elements[element]])
-    np.testing.assert_allclose(values, f(points), atol=1e-12)
-    low, high = mesh.xy[element].min(axis=1), mesh.xy[element].max(axis=1)
-    assert ((low <= points) & (points <= high)).all()
+    np.testing.assert_allclose(values_at(mesh, f(mesh.nodes), points), f(points), atol=1e-12)
+    with pytest.raises(ValueError, match="lies outside"):
+        values_at(mesh, f(mesh.nodes), np.array([[0.0, 1.0], [9.0, 1.0]]))
 
 
-def test_interpolation_between_meshes_keeps_bilinear_fields() -> None:
+def test_values_between_nodes_keep_bilinear_fields() -> None:
     """A bilinear field goes exactly from one mesh to another whose lines have nothing to do with the first's."""
     coarse = grid(X, Y)
     fine = grid(np.linspace(-2, 4, 8), np.linspace(0, 2.5, 6))
@@ -113,19 +135,29 @@ def test_interpolation_between_meshes_keeps_bilinear_fields() -> None:
     def field(p: np.ndarray) -> np.ndarray:
         return 1 - 2 * p[:, 0] + 0.5 * p[:, 1] + 3 * p[:, 0] * p[:, 1]
 
-    np.testing.assert_allclose(interpolate_linear(coarse, field(coarse.nodes), fine), field(fine.nodes), atol=1e-12)
+    np.testing.assert_allclose(values_between(coarse, field(coarse.nodes), fine.nodes), field(fine.nodes), atol=1e-12)
 
 
-def test_interpolation_between_meshes_never_overshoots() -> None:
+def test_values_between_nodes_never_overshoot() -> None:
     """Values stay between the least and the greatest nodal value, outside the first mesh too."""
     coarse = grid(X, Y)
     wide = grid(np.linspace(-5, 9, 30), np.linspace(-3, 5, 30))
     values = np.where(np.random.default_rng(2).random(len(coarse.nodes)) < 0.5, -1.0, 1.0)
-    result = interpolate_linear(coarse, values, wide)
+    result = values_between(coarse, values, wide.nodes)
     assert result.min() >= -1 - 1e-14
     assert result.max() <= 1 + 1e-14
     corner = (coarse.nodes == [X[-1], Y[-1]]).all(axis=1)
     assert result[-1] == pytest.approx(values[corner][0])
+
+
+def test_sides_on_the_boundary() -> None:
+    """The sides found are those on the rectangle's edge, each once, its middle node between its ends."""
+    mesh = grid(X, Y)
+    sides = sides_on_boundary(mesh.elements)
+    assert len(sides) == 2 * (len(X) - 1 + len(Y) - 1)
+    ends, middle = mesh.nodes[sides[:, :2]], mesh.nodes[sides[:, 2]]
+    np.testing.assert_allclose(ends.mean(axis=1), middle, atol=1e-15)
+    assert np.linalg.norm(np.diff(ends, axis=1)[:, 0], axis=1).sum() == pytest.approx(2 * (6 + 2.5))
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 2), (1, 7), (5, 1), (3, 7), (8, 8), (24, 10)])
@@ -188,5 +220,11 @@ def test_mirrored_twice_is_the_full_mesh() -> None:
     quarter = grid(np.array([0.0, 0.4, 1.0]), np.array([0.0, 2.0, 2.5]))
     whole = mirror(mirror(quarter, 0)[0], 1)[0]
     direct = grid(np.array([-1.0, -0.4, 0.0, 0.4, 1.0]), np.array([-2.5, -2.0, 0.0, 2.0, 2.5]))
-    np.testing.assert_allclose(whole.nodes, direct.nodes, atol=1e-15)
-    np.testing.assert_array_equal(whole.elements, direct.elements)
+    mine, theirs = np.lexsort(whole.nodes.T), np.lexsort(direct.nodes.T)
+    np.testing.assert_allclose(whole.nodes[mine], direct.nodes[theirs], atol=1e-15)
+    centres = [sorted(map(tuple, np.round(m.nodes[m.elements[:, 8]], 12))) for m in (whole, direct)]
+    assert centres[0] == centres[1]
+    xy = whole.xy[:, :4]
+    turns = np.roll(xy, -1, axis=1) - xy
+    assert (turns[:, 0, 0] * turns[:, 1, 1] - turns[:, 0, 1] * turns[:, 1, 0] > 0).all()
+    np.testing.assert_allclose((xy + np.roll(xy, -1, axis=1)) / 2, whole.xy[:, 4:8], atol=1e-15)

@@ -1,0 +1,122 @@
+"""Loads on parts of a plate: integrals over elements that a part covers, cuts or only touches."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from shapely import Point, Polygon, box
+
+from groundslab import loads
+from groundslab.mesh import Mesh, grid
+
+SQUARE = grid(np.linspace(0, 2, 4), np.linspace(0, 1.5, 3))
+
+
+def moments(mesh: Mesh, shares: np.ndarray) -> np.ndarray:
+    """Return sum, sum x and sum y of element shares: integrals of 1, x, y, as the functions give back linear fields."""
+    elements = np.arange(len(mesh.elements))
+    return np.array([shares.sum(), (shares * mesh.xy[elements, :, 0]).sum(), (shares * mesh.xy[elements, :, 1]).sum()])
+
+
+def crooked() -> Mesh:
+    """Return a mesh of crooked quadrilaterals with straight sides on 2 x 1.5."""
+    mesh = grid(np.linspace(0, 2, 4), np.linspace(0, 1.5, 3))
+    corners = mesh.nodes.copy()
+    inner = (corners[:, 0] > 0) & (corners[:, 0] < 2) & (corners[:, 1] > 0) & (corners[:, 1] < 1.5)
+    corners[inner] += np.random.default_rng(4).uniform(-0.1, 0.1, (inner.sum(), 2))
+    xy = corners[mesh.elements]
+    for side, (a, b) in enumerate([(0, 1), (1, 2), (2, 3), (3, 0)]):
+        xy[:, 4 + side] = (xy[:, a] + xy[:, b]) / 2
+    xy[:, 8] = xy[:, :4].mean(axis=1)
+    nodes = corners.copy()
+    nodes[mesh.elements] = xy
+    return Mesh(nodes, mesh.elements)
+
+
+POLYGONS = {
+    "inside one element": box(0.1, 0.1, 0.3, 0.2),
+    "across elements": box(0.3, 0.2, 1.7, 1.3),
+    "all": box(-1, -1, 5, 5),
+    "triangle": Polygon([(0.1, 0.1), (1.9, 0.4), (0.7, 1.4)]),
+    "re-entrant": Polygon([(0, 0), (2, 0), (2, 1.5), (1, 0.2), (0, 1.5)]),
+    "with a hole": box(0.2, 0.2, 1.8, 1.3).difference(Point(1, 0.7).buffer(0.3, quad_segs=3)),
+    "in two parts": box(0, 0, 0.3, 0.3).union(box(1.5, 1, 1.8, 1.4)),
+    "beside it": box(3, 3, 4, 4),
+    "touching it": box(2, 0, 3, 1),
+}
+
+
+@pytest.mark.parametrize("polygon", POLYGONS.values(), ids=POLYGONS.keys())
+@pytest.mark.parametrize("mesh", [SQUARE, crooked()], ids=["rectangles", "crooked"])
+def test_forces_and_moments_of_an_area_load(polygon: Polygon, mesh: Mesh) -> None:
+    """The nodal forces sum to the loaded area and to its first moments, whatever the polygon and the elements."""
+    shares = loads.over_polygon(mesh, np.arange(len(mesh.elements)), polygon)
+    loaded = polygon.intersection(box(0, 0, 2, 1.5))
+    centre = loaded.centroid
+    wanted = [0, 0, 0] if loaded.area == 0 else [loaded.area, loaded.area * centre.x, loaded.area * centre.y]
+    np.testing.assert_allclose(moments(mesh, shares), wanted, atol=1e-12)
+
+
+def test_parts_of_an_area_load_add_up() -> None:
+    """The nodal forces of a whole are those of its halves together, node by node, however they are cut."""
+    mesh, whole = crooked(), box(0.2, 0.1, 1.9, 1.45)
+    cut = Polygon([(-1, -1), (1.3, -1), (0.4, 3), (-1, 3)])
+    elements = np.arange(len(mesh.elements))
+    parts = [loads.over_polygon(mesh, elements, part) for part in (whole & cut, whole - cut)]
+    np.testing.assert_allclose(sum(parts), loads.over_polygon(mesh, elements, whole), atol=1e-9)
+
+
+def test_a_whole_element_is_met_exactly_in_pieces() -> None:
+    """Cut into pieces along its diagonal a rectangle gives the same shares as integrated whole."""
+    elements = np.arange(len(SQUARE.elements))
+    halves = [Polygon([(0, 0), (2, 0), (2, 1.5)]), Polygon([(0, 0), (2, 1.5), (0, 1.5)])]
+    pieces = sum(loads.over_polygon(SQUARE, elements, half) for half in halves)
+    np.testing.assert_allclose(pieces, loads.over_elements(SQUARE, elements), atol=1e-14)
+
+
+LINES = {
+    "inside": [(0.1, 0.1), (0.3, 0.2)],
+    "across": [(0.05, 0.1), (1.9, 1.45)],
+    "along common sides": [(0.0, 0.75), (2.0, 0.75)],
+    "on the edge": [(0.0, 0.0), (2.0, 0.0)],
+}
+
+
+@pytest.mark.parametrize("ends", LINES.values(), ids=LINES.keys())
+@pytest.mark.parametrize("mesh", [SQUARE, crooked()], ids=["rectangles", "crooked"])
+def test_forces_and_moments_of_a_line_load(ends: list[tuple[float, float]], mesh: Mesh) -> None:
+    """The nodal forces sum to the length and to its first moments, along and across the sides of elements."""
+    line = np.array(ends)
+    shares = loads.along_line(mesh, np.arange(len(mesh.elements)), line)
+    length, middle = np.linalg.norm(line[1] - line[0]), line.mean(axis=0)
+    np.testing.assert_allclose(moments(mesh, shares), [length, *(length * middle)], atol=1e-12)
+
+
+def test_a_force_on_a_node_goes_to_the_node() -> None:
+    """At a node all of the force is that node's; anywhere its shares sum to one about the point."""
+    mesh, elements = crooked(), np.arange(6)
+    node = mesh.elements[2, 5]
+    shares = loads.at_point(mesh, elements, mesh.nodes[node])
+    np.testing.assert_allclose(np.bincount(mesh.elements.ravel(), shares.ravel())[node], 1, atol=1e-12)
+    np.testing.assert_allclose(
+        moments(mesh, loads.at_point(mesh, elements, np.array([0.33, 1.2]))), [1, 0.33, 1.2], atol=1e-12
+    )
+
+
+def test_a_point_off_the_plate_is_refused() -> None:
+    """A force beside the plate is an error, not lost."""
+    with pytest.raises(ValueError, match="does not lie on the plate"):
+        loads.at_point(SQUARE, np.arange(6), np.array([2.1, 1.0]))
+
+
+def test_curved_elements_keep_their_area() -> None:
+    """An element with a side on an arc, cut in two, gives its area up to the chords that follow the arc."""
+    mesh = grid(np.array([0.0, 1.0]), np.array([0.0, 1.0]))
+    nodes = mesh.nodes.copy()
+    nodes[mesh.elements[0, 5]] = [1.1, 0.5]
+    curved = Mesh(nodes, mesh.elements)
+    elements = np.arange(1)
+    whole = loads.over_elements(curved, elements).sum()
+    halves = [loads.over_polygon(curved, elements, box(0, a, 2, a + 0.5)).sum() for a in (0.0, 0.5)]
+    assert whole == pytest.approx(1 + 2 / 3 * 0.1, rel=1e-12)
+    assert sum(halves) == pytest.approx(whole, rel=1e-3)
