@@ -1,0 +1,74 @@
+"""The one door to Gmsh: how it is found, set up, and left as it was."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from groundslab.errors import Fault, InputError
+
+#: What Gmsh's wheel wants to find on a bare Debian or Ubuntu.
+SYSTEM_LIBRARIES = "libglu1-mesa libopengl0 libgl1 libxrender1 libxcursor1 libxft2 libxinerama1 libgomp1"
+#: What Gmsh is set to while a session lasts.
+OPTIONS = {
+    "General.Terminal": 0,
+    "General.AbortOnError": 2,
+    "General.NumThreads": 1,
+    "Geometry.OCCBoundsUseStl": 0,
+    "Mesh.Algorithm": 8,
+    "Mesh.ElementOrder": 1,
+    "Mesh.MeshSizeExtendFromBoundary": 0,
+    "Mesh.MeshSizeFromCurvature": 0,
+    "Mesh.MeshSizeFromPoints": 0,
+    "Mesh.MeshSizeMax": 1e22,
+    "Mesh.MeshSizeMin": 0,
+    "Mesh.RandomSeed": 1,
+    "Mesh.RecombinationAlgorithm": 1,
+    "Mesh.RecombineAll": 1,
+    "Mesh.SubdivisionAlgorithm": 0,
+}
+
+
+@contextmanager
+def session() -> Iterator[Any]:
+    """Yield Gmsh with an empty model of our own; afterwards everything is as it was, whatever happened."""
+    gmsh = _gmsh()
+    ours = not gmsh.isInitialized()
+    if ours:
+        gmsh.initialize([], readConfigFiles=False, run=False, interruptible=False)
+    before = {} if ours else {name: gmsh.option.getNumber(name) for name in OPTIONS}
+    current = "" if ours else gmsh.model.getCurrent()
+    try:
+        for name, value in OPTIONS.items():
+            gmsh.option.setNumber(name, value)
+        gmsh.model.add("groundslab")
+        yield gmsh
+    except InputError:
+        raise
+    except Exception as refused:
+        # Gmsh knows no other exception; what it says is for people
+        raise InputError([Fault("plan", f"a plan that Gmsh refuses ({refused})", "one that can be meshed")]) from None
+    finally:
+        if ours:
+            gmsh.finalize()
+        else:
+            gmsh.model.setCurrent("groundslab")
+            gmsh.model.remove()
+            gmsh.model.setCurrent(current)
+            for name, value in before.items():
+                gmsh.option.setNumber(name, value)
+
+
+def _gmsh() -> Any:
+    """Return the module gmsh, or say how to get it."""
+    try:
+        import gmsh  # type: ignore[import-untyped,unused-ignore]
+    except ImportError:
+        mend = "pip install groundslab[mesh]"
+        raise InputError([Fault("mesh", "a plan with oblique edges or arcs", "Gmsh to mesh it", mend)]) from None
+    except OSError as missing:
+        mend = f"on Debian and Ubuntu: apt-get install {SYSTEM_LIBRARIES}"
+        got = f"a Gmsh that cannot be loaded ({missing})"
+        raise InputError([Fault("mesh", got, "one with the system's libraries that it needs", mend)]) from None
+    return gmsh

@@ -1,0 +1,111 @@
+"""Grids on plans in which everything runs along x and y."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+
+from groundslab.errors import Fault, InputError
+from groundslab.mesh import grid
+from groundslab.mesher.planmesh import MOST_ELEMENTS, PlanMesh, check, finished, too_many
+from groundslab.mesher.sizes import GRADING, doubling
+from groundslab.plan import NOTHING, Plan, sections
+from groundslab.shape import Array
+
+#: Neighbouring intervals of a grid may differ by this factor before the longer one is graded.
+SIMILAR = 1.5
+
+
+def rectilinear(plan: Plan, size: float, beyond_growth: float | None = None) -> PlanMesh:
+    """Return a grid with lines through all corners and points of a plan in which everything runs along x or y."""
+    check(plan, size)
+    if not plan.rectilinear:
+        raise InputError([Fault("plan", "an oblique edge or an arc", "edges along x and y", "mesh it unstructured")])
+    scale = doubling(plan, beyond_growth)
+    corners = np.array([point for ring in plan.rings().values() for point in ring.points])
+    others = np.array([*plan.points, *(point for line in plan.lines for point in line)]).reshape(-1, 2)
+    outline = np.array(plan.outline.points)
+    domain = outline if plan.beyond is None else np.array(plan.beyond.points)
+    lines = []
+    for axis in (0, 1):
+        breaks = _apart(np.concatenate([corners[:, axis], others[:, axis]]), plan.extent)
+        low, high = domain[:, axis].min(), domain[:, axis].max()
+        plate = outline[:, axis].min(), outline[:, axis].max()
+        lines.append(_divide(breaks[(breaks >= low) & (breaks <= high)], size, plate, scale))
+    x, y = lines
+    if (len(x) - 1) * (len(y) - 1) > 4 * MOST_ELEMENTS:
+        raise InputError([too_many()])
+    whole = grid(x, y)
+    section = sections(plan, whole.nodes[whole.elements[:, 8]])
+    kept = section != NOTHING
+    return finished(whole.nodes, whole.elements[kept], section[kept])
+
+
+def _apart(values: Array, extent: float) -> Array:
+    """Return values ascending, of those that are one place only the first."""
+    ascending = np.unique(values)
+    different: Array = ascending[np.concatenate([[True], np.diff(ascending) > 1e-8 * extent])]
+    return different
+
+
+def _divide(breaks: Array, size: float, plate: tuple[float, float], scale: float) -> Array:
+    """Return lines through all breaks, at most `size` apart, further where d / scale says so at d from the plate.
+
+    Each interval is divided evenly at first; then those beside shorter ones are graded towards these.
+    """
+
+    def wanted(x: Array) -> Array:
+        beyond: Array = np.maximum(0.0, np.maximum(plate[0] - x, x - plate[1]))
+        return size * (1 + beyond / scale)
+
+    intervals = list(pairwise(breaks.tolist()))
+    even = []
+    for low, high in intervals:
+        count = _count(wanted, low, high)
+        even.append(count / math.ceil(count - 1e-9))
+    lows, highs = breaks[:-1], breaks[1:]
+    at_low, at_high = np.array(even) * wanted(lows), np.array(even) * wanted(highs)
+    lines = [breaks[:1]]
+    for i, (low, high) in enumerate(intervals):
+
+        def graded(x: Array, i: int = i) -> Array:
+            own = even[i] * wanted(x)
+            for k in range(len(intervals)):
+                if k != i:
+                    near, side = (highs[k], at_high[k]) if k < i else (lows[k], at_low[k])
+                    own = np.minimum(own, SIMILAR * side + GRADING * np.abs(x - near))
+            return own
+
+        lines.append(_lines(graded, low, high))
+    return np.concatenate(lines)
+
+
+def _samples(low: float, high: float) -> Array:
+    """Return places between two lines, closer near both."""
+    return low + (high - low) * (1 - np.cos(np.linspace(0, math.pi, 2001))) / 2
+
+
+def _sum(size: Callable[[Array], Array], x: Array) -> Array:
+    """Return how many intervals of the wanted size lie before each of the places x."""
+    density = 1 / size(x)
+    return np.concatenate([[0.0], np.cumsum(np.diff(x) * (density[1:] + density[:-1]) / 2)])
+
+
+def _count(size: Callable[[Array], Array], low: float, high: float) -> float:
+    return float(_sum(size, _samples(low, high))[-1])
+
+
+def _lines(size: Callable[[Array], Array], low: float, high: float) -> Array:
+    """Return the lines that divide low .. high by a wanted size, low left out."""
+    x = _samples(low, high)
+    wanted = size(x)
+    if np.ptp(wanted) <= 1e-9 * wanted[0]:
+        return np.linspace(low, high, math.ceil((high - low) / wanted[0] - 1e-6) + 1)[1:]
+    sums = _sum(size, x)
+    n = max(1, math.ceil(sums[-1] - 1e-6))
+    lines: Array = np.interp(sums[-1] * np.arange(1, n + 1) / n, sums, x)
+    lines[-1] = high
+    return lines

@@ -1,0 +1,67 @@
+"""How large elements may be: what in a plan asks for smaller ones, and how they grow away from it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from groundslab.errors import Fault, InputError
+from groundslab.plan import FLAT, Plan, Ring, Segment
+from groundslab.shape import Array
+
+#: Elements may grow by this much of the distance from what asks for smaller ones.
+GRADING = 0.35
+#: An element's side turns by no more than this on an arc [rad].
+TURN = math.pi / 8
+#: Longest row of places at which an edge can ask for smaller elements.
+MOST_SOURCES = 200
+
+#: Places and the largest size [m] of elements around each: (k, 2) and (k,).
+Sources = tuple[Array, Array]
+
+
+def sources(plan: Plan, size: float) -> Sources:
+    """Return where a plan needs elements smaller than `size`, and how small: short edges, arcs, narrow places."""
+    import shapely
+
+    edges = [edge for ring in plan.rings().values() for edge in ring.segments()] + plan.line_segments()
+    same = FLAT * plan.extent
+    flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(same) + 1))) for edge in edges]
+    flat += [shapely.Point(point) for point in plan.points]
+    edges += [Segment(point, point) for point in plan.points]
+    places, sizes = [np.zeros((0, 2))], [np.zeros(0)]
+
+    def ask(where: Array, wanted: Array) -> None:
+        small = wanted < size * (1 - 1e-9)
+        places.append(where[small])
+        sizes.append(wanted[small])
+
+    for edge in edges:
+        if edge.length > 0:
+            wanted = edge.length if edge.straight else edge.length / math.ceil(abs(edge.sweep) / TURN - 1e-9)
+            n = min(MOST_SOURCES, math.ceil(edge.length / min(wanted, size)) + 1)
+            ask(edge.at(np.linspace(0, 1, n)), np.full(n, wanted))
+    tree = shapely.STRtree(flat)
+    for i, j in tree.query(flat, predicate="dwithin", distance=2 * size).T:
+        gap = 0.0 if i == j else flat[i].distance(flat[j])
+        if gap > 2 * same:
+            n = min(MOST_SOURCES, math.ceil(2 * edges[i].length / gap) + 1)
+            where = edges[i].at(np.linspace(0, 1, n))
+            ask(where, edges[j].distance(where) / 2)
+    return np.concatenate(places), np.concatenate(sizes)
+
+
+def along(ring: Ring, spacing: float) -> Array:
+    """Return places along a ring about a spacing apart."""
+    edges = ring.segments()
+    counts = [max(1, math.ceil(edge.length / spacing)) for edge in edges]
+    return np.concatenate([edge.at(np.arange(n) / n) for edge, n in zip(edges, counts, strict=True)])
+
+
+def doubling(plan: Plan, given: float | None) -> float:
+    """Return the distance from the plate at which elements are twice as large [m]."""
+    if given is not None and not given > 0:
+        raise InputError([Fault("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
+    outline = np.array(plan.outline.flat(FLAT * plan.extent))
+    return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
