@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, check, new, verify, schema.
+"""The command line: groundslab solve, check, new, dxf, verify, schema.
 
 Exit codes: 0 fine; 1 no certified result, or a verification case that fails; 2 wrong input or usage;
 130 interrupted.
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from rich.console import Console
 
+    from groundslab.dxf import Layers
     from groundslab.results import Results, Step
 
 FINE, NO_RESULT, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -83,6 +84,20 @@ def _parser() -> argparse.ArgumentParser:
 
     new = _command(commands, "new", _new, "write a case file to start from")
     new.add_argument("file", nargs="?", metavar="FILE", help="file to make (default: print the text)")
+
+    dxf = _command(commands, "dxf", _dxf, "make a case file from a drawing, and report what was taken from it")
+    dxf.add_argument("drawing", metavar="DRAWING", help="drawing (DXF)")
+    dxf.add_argument(
+        "--layers",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="WHAT=NAME",
+        help="names of layers; WHAT is outline, openings, zones, columns or point_loads, whose usual layers are "
+        "OUTLINE, OPENINGS, ZONES, COLUMNS and LOADS",
+    )
+    dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one that it names)')
+    dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
 
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")
@@ -180,7 +195,7 @@ def _check(options: argparse.Namespace) -> int:
     model = casefile.load(Path(options.case))
     plate = model.plate
     _print(
-        f"{options.case}: fine ({plate.length_x:g} m x {plate.length_y:g} m plate, "
+        f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
     )
     return FINE
@@ -190,18 +205,59 @@ def _new(options: argparse.Namespace) -> int:
     """Write a case file to start from; an existing file is left alone."""
     from groundslab import casefile
 
-    text = casefile.starter()
-    if options.file is None:
-        _print(text.rstrip("\n"))
-        return FINE
-    try:
-        with open(options.file, "x", encoding="utf-8", newline="\n") as file:  # noqa: PTH123
-            file.write(text)
-    except FileExistsError:
-        fault = Fault(options.file, "a file that exists", "a name that is free", "choose another name")
-        raise InputError([fault]) from None
-    _say(f"wrote {options.file}; next: groundslab solve {options.file}")
+    _hand_over(casefile.starter(), options.file)
+    if options.file is not None:
+        _say(f"wrote {options.file}; next: groundslab solve {options.file}")
     return FINE
+
+
+def _dxf(options: argparse.Namespace) -> int:
+    """Make a case file from a drawing; an existing file is left alone."""
+    from pathlib import Path
+
+    from groundslab import dxf
+
+    drawing = dxf.read(options.drawing, _layers(options.layers), options.unit)
+    _hand_over(dxf.to_case(drawing, Path(options.drawing).stem), options.out)
+    _say(dxf.report_text(drawing).rstrip("\n"))
+    if options.out is not None:
+        _say(f"\nwrote {options.out}; next: fill in what it asks for, then groundslab check {options.out}")
+    return FINE
+
+
+def _layers(pairs: Sequence[str]) -> Layers:
+    """Return the layers that WHAT=NAME name, the others under their usual names."""
+    from dataclasses import fields
+
+    from groundslab.dxf import Layers
+    from groundslab.findings import describe, listed, suggestion
+
+    known = [each.name for each in fields(Layers)]
+    names: dict[str, str] = {}
+    faults = []
+    for pair in pairs:
+        what, sign, name = pair.partition("=")
+        if not sign or what not in known:
+            expected = f"WHAT=NAME, WHAT being {listed(known)}"
+            faults.append(Fault("--layers", describe(pair), expected, suggestion(what, known)))
+        elif what in names:
+            faults.append(Fault("--layers", f"{what} twice", "one layer for it"))
+        names[what] = name
+    if faults:
+        raise InputError(faults)
+    return Layers(**names)
+
+
+def _hand_over(text: str, file: str | None) -> None:
+    """Write a text to a new file, or print it if there is none; an existing file is left alone."""
+    if file is None:
+        _print(text.rstrip("\n"))
+        return
+    try:
+        with open(file, "x", encoding="utf-8", newline="\n") as opened:  # noqa: PTH123
+            opened.write(text)
+    except FileExistsError:
+        raise InputError([Fault(file, "a file that exists", "a name that is free", "choose another name")]) from None
 
 
 def _verify(options: argparse.Namespace) -> int:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import ezdxf
 import pytest
 
 import groundslab
@@ -288,6 +290,85 @@ class TestOthers:
         assert process.returncode == 0
 
 
+@pytest.fixture
+def drawing(tmp_path: Path) -> Path:
+    """Return a drawing of a square plate of 4 m, a hole in it, and a load."""
+    document = ezdxf.new("R2010", units=6)
+    space = document.modelspace()
+    document.layers.add("SLAB")
+    for layer, x0, x1 in (("SLAB", 0, 4), ("OPENINGS", 1, 2)):
+        corners = [(x0, x0), (x1, x0), (x1, x1), (x0, x1)]
+        space.add_lwpolyline(corners, close=True, dxfattribs={"layer": layer})
+    space.add_point((3, 3), {"layer": "LOADS"})
+    space.add_text("50 kN", height=0.1, dxfattribs={"layer": "LOADS", "insert": (3.1, 3)})
+    document.saveas(tmp_path / "plan.dxf")
+    return tmp_path / "plan.dxf"
+
+
+class TestDxf:
+    """groundslab dxf."""
+
+    def test_case_and_report_go_apart(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """The case alone is on standard output, named after the drawing; the report is on standard error."""
+        assert cli.main(["dxf", str(drawing), "--layers", "outline=slab"]) == 0
+        out, err = capsys.readouterr()
+        case = tomllib.loads(out)
+        assert case["title"] == "plan"
+        assert case["plate"]["outline"]["points"][2] == ["4 m", "4 m"]
+        assert len(case["plate"]["openings"]) == 1
+        assert case["loads"][0]["P"] == "50000.0 N"
+        assert "outline: 4 m x 4 m" in err
+
+    def test_layers_and_unit_count(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Layers given together or apart are followed, an empty name takes none; the given unit wins."""
+        arguments = ["--layers", "outline=SLAB", "openings=", "--unit", "ft", "--layers", "point_loads="]
+        assert cli.main(["dxf", str(drawing), *arguments]) == 0
+        out, err = capsys.readouterr()
+        case = tomllib.loads(out)
+        assert case["plate"].keys() == {"outline"}
+        assert "loads" not in case
+        assert case["plate"]["outline"]["points"][1] == ["1.2192 m", "0 m"]
+        assert "unit: ft" in err
+
+    def test_never_overwrites(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A file is made where there is none; a second time it is left alone."""
+        path = drawing.with_name("case.toml")
+        arguments = ["dxf", str(drawing), "--layers", "outline=SLAB", "--out", str(path)]
+        assert cli.main(arguments) == 0
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert err.splitlines()[-1].startswith(f"wrote {path}; next:")
+        assert tomllib.loads(path.read_text(encoding="utf-8"))["title"] == "plan"
+        path.write_text("mine")
+        assert cli.main(arguments) == 2
+        assert path.read_text() == "mine"
+        assert "a file that exists" in capsys.readouterr().err
+
+    def test_wrong_words_for_layers(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """All that cannot be understood comes at once, with the words that there are."""
+        layers = ["outlines=SLAB", "SLAB", "zones=A", "zones=B"]
+        assert cli.main(["dxf", str(drawing), "--layers", *layers]) == 2
+        out, err = capsys.readouterr()
+        assert out == ""
+        for words in ("3 faults", '"outlines=SLAB"', 'did you mean "outline"?', '"SLAB"', "zones twice", "point_loads"):
+            assert words in err
+
+    def test_a_wrong_drawing(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A drawing without an outline ends with code 2 and the layers that it has; no file is made."""
+        assert cli.main(["dxf", str(drawing), "--out", str(drawing.with_name("case.toml"))]) == 2
+        assert '"SLAB"' in capsys.readouterr().err
+        assert not drawing.with_name("case.toml").exists()
+
+    def test_without_ezdxf(
+        self, drawing: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A missing ezdxf is told with the command that installs it."""
+        for name in [name for name in sys.modules if name.partition(".")[0] == "ezdxf"]:
+            monkeypatch.setitem(sys.modules, name, None)
+        assert cli.main(["dxf", str(drawing)]) == 2
+        assert "pip install groundslab[dxf]" in capsys.readouterr().err
+
+
 class TestPackage:
     """import groundslab."""
 
@@ -310,5 +391,5 @@ class TestPackage:
 
     def test_other_names_do_not_exist(self) -> None:
         """A name that is not public is an AttributeError, as in any module."""
-        with pytest.raises(AttributeError, match="slab"):
-            _ = groundslab.slab
+        with pytest.raises(AttributeError, match="nothing"):
+            _ = groundslab.nothing

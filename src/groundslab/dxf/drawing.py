@@ -1,0 +1,42 @@
+"""What comes out of a drawing, in metres, and what became of each of its entities."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from groundslab.dxf.curves import Curve, Point
+
+
+@dataclass(frozen=True, slots=True)
+class PointMark:
+    """A point load: place [m], value [N] (None if the drawing has none), and what is written beside it."""
+
+    x: float
+    y: float
+    value: float | None
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class ReportLine:
+    """What became of one entity; a note on a whole layer or on the header has LAYER or HEADER for its entity."""
+
+    layer: str
+    entity: str
+    handle: str
+    taken: bool
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """What was taken from a drawing, in metres; ``scale`` is the size of its ``unit`` in metres."""
+
+    outline: Curve
+    openings: tuple[Curve, ...]
+    zones: tuple[Curve, ...]
+    columns: tuple[Curve | Point, ...]
+    point_loads: tuple[PointMark, ...]
+    report: tuple[ReportLine, ...]
+    unit: str
+    scale: float
