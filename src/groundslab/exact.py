@@ -45,6 +45,24 @@ def point_load_on_infinite_plate(r: float, P: float, D: float, k: float) -> floa
     return float(-P * length**2 / (2 * math.pi * D) * kei(r / length))
 
 
+def circular_plate(
+    r: float, radius: float, t: float, E: float, nu: float, factor: float, q: float, clamped: bool
+) -> dict[str, float]:
+    """Return settlement [m] and radial moment [N m/m] of a Mindlin plate under uniform pressure, r [m] from its centre.
+
+    The thin plate's polynomial (Timoshenko and Woinowsky-Krieger 1959, sections 16 and 17) and the shear's share
+    q (R^2 - r^2) / 4 S, which is exact as the shear force q r / 2 is statically determinate.
+    """
+    D, S = E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t
+    inside = radius**2 - r**2
+    outer = radius**2 if clamped else (5 + nu) / (1 + nu) * radius**2
+    moment = radius**2 * (1 + nu) if clamped else radius**2 * (3 + nu)
+    return {
+        "settlement": q * inside * (outer - r**2) / (64 * D) + q * inside / (4 * S),
+        "moment": q / 16 * (moment - r**2 * (3 + nu)),
+    }
+
+
 def rigid_strip(distance: float, width: float, q: float, k0: float, k1: float) -> float:
     """Return the settlement [m] of Pasternak ground a distance beyond a rigid strip under the pressure q [Pa].
 
@@ -67,6 +85,8 @@ FORMULAS: dict[str, Callable[..., float]] = {
     "navier settlement": lambda **given: navier(**given)["settlement"],
     "navier moment_x": lambda **given: navier(**given)["moment_x"],
     "point load on infinite plate": point_load_on_infinite_plate,
+    "circular plate settlement": lambda **given: circular_plate(**given)["settlement"],
+    "circular plate moment": lambda **given: circular_plate(**given)["moment"],
     "rigid strip": rigid_strip,
     "confined compression": confined_compression,
 }

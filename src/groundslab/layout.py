@@ -9,10 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from groundslab.actions import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
 from groundslab.ground import Column, tail
 from groundslab.mesh import Mesh, grid, lines_beyond, sides_on_boundary
-from groundslab.model import Model, PatchLoad, PointLoad, UniformLoad
-from groundslab.shape import Flags, Integers
+from groundslab.model import SHORT_SIDE_ELEMENTS, Model
+from groundslab.plan import Plan, rectangle
+from groundslab.shape import Integers
 from groundslab.vlasov import Soil
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
@@ -38,10 +40,14 @@ class Layout:
 def layout(model: Model, ground: Soil | Column, coarsening: int, margin: float) -> Layout:
     """Return the layout of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond."""
     symmetry = symmetries(model)
-    mesh, on_plate = _mesh(model, symmetry, coarsening, margin * _width_beyond(model, ground))
-    plate_elements = np.flatnonzero(on_plate)
+    width = margin * _width_beyond(model, ground)
+    if model.plate.plain:
+        mesh, section = _plain_mesh(model, symmetry, coarsening, width)
+    else:
+        mesh, section = _drawn_mesh(model, coarsening, width)
+    plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
-    return Layout(mesh, plate_elements, np.zeros(len(plate_elements), dtype=np.int64), symmetry, outer, axis)
+    return Layout(mesh, plate_elements, section[plate_elements], symmetry, outer, axis)
 
 
 def coarsest(model: Model) -> int:
@@ -56,7 +62,7 @@ def coarsest(model: Model) -> int:
 
 def symmetries(model: Model) -> tuple[bool, bool]:
     """Return whether the problem is its own mirror image about x = 0 and about y = 0 (and the mesh may use it)."""
-    if model.mesh.symmetry == "off":
+    if model.mesh.symmetry == "off" or not model.plate.plain:
         return False, False
     return _symmetric(model, 0), _symmetric(model, 1)
 
@@ -68,7 +74,7 @@ def _symmetric(model: Model, axis: int) -> bool:
         return False
     if model.mesh.counts is not None and model.mesh.counts[axis] % 2:
         return False
-    size = max(model.plate.length_x, model.plate.length_y)
+    size = max(model.plate.sides)
 
     def key(numbers: Iterable[float]) -> tuple[float, ...]:
         return tuple(round(value / size, 9) + 0.0 for value in numbers)
@@ -76,8 +82,10 @@ def _symmetric(model: Model, axis: int) -> bool:
     here: Counter[tuple[object, ...]] = Counter()
     there: Counter[tuple[object, ...]] = Counter()
     for item in (*model.loads, *model.contact.voids):
-        if isinstance(item, UniformLoad):
+        if isinstance(item, UniformLoad | SelfWeight):
             continue
+        if isinstance(item, AreaLoad | LineLoad):
+            return False
         if isinstance(item, PointLoad):
             place = [(item.x, item.x), (item.y, item.y)]
             value = item.P
@@ -93,7 +101,7 @@ def _symmetric(model: Model, axis: int) -> bool:
 
 def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple[int, int]:
     """Return the numbers of elements along x and y in the part of the plate that is meshed."""
-    lengths = model.plate.length_x, model.plate.length_y
+    lengths = model.plate.sides
     if model.mesh.counts is not None:
         counts = [c // 2 if s else c for c, s in zip(model.mesh.counts, symmetry, strict=True)]
     else:
@@ -112,15 +120,13 @@ def _width_beyond(model: Model, ground: Soil | Column) -> float:
         return model.beyond.width
     column = ground if isinstance(ground, Column) else ground.column(ground.gamma or 1.0)
     longest = 1 / float(tail(column).decay.min())
-    return MESHED_DECAYS * min(longest, 2 * max(model.plate.length_x, model.plate.length_y))
+    return MESHED_DECAYS * min(longest, 2 * max(model.plate.sides))
 
 
-def _mesh(model: Model, symmetry: tuple[bool, bool], coarsening: int, width: float) -> tuple[Mesh, Flags]:
-    """Return the mesh of plate and ground beyond, and which of its elements lie under the plate."""
+def _plain_mesh(model: Model, symmetry: tuple[bool, bool], coarsening: int, width: float) -> tuple[Mesh, Integers]:
+    """Return the grid of a plain rectangle and its ground beyond, and each element's section, -1 beyond."""
     lines, inside = [], []
-    for axis, (length, count) in enumerate(
-        zip((model.plate.length_x, model.plate.length_y), _counts(model, symmetry, coarsening), strict=True)
-    ):
+    for axis, (length, count) in enumerate(zip(model.plate.sides, _counts(model, symmetry, coarsening), strict=True)):
         low = 0.0 if symmetry[axis] else -length / 2
         own = np.linspace(low, length / 2, count + 1)
         first = (length / 2 - low) / count
@@ -132,7 +138,32 @@ def _mesh(model: Model, symmetry: tuple[bool, bool], coarsening: int, width: flo
                 before = lines_beyond(-length / 2, -width, first, length / 2)[::-1]
         lines.append(np.concatenate([before, own, after]))
         inside.append(np.repeat([False, True, False], [len(before), count, len(after)]))
-    return grid(lines[0], lines[1]), (inside[1][:, None] & inside[0]).ravel()
+    return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)
+
+
+def _drawn_mesh(model: Model, coarsening: int, width: float) -> tuple[Mesh, Integers]:
+    """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
+    from groundslab import mesher
+
+    size = model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
+    found = mesher.mesh(plan_of(model, width), size * 2**coarsening)
+    return Mesh(found.nodes, found.elements), found.section
+
+
+def plan_of(model: Model, width: float) -> Plan:
+    """Return the plan of a model: zone i is section i; ground beyond fills the rectangle that is `width` [m] wider."""
+    plate = model.plate
+    beyond = None
+    if width:
+        grow = {side: width if side in model.beyond.sides else 0.0 for side in OUTWARD}
+        x0, x1, y0, y1 = plate.bounds
+        beyond = rectangle(x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"])
+    return Plan(
+        plate.ring(),
+        tuple(shape.ring() for shape in plate.openings),
+        tuple((zone.shape.ring(), number) for number, zone in enumerate(plate.zones, start=1)),
+        beyond,
+    )
 
 
 def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:

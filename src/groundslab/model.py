@@ -10,14 +10,27 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from groundslab import reference
+from groundslab.actions import (
+    AreaLoad,
+    LineLoad,
+    Load,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    UniformLoad,
+    Void,
+    loads_on_plate,
+    voids_on_plate,
+)  # fmt: skip
 from groundslab.findings import Finding, describe, listed, quote
-from groundslab.keys import Choice, Flag, Number, Quantity, Range, Several, Text, Whole
-from groundslab.schema import Check, Part, Table, kind_of
+from groundslab.keys import Choice, Flag, Quantity, Range, Several, Text, Whole
+from groundslab.outline import Circle, Polygon, Rectangle
+from groundslab.schema import Check, Part, Table
+from groundslab.slab import Edges, Plate, Zone
 from groundslab.soil import (
-    POISSON,
     POSITIVE,
     AnyGround,
     Ground,
@@ -31,17 +44,14 @@ from groundslab.soil import (
 )
 
 __all__ = [
-    "Analysis", "Beyond", "Contact", "Edges", "InterfaceLayer", "Layered", "Mesh", "Model", "Pasternak",
-    "PatchLoad", "Plate", "PointLoad", "Selvadurai", "SoilLayer", "UniformLoad", "Vlasov", "Void", "Winkler",
-    "docs_table", "json_schema",
+    "Analysis", "AreaLoad", "Beyond", "Circle", "Contact", "Edges", "InterfaceLayer", "Layered", "LineLoad", "Mesh",
+    "Model", "Pasternak", "PatchLoad", "Plate", "PointLoad", "Polygon", "Rectangle", "SelfWeight", "Selvadurai",
+    "SoilLayer", "UniformLoad", "Vlasov", "Void", "Winkler", "Zone", "docs_table", "json_schema",
 ]  # fmt: skip
 
 MOST_ELEMENTS = 4_000_000  # in all surfaces; nobody wants to fill the memory by a typing error
 SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
-ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to the side
 
-Element = Literal["mitc9", "q9", "heterosis"]
-Support = Literal["free", "hinged", "soft", "clamped"]
 Reach = Literal["none", "margin", "infinite"]
 OuterEdge = Literal["free", "fixed"]
 Side = Literal["left", "right", "bottom", "top"]
@@ -49,36 +59,6 @@ Symmetry = Literal["auto", "off"]
 Solver = Literal["auto", "pardiso", "superlu"]
 
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
-
-AcrossX = Annotated[tuple[float, float], Several(Quantity("length", "x", ""), "x", "extent along x", 2, rising=True)]
-AcrossY = Annotated[tuple[float, float], Several(Quantity("length", "y", ""), "y", "extent along y", 2, rising=True)]
-LoadName = Annotated[str, Text("name of the load, for people")]
-
-
-class Edges(Part):
-    """How the four edges of the plate are supported."""
-
-    left: Annotated[Support, Choice(Support, "support of the edge x = -length_x/2")] = "free"
-    right: Annotated[Support, Choice(Support, "support of the edge x = +length_x/2")] = "free"
-    bottom: Annotated[Support, Choice(Support, "support of the edge y = -length_y/2")] = "free"
-    top: Annotated[Support, Choice(Support, "support of the edge y = +length_y/2")] = "free"
-
-
-class Plate(Part):
-    """The plate; its centre is the origin of x and y."""
-
-    length_x: Annotated[float, Quantity("length", "L_x", "side along x", POSITIVE)]
-    length_y: Annotated[float, Quantity("length", "L_y", "side along y", POSITIVE)]
-    thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE)]
-    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
-    nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
-    shear_factor: Annotated[
-        float, Number("kappa", "shear correction factor, 5/6 by default", Range(above=0, at_most=1))
-    ] = 5 / 6
-    element: Annotated[Element, Choice(Element, "plate element; mitc9 does not lock")] = "mitc9"
-    edges: Annotated[Edges, Table("supports: hinged is w = 0 without tangential rotation, soft is w = 0 only")] = (
-        Edges()
-    )
 
 
 def _width_fits(kind: str, width: float | None) -> Iterator[Finding]:
@@ -118,14 +98,6 @@ class Beyond(Part):
     ] = SIDES
 
 
-class Void(Part):
-    """A rectangle under the plate where the ground lies deeper."""
-
-    depth: Annotated[float, Quantity("length", "d", "initial gap inside the rectangle", POSITIVE)]
-    x: AcrossX
-    y: AcrossY
-
-
 def _gap_may_open(tensionless: bool, gap: float) -> Iterator[Finding]:
     if not tensionless and gap > 0:
         yield Finding(("gap",), f"{gap!r} m", "no gap, as tensionless is false")
@@ -146,41 +118,6 @@ class Contact(Part):
     voids: Annotated[
         tuple[Void, ...], Table("rectangles with a further gap; the deeper one counts where they overlap")
     ] = ()
-
-
-class UniformLoad(Part):
-    """A pressure on the whole plate."""
-
-    kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
-    name: LoadName = ""
-    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
-
-
-class PatchLoad(Part):
-    """A pressure on a rectangle."""
-
-    kind: Annotated[Literal["patch"], Table("pressure on a rectangle")] = "patch"
-    name: LoadName = ""
-    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
-    x: AcrossX
-    y: AcrossY
-
-
-class PointLoad(Part):
-    """A force at a point."""
-
-    kind: Annotated[Literal["point"], Table("force at a point")] = "point"
-    name: LoadName = ""
-    P: Annotated[float, Quantity("force", "P", "force, downwards positive")]
-    x: Annotated[float, Quantity("length", "x", "position")]
-    y: Annotated[float, Quantity("length", "y", "position")]
-
-
-AnyLoad = UniformLoad | PatchLoad | PointLoad
-Load = Annotated[
-    Annotated[UniformLoad, Tag("uniform")] | Annotated[PatchLoad, Tag("patch")] | Annotated[PointLoad, Tag("point")],
-    Discriminator(kind_of),
-]
 
 
 def _one_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[Finding]:
@@ -213,8 +150,9 @@ def _plate_elements(plate: Plate, mesh: Mesh) -> float:
     """Return about how many elements the whole plate has."""
     if mesh.counts is not None:
         return mesh.counts[0] * mesh.counts[1]
-    size = mesh.size if mesh.size is not None else min(plate.length_x, plate.length_y) / SHORT_SIDE_ELEMENTS
-    return max(1.0, plate.length_x / size) * max(1.0, plate.length_y / size)
+    x, y = plate.sides
+    size = mesh.size if mesh.size is not None else min(x, y) / SHORT_SIDE_ELEMENTS
+    return max(1.0, x / size) * max(1.0, y / size)
 
 
 def _few_elements(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
@@ -249,27 +187,13 @@ def _ground_reaches(ground: AnyGround, beyond: Beyond) -> Iterator[Finding]:
             yield Finding(place, got, '"none" or "margin": without shear a layer ends with the plate', mend)
 
 
-def _on_plate(plate: Plate, axis: str, values: tuple[float, ...], place: tuple[str | int, ...]) -> Iterator[Finding]:
-    length: float = getattr(plate, f"length_{axis}")
-    if any(abs(value) > length * (0.5 + ON_PLATE) for value in values):
-        got = f"{values[0]!r} m" if len(values) == 1 else f"[{', '.join(f'{value!r} m' for value in values)}]"
-        expected = f"a position on the plate, from {-length / 2!r} m to {length / 2!r} m"
-        yield Finding((*place, axis), got, expected, "the centre of the plate is the origin")
-
-
-def _loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
-    for position, load in enumerate(loads):
-        if isinstance(load, UniformLoad):
-            continue
-        for axis in ("x", "y"):
-            value = getattr(load, axis)
-            yield from _on_plate(plate, axis, value if isinstance(value, tuple) else (value,), ("loads", position))
-
-
 def _voids_on_plate(plate: Plate, contact: Contact) -> Iterator[Finding]:
-    for position, void in enumerate(contact.voids):
-        yield from _on_plate(plate, "x", void.x, ("contact", "voids", position))
-        yield from _on_plate(plate, "y", void.y, ("contact", "voids", position))
+    return voids_on_plate(plate, contact.voids)
+
+
+def _counts_fit(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
+    if mesh.counts is not None and not plate.plain:
+        yield Finding(("mesh", "counts"), "counts", "a size", "counts are for a rectangle without openings and zones")
 
 
 class Model(Part):
@@ -277,14 +201,15 @@ class Model(Part):
 
     checks: ClassVar[tuple[Check, ...]] = (
         _ground_reaches,
-        _loads_on_plate,
+        loads_on_plate,
         _voids_on_plate,
         _few_elements,
         _few_in_all_surfaces,
+        _counts_fit,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
-    plate: Annotated[Plate, Table("the plate; its centre is the origin of x and y")]
+    plate: Annotated[Plate, Table("the plate")]
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("the ground beyond the plate")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()

@@ -11,7 +11,7 @@ from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import InterfaceLayer, Layered, Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
 from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step
-from groundslab.shape import COLUMN, ROW, Array, Flags, Integers, gauss
+from groundslab.shape import COLUMN, ROW, Array, gauss
 from groundslab.solution import Solution
 from groundslab.subsoil import consistent_parts
 from groundslab.vlasov import Soil
@@ -25,74 +25,89 @@ ODD = (
 
 def recover(model: Model, solution: Solution, proof: Certificate, steps: tuple[Step, ...], solver: str) -> Results:
     """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
-    s, U = solution.system, solution.U
-    problem = s.problem
-    under = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    under[problem.plate_nodes] = True
-    fields = _plate_fields(solution)
-    ground = dict(enumerate(surface_settlement(problem, U)))
-    area = nodal_area(problem.mesh, problem.plate_elements)
-    closed = under.copy()
-    if problem.tensionless:
-        closed[problem.plate_nodes] = solution.contact.closed
-
-    mesh = problem.mesh
-    for axis in (0, 1):
-        if not problem.symmetry[axis]:
-            continue
-        mesh, source, side = mirror(mesh, axis)
-        on_axis = mesh.nodes[:, axis] == 0.0
-        # on the axis the means of both sides' odd fields vanish; those of the meshed side alone need not
-        odd = np.where(on_axis, 0.0, side)
-        fields = {name: f[source] * (odd if name in ODD[axis] else 1.0) for name, f in fields.items()}
-        ground = {number: w[source] for number, w in ground.items()}
-        area, closed, under = area[source] * np.where(on_axis, 2.0, 1.0), closed[source], under[source]
-
-    mesh, old = row_by_row(mesh)  # the same numbers whether a part was computed or the whole
-    fields = {name: f[old] for name, f in fields.items()}
-    ground = {number: w[old] for number, w in ground.items()}
-    area, closed, under = area[old], closed[old], under[old]
-    elements, edge = _plate_part(mesh, under)
+    problem = solution.system.problem
+    mesh, fields = _plate_fields(solution)
+    mesh, fields = _whole(mesh, fields, problem.symmetry)
+    in_contact, on_edge = (fields.pop(name) > 0 for name in ("in_contact", "on_edge"))
+    surfaces = surface_settlement(problem, solution.U)
+    ground, settlements = _whole(problem.mesh, {str(i): w for i, w in enumerate(surfaces)}, problem.symmetry)
     return Results(
         model=model,
-        plate=PlateResult(
-            nodes=mesh.nodes[under],
-            elements=elements,
-            **{name: field[under] for name, field in fields.items()},
-            in_contact=closed[under],
-            on_edge=edge,
-            area=area[under],
-        ),
-        ground=GroundResult(mesh.nodes, mesh.elements, np.vstack(list(ground.values()))),
+        plate=PlateResult(mesh.nodes, mesh.elements, in_contact=in_contact, on_edge=on_edge, **fields),
+        ground=GroundResult(ground.nodes, ground.elements, np.vstack(list(settlements.values()))),
         constants=_constants(model, solution),
         certificate=proof,
         steps=steps,
         solver=solver,
-        unknowns=s.pattern.size,
+        unknowns=solution.system.pattern.size,
         symmetry=problem.symmetry,
     )
 
 
-def _plate_fields(solution: Solution) -> dict[str, Array]:
-    """Return every plate field at the nodes of the meshed part (n,), zero beyond the plate."""
+def _whole(mesh: Mesh, fields: dict[str, Array], symmetry: tuple[bool, bool]) -> tuple[Mesh, dict[str, Array]]:
+    """Return mesh and nodal fields of the whole from those of the meshed part, numbered row by row."""
+    for axis in (0, 1):
+        if not symmetry[axis]:
+            continue
+        mesh, source, side = mirror(mesh, axis)
+        on_axis = mesh.nodes[:, axis] == 0.0
+        # on the axis the means of both sides' odd fields vanish; those of the meshed side alone need not
+        odd, shared = np.where(on_axis, 0.0, side), np.where(on_axis, 2.0, 1.0)
+        factors = {**dict.fromkeys(ODD[axis], odd), "area": shared}
+        fields = {name: field[source] * factors.get(name, 1.0) for name, field in fields.items()}
+    mesh, old = row_by_row(mesh)
+    return mesh, {name: field[old] for name, field in fields.items()}
+
+
+def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
+    """Return the meshed part of the plate and its fields (n,), flags as 0 and 1.
+
+    A node on the border of two sections stands once for each, so that nothing is averaged across the border.
+    """
     s, U = solution.system, solution.U
     problem = s.problem
-    nodes = problem.plate_nodes
-    area = nodal_area(problem.mesh, problem.plate_elements)
-    force = solution.contact.force if problem.tensionless else ground_forces(s, U, solution.column)[nodes, 1]
-    pressure = np.zeros(len(problem.mesh.nodes))
-    pressure[nodes] = force / area[nodes]
-    gap = np.zeros_like(pressure)
+    elements = problem.mesh.elements[problem.plate_elements]
+    n, under = len(problem.mesh.nodes), problem.plate_nodes
+
+    force, gap, closed = np.zeros(n), np.zeros(n), np.ones(n)
     if problem.tensionless:
-        gap[nodes] = U[nodes, TOP]
-    w = plate_settlement(problem, U)
-    fields = {"settlement": w, "rotation_x": U[:, BETA_X], "rotation_y": U[:, BETA_Y], "gap": gap, "pressure": pressure}
-    names = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
-    return fields | dict(zip(names, nodal_section_forces(problem, U), strict=True))
+        force[under], gap[under], closed[under] = solution.contact.force, U[under, TOP], solution.contact.closed
+    else:
+        force[under] = ground_forces(s, U, solution.column)[under, 1]
+    pressure = np.zeros(n)
+    pressure[under] = force[under] / nodal_area(problem.mesh, problem.plate_elements)[under]
+    fields = {
+        "settlement": plate_settlement(problem, U),
+        "rotation_x": U[:, BETA_X],
+        "rotation_y": U[:, BETA_Y],
+        "gap": gap,
+        "pressure": pressure,
+        "in_contact": closed,
+        "on_edge": _on_edge(problem),
+    }
+
+    key = elements + n * problem.section[:, None]
+    keys, own = np.unique(key, return_inverse=True)
+    mesh = Mesh(problem.mesh.nodes[keys % n], own.reshape(elements.shape))
+    fields = {name: field[keys % n] for name, field in fields.items()}
+    fields["area"] = nodal_area(mesh, np.arange(len(elements)))
+    return mesh, fields | _section_forces(problem, U, mesh)
 
 
-def nodal_section_forces(problem: Problem, U: Array) -> list[Array]:
-    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the nodes (n,), averaged over the elements that meet there.
+def _on_edge(problem: Problem) -> Array:
+    """Return 1.0 at the nodes (n,) on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none."""
+    nodes = problem.mesh.nodes
+    sides = sides_on_boundary(problem.mesh.elements[problem.plate_elements])
+    for axis in (0, 1):
+        if problem.symmetry[axis]:
+            sides = sides[(nodes[sides, axis] != 0.0).any(axis=1)]
+    edge = np.zeros(len(nodes))
+    edge[sides] = 1.0
+    return edge
+
+
+def _section_forces(problem: Problem, U: Array, mesh: Mesh) -> dict[str, Array]:
+    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, averaged over its elements there.
 
     Taken at the 2 x 2 Gauss points, where they are most accurate, and extrapolated bilinearly within each element.
     """
@@ -105,17 +120,10 @@ def nodal_section_forces(problem: Problem, U: Array) -> list[Array]:
     sign = np.sign(points)
     extrapolate = (1 + at_nodes[:, :1] * sign[:, 0]) * (1 + at_nodes[:, 1:] * sign[:, 1]) / 4
     values = extrapolate @ np.concatenate([M, Q], axis=2)
-    n = len(problem.mesh.nodes)
-    meeting = np.maximum(np.bincount(elements.ravel(), minlength=n), 1)
-    return [scatter(elements, values[..., i], n) / meeting for i in range(5)]
-
-
-def _plate_part(mesh: Mesh, under: Flags) -> tuple[Integers, Flags]:
-    """Return the plate's elements in the numbers of its own nodes, and which of these lie on the plate's edge."""
-    elements = (np.cumsum(under) - 1)[mesh.elements[under[mesh.elements[:, 8]]]]
-    edge = np.zeros(under.sum(), dtype=bool)
-    edge[sides_on_boundary(elements)] = True
-    return elements, edge
+    n = len(mesh.nodes)
+    meeting = np.bincount(mesh.elements.ravel(), minlength=n)
+    names = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+    return {name: scatter(mesh.elements, values[..., i], n) / meeting for i, name in enumerate(names)}
 
 
 def _constants(model: Model, solution: Solution) -> Constants:

@@ -49,7 +49,8 @@ PLATE_FIELDS: dict[str, Field] = {
 class PlateResult:
     """The plate: nine-node mesh and nodal fields in SI units (see PLATE_FIELDS).
 
-    Moments and shear forces are averaged over the elements that meet at a node.
+    Moments and shear forces are averaged over the elements that meet at a node. A node on the border of two sections
+    (zones of the plate) stands once for each of them, so that nothing is averaged across a change of thickness.
     """
 
     nodes: Array  # (n, 2)

@@ -58,10 +58,11 @@ def _free_motions(problem: Problem) -> Array:
 
 
 def _extreme_points(problem: Problem) -> Array:
-    """Return the corners (c, 2) of the convex hull of the plate [m]; here the plate is a rectangle."""
-    nodes = problem.mesh.nodes[problem.plate_nodes]
-    (x0, y0), (x1, y1) = nodes.min(axis=0), nodes.max(axis=0)
-    return np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
+    """Return the corners (c, 2) of the convex hull of the plate [m], in their order around it."""
+    from shapely import MultiPoint, get_coordinates
+
+    corners: Array = get_coordinates(MultiPoint(problem.mesh.nodes[problem.plate_nodes]).convex_hull)[:-1]
+    return corners
 
 
 def _resultant(problem: Problem) -> Array:
@@ -72,15 +73,22 @@ def _resultant(problem: Problem) -> Array:
 
 
 def _faces(generators: Array) -> list[Array]:
-    """Return the inward normals of the faces of the cone that the rows of generators (c, d), d <= 3, span."""
+    """Return the inward normals of the faces of the cone that the rows of generators (c, d), d <= 3, span.
+
+    The rows stand in their order around the plate, so that with d = 3 each two neighbours span a face.
+    """
     d = generators.shape[1]
-    normals = []
+    if d == 3:
+        normals = np.cross(generators, np.roll(generators, -1, axis=0))
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        return list(normals * np.sign(normals @ generators.sum(axis=0))[:, None])
+    faces = []
     for subset in combinations(generators, d - 1):
         _, sizes, V = np.linalg.svd(np.reshape(subset, (d - 1, d)), full_matrices=True)
         if len(sizes) and sizes.min() < 1e-12:
             continue
-        normals += [n for n in (V[-1], -V[-1]) if (generators @ n >= -1e-12).all()]
-    return normals
+        faces += [n for n in (V[-1], -V[-1]) if (generators @ n >= -1e-12).all()]
+    return faces
 
 
 def _reason(problem: Problem, corners: Array) -> str:

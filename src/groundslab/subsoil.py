@@ -58,7 +58,7 @@ def winkler_modulus(model: Model) -> float:
     if ground.k is not None:
         return ground.k
     assert ground.selvadurai is not None
-    a = max(model.plate.length_x, model.plate.length_y)
+    a = max(model.plate.sides)
     return 2 * ground.selvadurai.E / (a * math.log(1 + 2 * ground.selvadurai.depth / a))
 
 

@@ -35,6 +35,12 @@ DIMENSIONS: dict[str, Dimension] = {
         "a pressure times length", "5 MN/m", "Pa m", (0, 1, -2),
         ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"), (1e9, "GN/m")),
     ),
+    "force per length": Dimension(
+        "a force per length", "20 kN/m", "N/m", (0, 1, -2), ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"))
+    ),
+    "weight per volume": Dimension(
+        "a weight per volume", "25 kN/m^3", "N/m^3", (-2, 1, -2), ((1.0, "N/m^3"), (1e3, "kN/m^3"))
+    ),
     "force": Dimension("a force", "50 kN", "N", (1, 1, -2), ((1.0, "N"), (1e3, "kN"), (1e6, "MN"))),
 }  # fmt: skip
 

@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 from importlib.resources import files
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -55,6 +56,7 @@ class Case:
     title: str
     source: str
     note: str
+    needs: str
     models: Mapping[str, Mapping[str, Any]]
     rows: Sequence[Mapping[str, Any]]
 
@@ -75,7 +77,7 @@ def load(name: str) -> Case:
     """Return a case by its name."""
     text = (files("groundslab") / "cases" / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
-    about = {key: table.get(key, "") for key in ("group", "title", "source", "note")}
+    about = {key: table.get(key, "") for key in ("group", "title", "source", "note", "needs")}
     return Case(name=name, models=table["models"], rows=table["rows"], **about)
 
 
@@ -85,6 +87,9 @@ def run(wanted: Sequence[str], console: Console) -> bool:
         console.width = WIDTH
     chosen = [case for case in map(load, _files()) if case.name in wanted or case.group in wanted]
     failed = 0
+    for case in [case for case in chosen if not can_run(case)]:
+        console.print(f"{case.name}: SKIPPED, it needs {case.needs}: pip install 'groundslab\\[mesh]'\n", style="bold")
+    chosen = [case for case in chosen if can_run(case)]
     for case in chosen:
         outcomes = list(outcomes_of(case))
         _print(case, outcomes, console)
@@ -92,6 +97,14 @@ def run(wanted: Sequence[str], console: Console) -> bool:
     cases = "1 case" if len(chosen) == 1 else f"{len(chosen)} cases"
     console.print(f"{cases}, {failed} FAILED" if failed else f"{cases}, every row passed", style="bold")
     return failed == 0
+
+
+def can_run(case: Case) -> bool:
+    """Return whether the optional package that a case needs, if any, can be imported here."""
+    try:
+        return not case.needs or import_module(case.needs) is not None
+    except (ImportError, OSError):
+        return False
 
 
 def outcomes_of(case: Case) -> Iterator[Outcome]:

@@ -17,9 +17,24 @@ PACKAGE = Path(groundslab.__file__).parent
 
 #: Rooms by floor; a folder stands for all that is in it. What a room imports lies on its own floor or below.
 FLOORS = [
-    ["errors", "units"],
-    ["model", "schema", "keys", "findings", "reference", "soil", "casefile", "shape", "mesh", "results"],
-    ["plate", "ground", "vlasov", "assembly", "linear", "contact", "problem", "loads"],
+    ["errors", "units", "dxf"],
+    [
+        "model",
+        "slab",
+        "actions",
+        "outline",
+        "plan",
+        "schema",
+        "keys",
+        "findings",
+        "reference",
+        "soil",
+        "casefile",
+        "shape",
+        "mesh",
+        "results",
+    ],
+    ["plate", "ground", "vlasov", "assembly", "linear", "contact", "problem", "loads", "mesher"],
     ["subsoil", "layout", "discretise"],
     ["statics", "solution", "checks", "recover", "analysis"],
     ["verify", "exact", "proofs", "cases"],
@@ -28,7 +43,7 @@ FLOORS = [
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 DESCRIPTION = {"model", "schema", "keys", "findings", "reference", "soil", "casefile", "results"}
-HEAVY = {"matplotlib", "meshio", "rich", "pint", "scipy", "pypardiso"}
+HEAVY = {"matplotlib", "meshio", "rich", "pint", "scipy", "pypardiso", "ezdxf", "gmsh", "shapely"}
 
 
 def name_of(path: Path) -> str:

@@ -124,7 +124,12 @@ ONE_FAULT = [
     (case(ground={"k": "20 MPa/m"}), "ground.kind", "nothing", '"winkler", "pasternak", "vlasov" or "layered"'),
     (case(ground__kind="winckler"), "ground.kind", '"winckler"', '"winkler", "pasternak", "vlasov" or "layered"'),
     (case(ground__kind=["winkler"]), "ground.kind", "a list of 1", '"winkler", "pasternak", "vlasov" or "layered"'),
-    (case(loads=[{"kind": "line"}]), "loads[1].kind", '"line"', '"uniform", "patch" or "point"'),
+    (
+        case(loads=[{"kind": "blob"}]),
+        "loads[1].kind",
+        '"blob"',
+        '"uniform", "patch", "area", "line", "point" or "self weight"',
+    ),
     # ground
     (case(ground={"kind": "winkler"}), "ground", "neither k nor selvadurai", "exactly one of k and selvadurai"),
     (
@@ -375,7 +380,7 @@ def test_all_at_once() -> None:
         plate={**PLATE, "E": 30},
         ground={**VLASOV, "layers": [LAYER, {**LAYER, "nu": 0.5}, 3], "mode": "sinh", "gama": 1},
         beyond={"kind": "margin", "edge": "loose"},
-        loads=[UNIFORM, {**PATCH, "q": 3}, {"kind": "line"}],
+        loads=[UNIFORM, {**PATCH, "q": 3}, {"kind": "blob"}],
         mesh={"counts": [0, 3], "size": "-1 m"},
         analysis={"increments": 0},
         extra=1,

@@ -183,27 +183,26 @@ def _contact_boundary(axes: Axes, triangles: Triangulation, results: Results) ->
 
 def _loads(axes: Axes, results: Results) -> dict[str, Any]:
     """Outline the loaded areas and mark the point loads; return their entries in the legend."""
-    from matplotlib.patches import Rectangle
+    from matplotlib.patches import Polygon
 
     entries: dict[str, Any] = {}
-    half_x, half_y = results.model.plate.length_x / 2, results.model.plate.length_y / 2
+    plate = results.model.plate
+    chord = 1e-3 * max(plate.sides)
     for load in results.model.loads:
-        if load.kind == "point":
-            (mark,) = axes.plot(
-                load.x,
-                load.y,
-                "v",
-                color=LOAD,
-                markeredgecolor="white",
-                markersize=9,
-                linestyle="none",
-                clip_on=False,
-            )
-            entries["point load"] = mark
+        if load.kind == "self weight":
             continue
-        x, y = (load.x, load.y) if load.kind == "patch" else ((-half_x, half_x), (-half_y, half_y))
-        outline = Rectangle((x[0], y[0]), x[1] - x[0], y[1] - y[0], fill=False, edgecolor=LOAD, linewidth=1.8)
-        outline.set(linestyle=(0, (4, 2)), clip_on=False, zorder=3)
-        axes.add_patch(outline)
-        entries["loaded area"] = outline
+        if load.kind == "point":
+            (mark,) = axes.plot(load.x, load.y, "v", color=LOAD, markeredgecolor="white", markersize=9, clip_on=False)
+            mark.set_linestyle("none")
+            entries["point load"] = mark
+        elif load.kind == "line":
+            (entries["line load"],) = axes.plot(
+                *zip(*load.points, strict=True), color=LOAD, linewidth=2.4, clip_on=False
+            )
+        else:
+            around = plate.ring().flat(chord) if load.kind == "uniform" else load.drawn(chord).exterior.coords
+            outline = Polygon(np.array(around), fill=False, edgecolor=LOAD, linewidth=1.8)
+            outline.set(linestyle=(0, (4, 2)), clip_on=False, zorder=3)
+            axes.add_patch(outline)
+            entries["loaded area"] = outline
     return entries

@@ -30,6 +30,7 @@ class Unit:
 
 
 METRE = Unit("m", "m", 1.0)
+AREA = Unit("m2", "m2", 1.0)
 MODULUS = Unit("MPa", "Pa", 1e-6)
 STIFFNESS = Unit("MPa/m", "Pa/m", 1e-6)
 SHEAR_STIFFNESS = Unit("MPa m", "Pa m", 1e-6)
@@ -170,18 +171,24 @@ def extreme(nodes: Array, values: Array, kind: Literal["largest", "smallest"]) -
 
 def _plate(results: Results) -> Section:
     """Return what was analysed: plate and mesh."""
+    from groundslab.mesher.jacobians import quality as quality_of
+
     plate, edges = results.model.plate, results.model.plate.edges
+    quality = quality_of(results.plate.nodes[results.plate.elements])
     held = [f"{side} {kind}" for side in ("left", "right", "bottom", "top") if (kind := getattr(edges, side)) != "free"]
     directions = [name for name, used in zip("xy", results.symmetry, strict=True) if used]
     rows = (
-        Row("length_x", "length along x", plate.length_x, METRE),
-        Row("length_y", "length along y", plate.length_y, METRE),
+        Row("length_x", "length along x", plate.sides[0], METRE),
+        Row("length_y", "length along y", plate.sides[1], METRE),
+        Row("area", "area", float(results.plate.area.sum()), AREA),
         Row("thickness", "thickness", plate.thickness, METRE, "t"),
         Row("E", "Young's modulus", plate.E, MODULUS, "E"),
         Row("nu", "Poisson's ratio", plate.nu, None, "nu"),
         Row("supports", "supported edges", ", ".join(held) or "none"),
         Row("element", "element", plate.element),
         Row("elements", "elements on the plate", len(results.plate.elements)),
+        Row("worst_element", "worst element, scaled Jacobian", round(quality.worst, 4)),
+        Row("median_element", "median element, scaled Jacobian", round(quality.median, 4)),
         Row("unknowns", "unknowns that were solved for", results.unknowns),
         Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
         Row("solver", "solver", results.solver),

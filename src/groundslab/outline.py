@@ -1,0 +1,106 @@
+"""Shapes in plan as the input file says them: rectangles, polygons with arcs, circles; and zones of the plate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from pydantic import Discriminator, Tag
+
+from groundslab.findings import Finding
+from groundslab.keys import Number, Quantity, Range, Several
+from groundslab.schema import Check, Part, Table, kind_of
+from groundslab.soil import POSITIVE
+
+if TYPE_CHECKING:
+    from groundslab.plan import Ring
+
+AcrossX = Annotated[tuple[float, float], Several(Quantity("length", "x", ""), "x", "extent along x", 2, rising=True)]
+AcrossY = Annotated[tuple[float, float], Several(Quantity("length", "y", ""), "y", "extent along y", 2, rising=True)]
+Place = Several(Quantity("length", "x, y", ""), "x, y", "a place in plan", 2)
+
+
+class Rectangle(Part):
+    """A rectangle along x and y."""
+
+    kind: Annotated[Literal["rectangle"], Table("a rectangle along x and y")] = "rectangle"
+    x: AcrossX
+    y: AcrossY
+
+    def ring(self) -> Ring:
+        """Return the curve around it."""
+        from groundslab.plan import rectangle
+
+        return rectangle(*self.x, *self.y)
+
+
+def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[Finding]:
+    least = 2 if any(bulges) else 3
+    if len(points) < least:
+        yield Finding(("points",), f"{len(points)} points", f"at least {least}")
+    if len(bulges) > len(points):
+        yield Finding(("bulges",), f"{len(bulges)} bulges", f"at most one for each of the {len(points)} points")
+
+
+class Polygon(Part):
+    """A closed curve through points, its edges straight or arcs."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_few_points,)
+
+    kind: Annotated[Literal["polygon"], Table("a closed curve through points")] = "polygon"
+    points: Annotated[
+        tuple[tuple[float, float], ...],
+        Several(Place, "x, y", "the corners in order; the last is joined to the first"),
+    ]
+    bulges: Annotated[
+        tuple[float, ...],
+        Several(
+            Number("b", "", Range()),
+            "b",
+            "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
+        ),
+    ] = ()
+
+    def ring(self) -> Ring:
+        """Return the curve."""
+        from groundslab.plan import Ring
+
+        return Ring(self.points, self.bulges)
+
+
+class Circle(Part):
+    """A circle."""
+
+    kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
+    centre: Annotated[tuple[float, float], Several(Quantity("length", "x, y", ""), "x, y", "its centre", 2)] = (
+        0.0,
+        0.0,
+    )
+    radius: Annotated[float, Quantity("length", "r", "its radius", POSITIVE)]
+
+    def ring(self) -> Ring:
+        """Return the curve."""
+        from groundslab.plan import circle
+
+        return circle(self.centre, self.radius)
+
+
+def box_of(ring: Ring) -> tuple[float, float, float, float]:
+    """Return the rectangle x0, x1, y0, y1 around a curve, its arcs followed exactly [m]."""
+    places = list(ring.points)
+    for edge in ring.segments():
+        for quarter in range(-8, 9):
+            turned = (quarter * math.pi / 2 - edge.angle) * math.copysign(1.0, edge.sweep)
+            if not edge.straight and 0 < turned < abs(edge.sweep):
+                x, y = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
+                places.append((edge.centre[0] + edge.radius * x, edge.centre[1] + edge.radius * y))
+    x_values, y_values = zip(*places, strict=True)
+    return min(x_values), max(x_values), min(y_values), max(y_values)
+
+
+AnyShape = Rectangle | Polygon | Circle
+Shape = Annotated[
+    Annotated[Rectangle, Tag("rectangle")] | Annotated[Polygon, Tag("polygon")] | Annotated[Circle, Tag("circle")],
+    Discriminator(kind_of),
+]
