@@ -34,7 +34,7 @@ FLOORS = [
         "mesh",
         "results",
     ],
-    ["plate", "ground", "vlasov", "assembly", "linear", "contact", "problem", "loads", "mesher"],
+    ["plate", "ground", "vlasov", "assembly", "linear", "contact", "problem", "loads", "mesher", "design"],
     ["subsoil", "layout", "discretise"],
     ["statics", "solution", "checks", "recover", "analysis"],
     ["verify", "exact", "proofs", "cases"],

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.design import principal_moments, wood_armer
 from groundslab.errors import GroundslabError
 from groundslab.results import PLATE_FIELDS
 
@@ -27,10 +28,29 @@ def plate_mesh(results: Results) -> meshio.Mesh:
     """Return the plate with its nodal fields in units of display, and flags (1 or 0) for contact and edge."""
     plate = results.plate
     data = {array_name(name): getattr(plate, name) * about.scale for name, about in PLATE_FIELDS.items()}
+    data |= _design(results)
     data["in contact"] = plate.in_contact.astype(np.int8)
     data["edge node"] = plate.on_edge.astype(np.int8)
     data["area of the node [m2]"] = plate.area
     return _mesh(plate.nodes, plate.elements, data)
+
+
+def _design(results: Results) -> dict[str, Array]:
+    """Return principal moments and Wood's design moments at the plate's nodes, in kNm/m and degrees."""
+    plate = results.plate
+    moments = plate.moment_x, plate.moment_y, plate.moment_xy
+    principal, wood = principal_moments(*moments), wood_armer(*moments)
+    about = PLATE_FIELDS["moment_x"]
+    named = {
+        "principal moment m_1": principal.m_1,
+        "principal moment m_2": principal.m_2,
+        "design moment bottom x": wood.bottom_x,
+        "design moment bottom y": wood.bottom_y,
+        "design moment top x": wood.top_x,
+        "design moment top y": wood.top_y,
+    }
+    data = {f"{name} [{about.unit}]": values * about.scale for name, values in named.items()}
+    return data | {"direction of m_1 from x [deg]": np.degrees(principal.direction)}
 
 
 def ground_mesh(results: Results) -> meshio.Mesh:
