@@ -16,6 +16,9 @@ from groundslab.soil import POSITIVE
 if TYPE_CHECKING:
     from groundslab.plan import Ring
 
+#: Arcs are judged by chords that are at most this far off, relative to the size of the curve.
+CHORD = 1e-4
+
 AcrossX = Annotated[tuple[float, float], Several(Quantity("length", "x", ""), "x", "extent along x", 2, rising=True)]
 AcrossY = Annotated[tuple[float, float], Several(Quantity("length", "y", ""), "y", "extent along y", 2, rising=True)]
 Place = Several(Quantity("length", "x, y", ""), "x, y", "a place in plan", 2)
@@ -43,10 +46,26 @@ def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ..
         yield Finding(("bulges",), f"{len(bulges)} bulges", f"at most one for each of the {len(points)} points")
 
 
+def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[Finding]:
+    from shapely.validation import explain_validity
+
+    from groundslab.plan import Ring
+
+    if any(_few_points(points, bulges)):
+        return
+    size = max(max(values) - min(values) for values in zip(*points, strict=True))
+    reason = "all points at one place"
+    if size > 0:
+        reason = explain_validity(Ring(points, bulges).polygon(CHORD * size))
+    if reason != "Valid Geometry":
+        got = reason.replace("[", " at (").replace("]", ") m").lower()
+        yield Finding(("points",), got, "a curve that neither crosses nor touches itself")
+
+
 class Polygon(Part):
     """A closed curve through points, its edges straight or arcs."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_few_points,)
+    checks: ClassVar[tuple[Check, ...]] = (_few_points, _crosses_itself)
 
     kind: Annotated[Literal["polygon"], Table("a closed curve through points")] = "polygon"
     points: Annotated[

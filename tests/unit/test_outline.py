@@ -73,6 +73,8 @@ def test_shapes_are_refused_where_they_make_no_sense() -> None:
     for make, word in (
         (lambda: Polygon(points=[(0, 0), (1, 1)]), "points"),
         (lambda: Polygon(points=[(0, 0), (1, 0), (0, 1)], bulges=[0, 0, 0, 1]), "bulges"),
+        (lambda: Polygon(points=[(0, 0), (1, 1), (1, 0), (0, 1)]), r"self-intersection at \(0.5 0.5\) m"),
+        (lambda: Polygon(points=[(1, 1), (1, 1), (1, 1)]), "one place"),
         (lambda: LineLoad(q=1, points=[(0, 0)]), "points"),
         (lambda: LineLoad(q=1, points=[(0, 0), (0, 0)]), "points"),
         (lambda: Zone(shape=HOLE), "Zone"),
