@@ -10,7 +10,7 @@ from pydantic import Discriminator, Tag
 
 from groundslab.findings import Finding
 from groundslab.keys import Quantity, Several, Text
-from groundslab.outline import AcrossX, AcrossY, Place, Shape
+from groundslab.outline import CHORD, AcrossX, AcrossY, Place, Shape
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
@@ -18,8 +18,6 @@ from groundslab.soil import POSITIVE
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-#: Arcs are judged by chords that are at most this far off, relative to the longer side.
-CHORD = 1e-4
 ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
 
 LoadName = Annotated[str, Text("name of the load, for people")]

@@ -62,10 +62,34 @@ def _edges_or_support(support: str, edges: Edges) -> Iterator[Finding]:
         yield Finding(("support",), quote(support), "either support or edges", "edges = {...} holds sides one by one")
 
 
+def _can_be_meshed(
+    length_x: float | None,
+    length_y: float | None,
+    outline: AnyShape | None,
+    openings: tuple[AnyShape, ...],
+    zones: tuple[Zone, ...],
+) -> Iterator[Finding]:
+    """Find what keeps a drawn plate from being meshed: crossings, parts outside, strips too narrow, sharp corners."""
+    if outline is None and not openings and not zones:
+        return
+    if outline is None:
+        if length_x is None or length_y is None:
+            return
+        outline = Rectangle(x=(-length_x / 2, length_x / 2), y=(-length_y / 2, length_y / 2))
+    from groundslab.plan import Plan
+    from groundslab.unmeshable import faults
+
+    rings = tuple(opening.ring() for opening in openings)
+    plan = Plan(outline.ring(), rings, tuple((zone.shape.ring(), n) for n, zone in enumerate(zones, start=1)))
+    for fault in faults(plan):
+        name, _, number = fault.where.removeprefix("plate.").rstrip("]").partition("[")
+        yield Finding((name, int(number) - 1) if number else (name,), fault.got, fault.expected, fault.mend)
+
+
 class Plate(Part):
     """The plate: a rectangle about the origin, or any outline."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_outline, _edges_or_support)
+    checks: ClassVar[tuple[Check, ...]] = (_one_outline, _edges_or_support, _can_be_meshed)
 
     length_x: Annotated[
         float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)

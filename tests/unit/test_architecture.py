@@ -24,6 +24,7 @@ FLOORS = [
         "actions",
         "outline",
         "plan",
+        "unmeshable",
         "schema",
         "keys",
         "findings",

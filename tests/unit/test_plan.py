@@ -7,7 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from groundslab.plan import GROUND, NOTHING, Plan, Ring, circle, faults, rectangle, sections, segment
+from groundslab.plan import GROUND, NOTHING, Plan, Ring, circle, rectangle, sections, segment
+from groundslab.unmeshable import faults
 
 SQUARE = rectangle(0, 10, 0, 8)
 
@@ -79,43 +80,43 @@ def test_good_plans_have_no_faults(plan: Plan) -> None:
 
 
 BAD = {
-    "too few points": (Plan(Ring(((0, 0), (1, 0)))), "plan.outline", "2 points"),
-    "one point": (Plan(Ring(((0, 0),), (1.0,))), "plan.outline", "1 points"),
-    "too many bulges": (Plan(Ring(SQUARE.points, (0,) * 5)), "plan.outline", "5 bulges"),
-    "not finite": (Plan(Ring(((0, 0), (1, math.nan), (1, 1)))), "plan.outline", "not finite"),
-    "no section": (Plan(SQUARE, zones=((rectangle(1, 2, 1, 2), 0),)), "plan.zones[1]", "section 0"),
-    "point not finite": (Plan(SQUARE, points=((math.inf, 0),)), "plan.points[1]", "not finite"),
-    "line of one point": (Plan(SQUARE, lines=(((1, 1),),)), "plan.lines[1]", "no line"),
-    "crossing": (Plan(Ring(((0, 0), (2, 2), (2, 0), (0, 2)))), "plan.outline", "(1, 1)"),
-    "double point": (Plan(Ring(((0, 0), (2, 0), (2, 0), (0, 2)))), "plan.outline", "without length at (2, 0)"),
-    "spike": (Plan(Ring(((0, 0), (10, 0), (10, 5), (0, 5), (9, 4.9)))), "plan.outline", "at (0, 5)"),
-    "double line point": (Plan(SQUARE, lines=(((1, 1), (1, 1)),)), "plan.lines[1]", "without length"),
-    "opening outside": (Plan(SQUARE, (rectangle(11, 12, 0, 1),)), "plan.openings[1]", "outside"),
-    "opening touches": (Plan(SQUARE, (rectangle(0, 1, 1, 2),)), "plan.openings[1]", "touches or crosses"),
-    "opening crosses": (Plan(SQUARE, (rectangle(-1, 1, 1, 2),)), "plan.openings[1]", "touches or crosses"),
-    "opening around": (Plan(SQUARE, (rectangle(-1, 11, -1, 9),)), "plan.openings[1]", "around"),
-    "opening near": (Plan(SQUARE, (rectangle(0.001, 1, 1, 2),)), "plan.openings[1]", "0.001 m between"),
-    "openings meet": (Plan(SQUARE, (rectangle(1, 3, 1, 3), rectangle(2, 4, 1, 3))), "plan.openings[2]", "meets"),
-    "opening in opening": (Plan(SQUARE, (rectangle(1, 4, 1, 4), rectangle(2, 3, 2, 3))), "plan.openings[2]", "inside"),
-    "openings near": (Plan(SQUARE, (circle((2, 2), 1), circle((4.005, 2), 1))), "plan.openings[2]", "0.005 m"),
-    "zone outside": (Plan(SQUARE, zones=((rectangle(10, 12, 0, 8), 1),)), "plan.zones[1]", "nothing of the plate"),
+    "too few points": (Plan(Ring(((0, 0), (1, 0)))), "plate.outline", "2 points"),
+    "one point": (Plan(Ring(((0, 0),), (1.0,))), "plate.outline", "1 points"),
+    "too many bulges": (Plan(Ring(SQUARE.points, (0,) * 5)), "plate.outline", "5 bulges"),
+    "not finite": (Plan(Ring(((0, 0), (1, math.nan), (1, 1)))), "plate.outline", "not finite"),
+    "no section": (Plan(SQUARE, zones=((rectangle(1, 2, 1, 2), 0),)), "plate.zones[1]", "section 0"),
+    "point not finite": (Plan(SQUARE, points=((math.inf, 0),)), "plate.points[1]", "not finite"),
+    "line of one point": (Plan(SQUARE, lines=(((1, 1),),)), "plate.lines[1]", "no line"),
+    "crossing": (Plan(Ring(((0, 0), (2, 2), (2, 0), (0, 2)))), "plate.outline", "(1, 1)"),
+    "double point": (Plan(Ring(((0, 0), (2, 0), (2, 0), (0, 2)))), "plate.outline", "without length at (2, 0)"),
+    "spike": (Plan(Ring(((0, 0), (10, 0), (10, 5), (0, 5), (9, 4.9)))), "plate.outline", "at (0, 5)"),
+    "double line point": (Plan(SQUARE, lines=(((1, 1), (1, 1)),)), "plate.lines[1]", "without length"),
+    "opening outside": (Plan(SQUARE, (rectangle(11, 12, 0, 1),)), "plate.openings[1]", "outside"),
+    "opening touches": (Plan(SQUARE, (rectangle(0, 1, 1, 2),)), "plate.openings[1]", "touches or crosses"),
+    "opening crosses": (Plan(SQUARE, (rectangle(-1, 1, 1, 2),)), "plate.openings[1]", "touches or crosses"),
+    "opening around": (Plan(SQUARE, (rectangle(-1, 11, -1, 9),)), "plate.openings[1]", "around"),
+    "opening near": (Plan(SQUARE, (rectangle(0.001, 1, 1, 2),)), "plate.openings[1]", "0.001 m between"),
+    "openings meet": (Plan(SQUARE, (rectangle(1, 3, 1, 3), rectangle(2, 4, 1, 3))), "plate.openings[2]", "meets"),
+    "opening in opening": (Plan(SQUARE, (rectangle(1, 4, 1, 4), rectangle(2, 3, 2, 3))), "plate.openings[2]", "inside"),
+    "openings near": (Plan(SQUARE, (circle((2, 2), 1), circle((4.005, 2), 1))), "plate.openings[2]", "0.005 m"),
+    "zone outside": (Plan(SQUARE, zones=((rectangle(10, 12, 0, 8), 1),)), "plate.zones[1]", "nothing of the plate"),
     "zone in opening": (
         Plan(SQUARE, (rectangle(1, 4, 1, 4),), ((rectangle(2, 3, 2, 3), 1),)),
-        "plan.zones[1]",
+        "plate.zones[1]",
         "nothing of the plate",
     ),
-    "zone near": (Plan(SQUARE, zones=((rectangle(0.002, 5, 1, 5), 1),)), "plan.zones[1]", "0.002 m between"),
-    "beyond within": (Plan(SQUARE, beyond=rectangle(-1, 9, -1, 9)), "plan.beyond", "leaves out the plate"),
-    "point off": (Plan(SQUARE, points=((11, 4),)), "plan.points[1]", "off the plate at (11, 4)"),
-    "point in opening": (Plan(SQUARE, (circle((4, 4), 1),), points=((4, 4),)), "plan.points[1]", "off the plate"),
-    "line off": (Plan(SQUARE, lines=(((5, 5), (12, 5)),)), "plan.lines[1]", "leaves the plate"),
-    "line over opening": (Plan(SQUARE, (circle((4, 4), 1),), lines=(((1, 4), (7, 4)),)), "plan.lines[1]", "leaves"),
-    "point near edge": (Plan(SQUARE, points=((0.003, 4),)), "plan.points[1]", "0.003 m between"),
-    "points near": (Plan(SQUARE, points=((5, 4), (5.004, 4))), "plan.points[2]", "0.004 m between"),
+    "zone near": (Plan(SQUARE, zones=((rectangle(0.002, 5, 1, 5), 1),)), "plate.zones[1]", "0.002 m between"),
+    "beyond within": (Plan(SQUARE, beyond=rectangle(-1, 9, -1, 9)), "beyond", "leaves out the plate"),
+    "point off": (Plan(SQUARE, points=((11, 4),)), "plate.points[1]", "off the plate at (11, 4)"),
+    "point in opening": (Plan(SQUARE, (circle((4, 4), 1),), points=((4, 4),)), "plate.points[1]", "off the plate"),
+    "line off": (Plan(SQUARE, lines=(((5, 5), (12, 5)),)), "plate.lines[1]", "leaves the plate"),
+    "line over opening": (Plan(SQUARE, (circle((4, 4), 1),), lines=(((1, 4), (7, 4)),)), "plate.lines[1]", "leaves"),
+    "point near edge": (Plan(SQUARE, points=((0.003, 4),)), "plate.points[1]", "0.003 m between"),
+    "points near": (Plan(SQUARE, points=((5, 4), (5.004, 4))), "plate.points[2]", "0.004 m between"),
     "tangent": (
         Plan(SQUARE, (circle((4, 4), 1),), ((rectangle(1, 8, 1, 3), 1),)),
-        "plan.openings[1]",
-        "parts from plan.zones[1] at (4, 3)",
+        "plate.openings[1]",
+        "parts from plate.zones[1] at (4, 3)",
     ),
 }
 
@@ -130,4 +131,4 @@ def test_every_fault_is_named(name: str) -> None:
 def test_all_faults_come_at_once() -> None:
     """Two openings with a fault each are both reported."""
     plan = Plan(SQUARE, (rectangle(11, 12, 0, 1), rectangle(0, 1, 1, 2)))
-    assert {fault.where for fault in faults(plan)} == {"plan.openings[1]", "plan.openings[2]"}
+    assert {fault.where for fault in faults(plan)} == {"plate.openings[1]", "plate.openings[2]"}

@@ -26,7 +26,7 @@ def test_the_paper_is_there_in_full():
     rows = {name: verify.load(name).rows for name in ("table1", "table2", "table3", "table4")}
     settlements = [r for r in rows["table1"] if r["quantity"] == "settlement"]
     assert len(settlements) == 27
-    wanted = {"table2": {"k0": 5, "k1": 5, "gamma": 3}, "table3": {"k0": 8, "k1": 4, "gamma": 4}}
+    wanted = {"table2": {"k0": 5, "k1": 5, "gamma": 4}, "table3": {"k0": 8, "k1": 4, "gamma": 4}}
     for name, quantities in wanted.items():
         for quantity, count in quantities.items():
             assert len([r for r in rows[name] if r["quantity"] == quantity]) == count

@@ -9,8 +9,9 @@ import numpy as np
 
 from groundslab.errors import Fault, InputError
 from groundslab.mesher.jacobians import Quality, quality
-from groundslab.plan import NOTHING, Plan, at, faults
+from groundslab.plan import NOTHING, Plan, at
 from groundslab.shape import Array, Integers, gauss, jacobian, q9
+from groundslab.unmeshable import faults
 
 #: Largest number of elements: more is nearly always a slip in the size.
 MOST_ELEMENTS = 4_000_000
