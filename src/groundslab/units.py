@@ -12,36 +12,56 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Dimension:
-    """What a group of quantities has in common: powers of length, mass and time, and how it is written."""
+    """What a group of quantities has in common: powers of length, mass, time, temperature; how it is written."""
 
     phrase: str
     example: str
     si: str
-    powers: tuple[int, int, int]
+    powers: tuple[int, int, int, int]
     steps: tuple[tuple[float, str], ...]  # units for people, the smallest first: size in SI units, name
 
 
 #: All dimensions that the input knows, by name.
 DIMENSIONS: dict[str, Dimension] = {
-    "length": Dimension("a length", "0.2 m", "m", (1, 0, 0), ((1e-3, "mm"), (1.0, "m"))),
+    "length": Dimension("a length", "0.2 m", "m", (1, 0, 0, 0), ((1e-3, "mm"), (1.0, "m"))),
     "pressure": Dimension(
-        "a pressure", "30 MPa", "Pa", (-1, 1, -2), ((1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa"))
+        "a pressure", "30 MPa", "Pa", (-1, 1, -2, 0), ((1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa"))
     ),
     "pressure per length": Dimension(
-        "a pressure per length", "20 MPa/m", "Pa/m", (-2, 1, -2),
+        "a pressure per length", "20 MPa/m", "Pa/m", (-2, 1, -2, 0),
         ((1.0, "Pa/m"), (1e3, "kPa/m"), (1e6, "MPa/m"), (1e9, "GPa/m")),
     ),
     "pressure times length": Dimension(
-        "a pressure times length", "5 MN/m", "Pa m", (0, 1, -2),
+        "a pressure times length", "5 MN/m", "Pa m", (0, 1, -2, 0),
         ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"), (1e9, "GN/m")),
     ),
     "force per length": Dimension(
-        "a force per length", "20 kN/m", "N/m", (0, 1, -2), ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"))
+        "a force per length", "20 kN/m", "N/m", (0, 1, -2, 0), ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"))
     ),
     "weight per volume": Dimension(
-        "a weight per volume", "25 kN/m^3", "N/m^3", (-2, 1, -2), ((1.0, "N/m^3"), (1e3, "kN/m^3"))
+        "a weight per volume", "25 kN/m^3", "N/m^3", (-2, 1, -2, 0), ((1.0, "N/m^3"), (1e3, "kN/m^3"))
     ),
-    "force": Dimension("a force", "50 kN", "N", (1, 1, -2), ((1.0, "N"), (1e3, "kN"), (1e6, "MN"))),
+    "force": Dimension("a force", "50 kN", "N", (1, 1, -2, 0), ((1.0, "N"), (1e3, "kN"), (1e6, "MN"))),
+    "moment": Dimension("a moment", "80 kNm", "N m", (2, 1, -2, 0), ((1.0, "N m"), (1e3, "kNm"), (1e6, "MNm"))),
+    "moment per angle": Dimension(
+        "a moment per angle", "50 MNm/rad", "N m/rad", (2, 1, -2, 0),
+        ((1.0, "N m/rad"), (1e3, "kNm/rad"), (1e6, "MNm/rad")),
+    ),
+    "stiffness": Dimension(
+        "a force per settlement", "200 MN/m", "N/m", (0, 1, -2, 0),
+        ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"), (1e9, "GN/m")),
+    ),
+    "stiffness per length": Dimension(
+        "a force per length and settlement", "50 MN/m^2", "N/m^2", (-1, 1, -2, 0),
+        ((1.0, "N/m^2"), (1e3, "kN/m^2"), (1e6, "MN/m^2"), (1e9, "GN/m^2")),
+    ),
+    "pressure per area": Dimension(
+        "a pressure per area", "2 kPa/m^2", "Pa/m^2", (-3, 1, -2, 0), ((1.0, "Pa/m^2"), (1e3, "kPa/m^2"))
+    ),
+    "temperature difference": Dimension("a temperature difference", "15 K", "K", (0, 0, 0, 1), ((1.0, "K"),)),
+    "strain per temperature": Dimension(
+        "a strain per temperature", "1e-5 1/K", "1/K", (0, 0, 0, -1), ((1.0, "1/K"),)
+    ),
 }  # fmt: skip
 
 LONGEST = 100  # characters of a quantity
@@ -54,19 +74,24 @@ _UNIT = re.compile(
 )
 _PLAIN = str.maketrans("⁻¹²³⁴", "-1234", "^*")
 
-# Everyday units, exact and without waiting for pint: size in SI units and powers of length, mass, time.
-_EVERYDAY: dict[str, tuple[Decimal, tuple[int, int, int]]] = {
+# Everyday units, exact and without waiting for pint: size in SI units and powers of length, mass, time, temperature.
+_EVERYDAY: dict[str, tuple[Decimal, tuple[int, int, int, int]]] = {
     prefix + name: (Decimal(size), powers)
     for name, prefixes, powers in (
-        ("m", {"": "1", "c": "0.01", "m": "0.001"}, (1, 0, 0)),
-        ("Pa", {"": "1", "k": "1e3", "M": "1e6", "G": "1e9"}, (-1, 1, -2)),
-        ("N", {"": "1", "k": "1e3", "M": "1e6", "G": "1e9"}, (1, 1, -2)),
+        ("m", {"": "1", "c": "0.01", "m": "0.001"}, (1, 0, 0, 0)),
+        ("Pa", {"": "1", "k": "1e3", "M": "1e6", "G": "1e9"}, (-1, 1, -2, 0)),
+        ("N", {"": "1", "k": "1e3", "M": "1e6", "G": "1e9"}, (1, 1, -2, 0)),
+        ("K", {"": "1"}, (0, 0, 0, 1)),
     )
     for prefix, size in prefixes.items()
 }
 # What engineers write and pint does not know (or takes for something else).
-_ALIASES = {"psf": "lbf/ft^2", "ksf": "kip/ft^2", "pci": "lbf/in^3", "pcf": "lbf/ft^3", "kcf": "kip/ft^3"}
+_ALIASES = {
+    "psf": "lbf/ft^2", "ksf": "kip/ft^2", "pci": "lbf/in^3", "pcf": "lbf/ft^3", "kcf": "kip/ft^3",
+    "Nm": "N m", "kNm": "kN m", "MNm": "MN m", "rad": "",
+}  # fmt: skip
 _EXACT = Context(prec=60)
+_BASES = ("[length]", "[mass]", "[time]", "[temperature]")
 
 
 class QuantityError(ValueError):
@@ -129,11 +154,13 @@ def write(value: float, dimension: str) -> str:
 
 
 def _unit(text: str, expected: str) -> tuple[Decimal, tuple[int, ...]]:
-    """Return size in SI units and the powers of length, mass and time of a unit such as kN/m^2."""
-    size, powers, position = Decimal(1), (0, 0, 0), 0
+    """Return size in SI units and the powers of length, mass, time and temperature of a unit such as kN/m^2 or 1/K."""
+    size, powers, position = Decimal(1), (0, 0, 0, 0), 0
+    start = -1 if text.startswith("1/") else 0
+    position -= start
     while position < len(text):
         match = _UNIT.match(text, position)
-        if not match or (match["operator"] is None) != (position == 0):
+        if not match or (match["operator"] is None) != (position == start):
             raise QuantityError(expected, f'"{text}" is not written as a unit')
         position = match.end()
         power = int((match["power"] or "1").translate(_PLAIN))
@@ -159,15 +186,15 @@ def _name(name: str, expected: str) -> tuple[Decimal, tuple[int, ...]]:
 
 @lru_cache(maxsize=256)
 def _ask_pint(name: str) -> tuple[Decimal, tuple[int, ...]] | None:
-    """Return size and powers of a unit that pint knows, None if it is not made of length, mass, time."""
+    """Return size and powers of a unit that pint knows, None if it is not made of what our dimensions are made of."""
     import pint
 
     registry = _registry()
     try:
         dimensions = dict(registry.get_dimensionality(name))
-        if not dimensions or not dimensions.keys() <= {"[length]", "[mass]", "[time]"}:
+        if not dimensions or not dimensions.keys() <= set(_BASES):
             return None
-        raw = [dimensions.get(each, 0) for each in ("[length]", "[mass]", "[time]")]
+        raw = [dimensions.get(each, 0) for each in _BASES]
         nothing, size, twice = (float(registry.Quantity(n, name).to_base_units().magnitude) for n in (0.0, 1.0, 2.0))
     except (pint.errors.PintError, AttributeError, ArithmeticError, LookupError, TypeError, ValueError):
         return None
