@@ -1,16 +1,17 @@
-"""What acts on the plate as the input file says it: loads, and voids under it; and whether it lies on the plate."""
+"""What acts on the plate as the input file says it: loads, settlements, voids; and whether it lies on the plate."""
 
 from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, Protocol
 
 from pydantic import Discriminator, Tag
 
-from groundslab.findings import Finding
+from groundslab.columns import Column, footprint, one_footprint
+from groundslab.findings import Finding, quote, suggestion
 from groundslab.keys import Quantity, Several, Text
-from groundslab.outline import CHORD, AcrossX, AcrossY, Place, Shape
+from groundslab.outline import CHORD, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
@@ -21,6 +22,27 @@ if TYPE_CHECKING:
 ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
 
 LoadName = Annotated[str, Text("name of the load, for people")]
+CaseName = Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")]
+Slope = Annotated[
+    tuple[float, float],
+    Several(
+        Quantity("pressure per length", "q_x, q_y", ""), "q_x, q_y", "growth of the pressure along x and along y", 2
+    ),
+]
+Bend = Annotated[
+    tuple[float, float, float],
+    Several(
+        Quantity("pressure per area", "q_xx, q_xy, q_yy", ""),
+        "q_xx, q_xy, q_yy",
+        "second derivatives of the pressure",
+        3,
+    ),
+]
+About = Annotated[
+    tuple[float, float],
+    Several(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
+]
+NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
 
 def _box(x: tuple[float, float], y: tuple[float, float]) -> BaseGeometry:
@@ -34,7 +56,11 @@ class UniformLoad(Part):
 
     kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
     name: LoadName = ""
+    case: CaseName = ""
     q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    slope: Slope = NO_SLOPE
+    bend: Bend = NO_BEND
+    about: About = ORIGIN
 
 
 class PatchLoad(Part):
@@ -42,7 +68,11 @@ class PatchLoad(Part):
 
     kind: Annotated[Literal["patch"], Table("pressure on a rectangle")] = "patch"
     name: LoadName = ""
+    case: CaseName = ""
     q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    slope: Slope = NO_SLOPE
+    bend: Bend = NO_BEND
+    about: About = ORIGIN
     x: AcrossX
     y: AcrossY
 
@@ -56,7 +86,11 @@ class AreaLoad(Part):
 
     kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
     name: LoadName = ""
+    case: CaseName = ""
     q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    slope: Slope = NO_SLOPE
+    bend: Bend = NO_BEND
+    about: About = ORIGIN
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is an error")]
 
     def drawn(self, chord: float) -> BaseGeometry:
@@ -79,7 +113,11 @@ class LineLoad(Part):
 
     kind: Annotated[Literal["line"], Table("force per length along straight lines")] = "line"
     name: LoadName = ""
+    case: CaseName = ""
     q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
+    q_end: Annotated[
+        float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
+    ] = None
     points: Annotated[
         tuple[tuple[float, float], ...], Several(Place, "x, y", "the line's points, joined one after the other")
     ]
@@ -98,91 +136,213 @@ class SelfWeight(Part):
         "self weight"
     )
     name: LoadName = ""
+    case: CaseName = ""
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
 
 
+def _one_place(
+    x: float | None,
+    y: float | None,
+    width_x: float | None,
+    width_y: float | None,
+    diameter: float | None,
+    column: str,
+) -> Iterator[Finding]:
+    own = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
+    if column:
+        for name in (name for name, value in own.items() if value is not None):
+            yield Finding((name,), f"{name} beside a column", "one of them", "the column says where its load acts")
+    else:
+        for name in (name for name in ("x", "y") if own[name] is None):
+            yield Finding((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
+
+
 class PointLoad(Part):
-    """A force at a point."""
+    """A force and moments at a point, on a footprint or on a column."""
 
-    kind: Annotated[Literal["point"], Table("force at a point")] = "point"
+    checks: ClassVar[tuple[Check, ...]] = (_one_place, one_footprint)
+
+    kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"
     name: LoadName = ""
-    P: Annotated[float, Quantity("force", "P", "force, downwards positive")]
-    x: Annotated[float, Quantity("length", "x", "position")]
-    y: Annotated[float, Quantity("length", "y", "position")]
+    case: CaseName = ""
+    P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone")]
+    M_x: Annotated[
+        float, Quantity("moment", "M_x", "moment that presses the side of larger x down, the sum of F (x - x_P)")
+    ] = 0.0
+    M_y: Annotated[
+        float, Quantity("moment", "M_y", "moment that presses the side of larger y down, the sum of F (y - y_P)")
+    ] = 0.0
+    x: Annotated[float | None, Quantity("length", "x", "position")] = None
+    y: Annotated[float | None, Quantity("length", "y", "position")] = None
+    width_x: Annotated[
+        float | None, Quantity("length", "c_x", "width along x of what it is spread over; a point by default", POSITIVE)
+    ] = None
+    width_y: Annotated[
+        float | None, Quantity("length", "c_y", "width along y of what it is spread over; a point by default", POSITIVE)
+    ] = None
+    diameter: Annotated[
+        float | None, Quantity("length", "d", "diameter of what it is spread over, instead of both widths", POSITIVE)
+    ] = None
+    column: Annotated[str, Text("column that it acts on and is spread over, one of [[columns]]")] = ""
 
-    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
-        """Return the point."""
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the footprint, or the point; arcs as chords at most so far off [m]."""
         from shapely import Point
 
-        return Point(self.x, self.y)
+        assert self.x is not None
+        assert self.y is not None
+        ring = footprint(self.x, self.y, self.width_x, self.width_y, self.diameter)
+        return Point(self.x, self.y) if ring is None else ring.polygon(chord)
+
+    def on(self, columns: tuple[Column, ...]) -> PointLoad:
+        """Return the load with place and footprint of its column, itself if it stands on none."""
+        if not self.column:
+            return self
+        own = next(each for each in columns if each.name == self.column)
+        place = {name: getattr(own, name) for name in ("x", "y", "width_x", "width_y", "diameter")}
+        return self.replace(column="", **place)
 
 
-AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight
+class TemperatureLoad(Part):
+    """A difference of temperature between the faces of the plate."""
+
+    kind: Annotated[Literal["temperature"], Table("difference of temperature over the thickness")] = "temperature"
+    name: LoadName = ""
+    case: CaseName = ""
+    difference: Annotated[
+        float, Quantity("temperature difference", "dT", "bottom less top: positive if the bottom is warmer")
+    ]
+
+
+class SettlementLoad(Part):
+    """A settlement that is forced on a support."""
+
+    kind: Annotated[Literal["settlement"], Table("settlement forced on a support")] = "settlement"
+    name: LoadName = ""
+    case: CaseName = ""
+    support: Annotated[str, Text("name of the support, one of [[supports]]")]
+    w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive")]
+
+
+AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight | TemperatureLoad | SettlementLoad
 Load = Annotated[
     Annotated[UniformLoad, Tag("uniform")]
     | Annotated[PatchLoad, Tag("patch")]
     | Annotated[AreaLoad, Tag("area")]
     | Annotated[LineLoad, Tag("line")]
     | Annotated[PointLoad, Tag("point")]
-    | Annotated[SelfWeight, Tag("self weight")],
+    | Annotated[SelfWeight, Tag("self weight")]
+    | Annotated[TemperatureLoad, Tag("temperature")]
+    | Annotated[SettlementLoad, Tag("settlement")],
     Discriminator(kind_of),
 ]
 
+#: Loads that act on the whole plate or on a support: they need no place.
+EVERYWHERE = (UniformLoad, SelfWeight, TemperatureLoad, SettlementLoad)
+
+
+def _one_extent(
+    x: tuple[float, float] | None, y: tuple[float, float] | None, shape: AnyShape | None
+) -> Iterator[Finding]:
+    if shape is None:
+        for name, value in (("x", x), ("y", y)):
+            if value is None:
+                yield Finding((name,), "nothing", "x and y, or a shape")
+    elif x is not None or y is not None:
+        yield Finding(("shape",), "a shape beside x or y", "one of them")
+
 
 class Void(Part):
-    """A rectangle under the plate where the ground lies deeper."""
+    """A part of the plan where the ground lies deeper, or is missing."""
 
-    depth: Annotated[float, Quantity("length", "d", "initial gap inside the rectangle", POSITIVE)]
-    x: AcrossX
-    y: AcrossY
+    checks: ClassVar[tuple[Check, ...]] = (_one_extent,)
 
-    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
-        """Return the rectangle."""
+    depth: Annotated[
+        float | None,
+        Quantity("length", "d", "initial gap there; without it a cavity, whose bottom is never reached", POSITIVE),
+    ] = None
+    x: Annotated[
+        tuple[float, float] | None,
+        Several(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
+    ] = None
+    y: Annotated[
+        tuple[float, float] | None,
+        Several(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
+    ] = None
+    shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the area, arcs as chords at most so far off [m]."""
+        if self.shape is not None:
+            return self.shape.ring().polygon(chord)
+        assert self.x is not None
+        assert self.y is not None
         return _box(self.x, self.y)
 
 
-Placed = PatchLoad | AreaLoad | LineLoad | PointLoad | Void
+class Placed(Protocol):
+    """What has a place in plan."""
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return it, arcs as chords at most so far off [m]."""
+        ...
 
 
-def _on_plate(plate: Plate, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+def on_plate(plate: Plate, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+    """Find a part that does not lie on the plate."""
     x0, x1, y0, y1 = plate.bounds
     near = ON_PLATE * max(plate.sides)
     mend = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
-        value = getattr(part, axis, ())
-        values = value if isinstance(value, tuple) else (value,)
+        value = getattr(part, axis, None)
+        values = () if value is None else value if isinstance(value, tuple) else (value,)
         if any(not low - near <= value <= high + near for value in values):
             got = f"{values[0]!r} m" if len(values) == 1 else f"[{', '.join(f'{value!r} m' for value in values)}]"
             yield Finding((*place, axis), got, f"a position on the plate, from {low!r} m to {high!r} m", mend)
             outside = True
-    # for what runs along the sides of a rectangle that is all
-    if not outside and not (plate.outline is None and not plate.openings and hasattr(part, "x")):
+    # for points and what runs along the sides of a rectangle that is all
+    plain = plate.outline is None and not plate.openings
+    if not outside and not (plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
         yield from _on_shape(plate, part, place, near)
+
+
+def _has_footprint(part: Placed) -> bool:
+    return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
 
 
 def _on_shape(plate: Plate, part: Placed, place: tuple[str | int, ...], near: float) -> Iterator[Finding]:
     """Find a part that does not lie on the plate, be it within the rectangle around it."""
     chord = CHORD * max(plate.sides)
     outline, openings, loaded = plate.ring(), [opening.ring() for opening in plate.openings], part.drawn(chord)
-    on_plate = outline.polygon(chord)
+    covered = outline.polygon(chord)
     for opening in openings:
-        on_plate = on_plate.difference(opening.polygon(chord))
+        covered = covered.difference(opening.polygon(chord))
     curved = not all(ring.straight for ring in (outline, *openings))
-    if not on_plate.buffer(2 * chord if curved else near).covers(loaded):
-        off = loaded.difference(on_plate).representative_point()
+    if not covered.buffer(2 * chord if curved else near).covers(loaded):
+        off = loaded.difference(covered).representative_point()
         expected = "a place on the plate, not in an opening nor beside the outline"
         yield Finding(place, f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", expected)
 
 
 def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
-    """Find loads that do not lie on the plate."""
+    """Find loads that do not lie on the plate; those on columns lie where these do."""
     for position, load in enumerate(loads):
-        if not isinstance(load, UniformLoad | SelfWeight):
-            yield from _on_plate(plate, load, ("loads", position))
+        if not (isinstance(load, EVERYWHERE) or (isinstance(load, PointLoad) and load.column)):
+            yield from on_plate(plate, load, ("loads", position))
+
+
+def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[Finding]:
+    """Find loads on columns that are not there."""
+    names = [column.name for column in columns]
+    for position, load in enumerate(loads):
+        if isinstance(load, PointLoad) and load.column and load.column not in names:
+            expected = f"one of {', '.join(names[:20])}" if names else "a column, and [[columns]] that says where it is"
+            place = ("loads", position, "column")
+            yield Finding(place, quote(load.column), expected, suggestion(load.column, names))
 
 
 def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[Finding]:
     """Find voids that do not lie under the plate."""
     for position, void in enumerate(voids):
-        yield from _on_plate(plate, void, ("contact", "voids", position))
+        yield from on_plate(plate, void, ("contact", "voids", position))

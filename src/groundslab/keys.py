@@ -416,3 +416,44 @@ class Several(Key):
             **count,
             **({"uniqueItems": True} if self.unique else {}),
         }
+
+
+@dataclass(frozen=True)
+class Factors(Key):
+    """A table of numbers by names that the file is free to choose, kept as pairs in the order of the file."""
+
+    symbol: str
+    meaning: str
+
+    def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:  # noqa: ARG002
+        """Return the pairs of name and number; a tuple of pairs is taken as well."""
+        table = value
+        if isinstance(value, tuple) and all(isinstance(pair, tuple) and len(pair) == 2 for pair in value):
+            table = dict(value)
+        if not isinstance(table, Mapping) or not table or not all(isinstance(name, str) for name in table):
+            raise wrong(value, self.expected())
+        kept, findings = [], []
+        for name, number in table.items():
+            try:
+                kept.append((name, _number(number, "a number", "")))
+            except Wrong as error:
+                findings += [finding.below((name,)) for finding in error.findings]
+        if findings:
+            raise Wrong(*findings[:MOST_FAULTS])
+        return tuple(kept)
+
+    def expected(self) -> str:
+        """Return an example."""
+        return "a table of numbers such as {dead = 1.35, live = 1.5}"
+
+    def write(self, value: Sequence[tuple[str, float]]) -> str:
+        """Return an inline table."""
+        return "{" + ", ".join(f"{quote(name)} = {number!r}" for name, number in value) + "}"
+
+    def type_words(self) -> str:
+        """Return that it is a table of numbers."""
+        return "table of numbers"
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return an object of numbers."""
+        return {"type": "object", "additionalProperties": {"type": "number"}, "minProperties": 1}

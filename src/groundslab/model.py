@@ -8,25 +8,32 @@ of faults count from 1, as people count ``[[loads]]`` and ``[[ground.layers]]`` 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
 from groundslab import reference
 from groundslab.actions import (
+    AnyLoad,
     AreaLoad,
     LineLoad,
     Load,
     PatchLoad,
     PointLoad,
     SelfWeight,
+    SettlementLoad,
+    TemperatureLoad,
     UniformLoad,
     Void,
+    loads_have_a_column,
     loads_on_plate,
+    on_plate,
     voids_on_plate,
 )  # fmt: skip
-from groundslab.findings import Finding, describe, listed, quote
+from groundslab.columns import Column
+from groundslab.findings import Finding, describe, listed, quote, suggestion
 from groundslab.keys import Choice, Flag, Quantity, Range, Several, Text, Whole
+from groundslab.loadcases import Combination, Combine, LoadCase, known_cases, known_factors
 from groundslab.outline import Circle, Polygon, Rectangle
 from groundslab.schema import Check, Part, Table
 from groundslab.slab import Edges, Plate, Zone
@@ -42,12 +49,28 @@ from groundslab.soil import (
     Vlasov,
     Winkler,
 )
+from groundslab.strata import Borehole, GapPoint, SoilZone, boreholes_match, zones_match
+from groundslab.supports import AnySupport, LineSupport, PointSupport, Support, lines_run, named_once
+from groundslab.wanted import (
+    Output,
+    OutputLine,
+    OutputPoint,
+    OutputStrip,
+    Reinforcement,
+    bars_within,
+    output_on_plate,
+)
 
 __all__ = [
-    "Analysis", "AreaLoad", "Beyond", "Circle", "Contact", "Edges", "InterfaceLayer", "Layered", "LineLoad", "Mesh",
-    "Model", "Pasternak", "PatchLoad", "Plate", "PointLoad", "Polygon", "Rectangle", "SelfWeight", "Selvadurai",
-    "SoilLayer", "UniformLoad", "Vlasov", "Void", "Winkler", "Zone", "docs_table", "json_schema",
+    "Analysis", "AreaLoad", "Beyond", "Borehole", "Circle", "Column", "Combination", "Combine", "Contact", "Edges",
+    "GapPoint", "InterfaceLayer", "Layered", "LineLoad", "LineSupport", "LoadCase", "Mesh", "Model", "Output",
+    "OutputLine", "OutputPoint", "OutputStrip", "Pasternak", "PatchLoad", "Plate", "PointLoad", "PointSupport",
+    "Polygon", "Rectangle", "Reinforcement", "SelfWeight", "Selvadurai", "SettlementLoad", "SoilLayer", "SoilZone",
+    "TemperatureLoad", "UniformLoad", "Vlasov", "Void", "Winkler", "Zone", "docs_table", "json_schema",
 ]  # fmt: skip
+
+if TYPE_CHECKING:
+    from groundslab.plan import Plan, Ring
 
 MOST_ELEMENTS = 4_000_000  # in all surfaces; nobody wants to fill the memory by a typing error
 SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
@@ -108,16 +131,33 @@ def _void_may_open(tensionless: bool, voids: tuple[Void, ...]) -> Iterator[Findi
         yield Finding(("voids",), describe(voids), "no voids, as tensionless is false")
 
 
+def _gaps_may_open(tensionless: bool, gaps: tuple[GapPoint, ...]) -> Iterator[Finding]:
+    if not tensionless and gaps:
+        yield Finding(("gaps",), describe(gaps), "no gaps, as tensionless is false")
+
+
+def _ground_may_yield(tensionless: bool, limit_pressure: float | None) -> Iterator[Finding]:
+    if not tensionless and limit_pressure is not None:
+        yield Finding(("limit_pressure",), f"{limit_pressure!r} Pa", "no limit, as tensionless is false")
+
+
 class Contact(Part):
     """Contact between plate and ground."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_gap_may_open, _void_may_open)
+    checks: ClassVar[tuple[Check, ...]] = (_gap_may_open, _void_may_open, _gaps_may_open, _ground_may_yield)
 
     tensionless: Annotated[bool, Flag("whether the plate may lift off")] = True
     gap: Annotated[float, Quantity("length", "g_0", "initial gap everywhere under the plate", Range(at_least=0))] = 0.0
     voids: Annotated[
-        tuple[Void, ...], Table("rectangles with a further gap; the deeper one counts where they overlap")
+        tuple[Void, ...], Table("parts with a further gap, or none to reach; the deeper counts where they overlap")
     ] = ()
+    gaps: Annotated[
+        tuple[GapPoint, ...], Table("measured gaps, further to gap, interpolated linearly with the distance between")
+    ] = ()
+    limit_pressure: Annotated[
+        float | None,
+        Quantity("pressure", "p_max", "pressure at which the ground yields; no limit by default", POSITIVE),
+    ] = None
 
 
 def _one_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[Finding]:
@@ -191,9 +231,73 @@ def _voids_on_plate(plate: Plate, contact: Contact) -> Iterator[Finding]:
     return voids_on_plate(plate, contact.voids)
 
 
-def _counts_fit(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
-    if mesh.counts is not None and not plate.plain:
-        yield Finding(("mesh", "counts"), "counts", "a size", "counts are for a rectangle without openings and zones")
+def _counts_fit(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+    if mesh.counts is not None and (supports or not plate.plain):
+        mend = "counts are for a rectangle without openings, zones and supports"
+        yield Finding(("mesh", "counts"), "counts", "a size", mend)
+
+
+def _known_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+    yield from named_once("cases", [case.name for case in cases], needed=True)
+    yield from known_cases("loads", "case", [load.case for load in loads], cases)
+
+
+def _known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+    yield from named_once("combinations", [each.name for each in combinations], needed=True)
+    yield from known_factors(combinations, cases)
+
+
+def _cases_to_combine(combine: Combine | None, cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+    if combine is not None and not cases:
+        yield Finding(("combine",), "automatic combinations", "[[cases]] to combine")
+
+
+def _columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[Finding]:
+    yield from named_once("columns", [column.name for column in columns], needed=True)
+    for position, column in enumerate(columns):
+        yield from on_plate(plate, column, ("columns", position))
+
+
+def _supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+    """Find supports that cannot be met by a mesh."""
+    yield from lines_run(supports)
+    yield from named_once("supports", [support.name for support in supports], needed=False)
+    if not supports or any(lines_run(supports)):
+        return
+    from groundslab.unmeshable import faults
+
+    plan = plan_of_plate(plate, supports)
+    numbers = {
+        "points": [n for n, support in enumerate(supports) if isinstance(support, PointSupport)],
+        "lines": [n for n, support in enumerate(supports) if isinstance(support, LineSupport)],
+    }
+    for fault in faults(plan):
+        name, _, number = fault.where.removeprefix("plate.").rstrip("]").partition("[")
+        if name in numbers:
+            yield Finding(("supports", numbers[name][int(number) - 1]), fault.got, fault.expected, fault.mend)
+
+
+def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring | None = None) -> Plan:
+    """Return the plan of a plate with its supports: zone i is section i."""
+    from groundslab.plan import Plan
+
+    return Plan(
+        plate.ring(),
+        tuple(shape.ring() for shape in plate.openings),
+        tuple((zone.shape.ring(), number) for number, zone in enumerate(plate.zones, start=1)),
+        beyond,
+        tuple((support.x, support.y) for support in supports if isinstance(support, PointSupport)),
+        tuple(support.points for support in supports if isinstance(support, LineSupport)),
+    )
+
+
+def _settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+    names = [support.name for support in supports if support.name]
+    for position, load in enumerate(loads):
+        if isinstance(load, SettlementLoad) and load.support not in names:
+            expected = listed(map(quote, names[:20])) if names else "a support, and [[supports]] that says where it is"
+            place = ("loads", position, "support")
+            yield Finding(place, quote(load.support), expected, suggestion(load.support, names))
 
 
 class Model(Part):
@@ -206,6 +310,17 @@ class Model(Part):
         _few_elements,
         _few_in_all_surfaces,
         _counts_fit,
+        _known_cases,
+        _known_factors,
+        _cases_to_combine,
+        _columns_on_plate,
+        loads_have_a_column,
+        _supports_on_plate,
+        _settlements_have_a_support,
+        zones_match,
+        boreholes_match,
+        output_on_plate,
+        bars_within,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
@@ -213,7 +328,18 @@ class Model(Part):
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("the ground beyond the plate")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()
+    soil_zones: Annotated[tuple[SoilZone, ...], Table("parts of the plan with other ground")] = ()
+    boreholes: Annotated[tuple[Borehole, ...], Table("where the layers are known, to be interpolated between")] = ()
+    supports: Annotated[tuple[Support, ...], Table("supports at points and along lines, beside the ground")] = ()
+    columns: Annotated[tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked")] = ()
+    cases: Annotated[tuple[LoadCase, ...], Table("load cases; without any, all loads act together")] = ()
     loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one")]
+    combinations: Annotated[
+        tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
+    ] = ()
+    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990, beside those given")] = None
+    output: Annotated[Output, Table("where values are listed")] = Output()
+    reinforcement: Annotated[Reinforcement | None, Table("what reinforcement by EN 1992-1-1 is found for")] = None
     mesh: Annotated[Mesh, Table("the mesh; 24 elements over the shorter side by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 
@@ -221,6 +347,11 @@ class Model(Part):
     def root(cls) -> str:
         """Return nothing: paths of faults start with the section."""
         return ""
+
+    @property
+    def plain(self) -> bool:
+        """Return whether the plate is a plain rectangle whose mesh need not meet any support within it."""
+        return self.plate.plain and not self.supports
 
 
 def json_schema() -> dict[str, Any]:

@@ -106,6 +106,9 @@ class Plate(Part):
     shear_factor: Annotated[
         float, Number("kappa", "shear correction factor, 5/6 by default", Range(above=0, at_most=1))
     ] = 5 / 6
+    thermal_expansion: Annotated[
+        float, Quantity("strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE)
+    ] = 1e-5
     element: Annotated[Element, Choice(Element, "plate element; mitc9 does not lock")] = "mitc9"
     edges: Annotated[Edges, Table("supports: hinged is w = 0 without tangential rotation, soft is w = 0 only")] = (
         Edges()

@@ -1,0 +1,99 @@
+"""Load cases and their factored combinations as the input file says them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from groundslab.findings import Finding, describe, listed, quote, suggestion
+from groundslab.keys import Choice, Factors, Number, Range, Several, Text
+from groundslab.schema import Check, Part
+
+Kind = Literal["permanent", "variable"]
+LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
+
+SHARE = Range(at_least=0, at_most=1)
+
+
+class LoadCase(Part):
+    """Loads that always act together."""
+
+    name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
+    action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
+    psi_0: Annotated[float, Number("psi_0", "factor of its combination value, if variable", SHARE)] = 0.7
+    psi_1: Annotated[float, Number("psi_1", "factor of its frequent value, if variable", SHARE)] = 0.5
+    psi_2: Annotated[float, Number("psi_2", "factor of its quasi-permanent value, if variable", SHARE)] = 0.3
+    group: Annotated[
+        str, Text("variable cases of one group never act together, such as wind from the left and from the right")
+    ] = ""
+
+
+def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[Finding]:
+    if not any(value for _, value in factors):
+        yield Finding(("factors",), "no factor that is not 0", "a factor for at least one case")
+
+
+class Combination(Part):
+    """Load cases that act together, each with a factor."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_some_factor,)
+
+    name: Annotated[str, Text("name of the combination")]
+    limit_state: Annotated[LimitState, Choice(LimitState, "limit state that it is for")] = "ultimate"
+    factors: Annotated[
+        tuple[tuple[str, float], ...], Factors("", "factor of each case that takes part, by the case's name")
+    ]
+
+
+class Combine(Part):
+    """Which combinations are made from the cases by themselves, by EN 1990."""
+
+    sets: Annotated[
+        tuple[LimitState, ...],
+        Several(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
+    ]
+    permanent: Annotated[
+        tuple[float, float],
+        Several(
+            Number("gamma_G", "", Range(at_least=0)),
+            "gamma_G",
+            "partial factors of permanent actions, unfavourable and favourable; ultimate only",
+            2,
+        ),
+    ] = (1.35, 1.0)
+    variable: Annotated[
+        tuple[float, float],
+        Several(
+            Number("gamma_Q", "", Range(at_least=0)),
+            "gamma_Q",
+            "partial factors of variable actions, unfavourable and favourable; ultimate only",
+            2,
+        ),
+    ] = (1.5, 0.0)
+
+
+def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+    """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
+    names = [case.name for case in cases]
+    for position, name in enumerate(named):
+        if name is None or (not name and not names):
+            continue
+        if name not in names:
+            expected = listed(map(quote, names[:20])) if names else "no case, as there are no [[cases]]"
+            got = quote(name) if name else "no case"
+            yield Finding((part, position, key), got, expected, suggestion(name, names))
+
+
+def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+    """Find factors of cases that are not there, and combinations of nothing."""
+    names = [case.name for case in cases]
+    if combinations and not names:
+        yield Finding(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
+        return
+    for position, combination in enumerate(combinations):
+        for name, _ in combination.factors:
+            if name not in names:
+                place = ("combinations", position, "factors", name)
+                yield Finding(
+                    place, "a case that is not there", listed(map(quote, names[:20])), suggestion(name, names)
+                )

@@ -1,0 +1,97 @@
+"""Ground that varies over the plan, as the input file says it: zones of other soil, and boreholes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated
+
+from pydantic import Field
+
+from groundslab.findings import Finding, quote
+from groundslab.keys import Quantity, Text
+from groundslab.outline import Shape
+from groundslab.schema import Part, Table
+from groundslab.soil import AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
+
+
+class SoilZone(Part):
+    """A part of the plan with ground of its own; the last zone that covers a place counts."""
+
+    shape: Annotated[Shape, Table("where, under the plate or beyond it")]
+    ground: Annotated[Ground, Table("the ground there, of the same kind and with as many layers")]
+
+
+class Borehole(Part):
+    """A place where the layers are known; between boreholes they are interpolated."""
+
+    name: Annotated[str, Text("name of the borehole, for people")] = ""
+    x: Annotated[float, Quantity("length", "x", "position, on the plate or beside it")]
+    y: Annotated[float, Quantity("length", "y", "position, on the plate or beside it")]
+    layers: Annotated[
+        tuple[SoilLayer, ...],
+        Field(min_length=1),
+        Table("the layers there, from the top downwards, as many as the ground has; their thickness, E, E_bottom and "
+              "nu are interpolated"),
+    ]  # fmt: skip
+
+
+def _described(ground: AnyGround) -> tuple[object, ...]:
+    """Return what must be the same in all the ground: kind, rule, number and kind of layers."""
+    if isinstance(ground, Vlasov):
+        return ground.kind, ground.gamma, ground.formulas
+    if isinstance(ground, Layered):
+        kinds = tuple(type(layer).__name__ for layer in ground.layers)
+        sublayers = tuple(layer.sublayers for layer in ground.layers if isinstance(layer, SoilLayer))
+        return ground.kind, ground.coupling, ground.gamma, ground.formulas, kinds, sublayers
+    return (ground.kind,)
+
+
+def zones_match(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[Finding]:
+    """Find zones of soil that cannot be joined to the rest of the ground."""
+    for position, zone in enumerate(soil_zones):
+        if _described(zone.ground) != _described(ground):
+            expected = f"ground like the rest: {quote(ground.kind)} with the same rules and as many layers"
+            yield Finding(("soil_zones", position, "ground"), "ground of another kind", expected)
+
+
+def boreholes_match(
+    ground: AnyGround, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
+) -> Iterator[Finding]:
+    """Find boreholes that do not go with the ground, or with each other."""
+    if not boreholes:
+        return
+    if not isinstance(ground, Vlasov | Layered) or any(isinstance(each, InterfaceLayer) for each in ground.layers):
+        expected = "ground of layers given by E, nu and thickness"
+        yield Finding(("boreholes",), f"boreholes in {quote(ground.kind)} ground without soil layers", expected)
+        return
+    if soil_zones:
+        yield Finding(
+            ("soil_zones",), "zones beside boreholes", "one of them", "a borehole says what the soil is there"
+        )
+    if isinstance(ground, Vlasov) and ground.formulas == "as printed":
+        yield Finding(("ground", "formulas"), '"as printed" with boreholes', '"exact"')
+    for position, hole in enumerate(boreholes):
+        if len(hole.layers) != len(ground.layers):
+            got = f"{len(hole.layers)} layers"
+            expected = f"{len(ground.layers)}, as many as the ground has"
+            mend = "a layer that is missing there has a small thickness"
+            yield Finding(("boreholes", position, "layers"), got, expected, mend)
+        for number, (layer, wanted) in enumerate(zip(hole.layers, ground.layers, strict=False)):
+            assert isinstance(wanted, SoilLayer)
+            if layer.sublayers not in (1, wanted.sublayers):
+                place = ("boreholes", position, "layers", number, "sublayers")
+                yield Finding(place, str(layer.sublayers), "none, as those of the ground's layer count")
+            if layer.variation != wanted.variation:
+                place = ("boreholes", position, "layers", number, "variation")
+                yield Finding(place, quote(layer.variation), f"{quote(wanted.variation)}, as the ground's layer has")
+        for other, earlier in enumerate(boreholes[:position], start=1):
+            if (hole.x, hole.y) == (earlier.x, earlier.y):
+                yield Finding(("boreholes", position), f"the place of boreholes[{other}]", "a place of its own")
+
+
+class GapPoint(Part):
+    """A place where the gap under the plate has been measured; between such places it is interpolated."""
+
+    x: Annotated[float, Quantity("length", "x", "position")]
+    y: Annotated[float, Quantity("length", "y", "position")]
+    gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground stands higher")]

@@ -1,0 +1,113 @@
+"""What is wanted beside the fields, as the input file says it: points, section lines, strips, reinforcement."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, ClassVar
+
+from groundslab.actions import on_plate
+from groundslab.findings import Finding
+from groundslab.keys import Number, Quantity, Range, Several, Text, Whole
+from groundslab.outline import Place
+from groundslab.schema import Check, Part, Table
+from groundslab.slab import Plate
+from groundslab.soil import POSITIVE
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+
+class OutputPoint(Part):
+    """A point at which all fields are listed."""
+
+    name: Annotated[str, Text("name of the point")]
+    x: Annotated[float, Quantity("length", "x", "position")]
+    y: Annotated[float, Quantity("length", "y", "position")]
+
+    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
+        """Return the point."""
+        from shapely import Point
+
+        return Point(self.x, self.y)
+
+
+def _no_standstill(start: tuple[float, float], end: tuple[float, float]) -> Iterator[Finding]:
+    if start == end:
+        yield Finding(("end",), "the place where it starts", "another place")
+
+
+class OutputLine(Part):
+    """A straight section line along which all fields are listed."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_no_standstill,)
+
+    name: Annotated[str, Text("name of the line")]
+    start: Annotated[tuple[float, float], Place]
+    end: Annotated[tuple[float, float], Place]
+
+
+class OutputStrip(Part):
+    """A design strip: moments across it, as integrals over its width and per metre."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_no_standstill,)
+
+    name: Annotated[str, Text("name of the strip")]
+    start: Annotated[tuple[float, float], Place]
+    end: Annotated[tuple[float, float], Place]
+    width: Annotated[float, Quantity("length", "b", "its width, half of it on each side of the axis", POSITIVE)]
+    stations: Annotated[int, Whole("number of cuts across it, evenly spaced from start to end", at_least=2)] = 21
+
+
+class Output(Part):
+    """Where values are listed."""
+
+    points: Annotated[tuple[OutputPoint, ...], Table("points at which all fields are listed")] = ()
+    lines: Annotated[tuple[OutputLine, ...], Table("section lines along which all fields are listed")] = ()
+    strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
+
+
+class Reinforcement(Part):
+    """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1."""
+
+    f_ck: Annotated[float, Quantity("pressure", "f_ck", "characteristic strength of the concrete", POSITIVE)]
+    f_yk: Annotated[float, Quantity("pressure", "f_yk", "characteristic yield strength of the steel", POSITIVE)]
+    gamma_c: Annotated[float, Number("gamma_C", "partial factor of concrete", POSITIVE)] = 1.5
+    gamma_s: Annotated[float, Number("gamma_S", "partial factor of steel", POSITIVE)] = 1.15
+    alpha_cc: Annotated[
+        float, Number("alpha_cc", "long-term effects on the strength of concrete", Range(above=0, at_most=1))
+    ] = 1.0
+    bottom: Annotated[
+        tuple[float, float],
+        Several(Quantity("length", "d_1", "", POSITIVE), "d_1", "bottom face to the axis of bars along x, along y", 2),
+    ]
+    top: Annotated[
+        tuple[float, float],
+        Several(Quantity("length", "d_1", "", POSITIVE), "d_1", "top face to the axis of bars along x, along y", 2),
+    ]
+
+
+def output_on_plate(plate: Plate, output: Output) -> Iterator[Finding]:
+    """Find points that do not lie on the plate, and lines and strips that miss it."""
+    from shapely import LineString
+
+    for position, point in enumerate(output.points):
+        yield from on_plate(plate, point, ("output", "points", position))
+    if not (output.lines or output.strips):
+        return
+    outline = plate.ring().polygon(1e-4 * max(plate.sides))
+    for part, lines in (("lines", output.lines), ("strips", output.strips)):
+        for position, line in enumerate(lines):
+            if not outline.intersects(LineString([line.start, line.end])):
+                yield Finding(("output", part, position), "a line beside the plate", "one that crosses it")
+
+
+def bars_within(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[Finding]:
+    """Find bars that do not fit into the thinnest part of the plate."""
+    if reinforcement is None:
+        return
+    thinnest = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
+    for face in ("bottom", "top"):
+        for position, distance in enumerate(getattr(reinforcement, face)):
+            if distance >= thinnest / 2:
+                expected = f"less than half of the least thickness, {thinnest / 2!r} m"
+                yield Finding(("reinforcement", face, position), f"{distance!r} m", expected)
