@@ -60,6 +60,7 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         rotation_x=-0.01 * x,
         rotation_y=-0.01 * y,
         gap=np.maximum(-w, 0.0),
+        penetration=np.zeros_like(w),
         pressure=K0 * np.maximum(w, 0.0) + line,
         moment_x=1e5 * (1 - 4 * (x / LENGTH_X) ** 2),
         moment_y=8e4 * (1 - 4 * (y / LENGTH_Y) ** 2) - 1e4,
@@ -87,6 +88,10 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "solver": "superlu",
         "unknowns": 1234,
         "symmetry": (True, False),
+        "combination": "all loads",
+        "limit_state": "ultimate",
+        "factors": (),
+        "supports": (),
     }
     return Results(**values | changes)
 

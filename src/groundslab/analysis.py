@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab import contact, linear
 from groundslab.checks import certificate, decay_squared
-from groundslab.contact import Contact
+from groundslab.contact import Contact, slipped
 from groundslab.discretise import discretise
-from groundslab.errors import NotCertified, NotConverged
+from groundslab.errors import (
+    Fault,
+    GroundslabError,
+    InputError,
+    NoEquilibrium,
+    NotCertified,
+    NotConverged,
+    SingularMatrix,
+)
 from groundslab.ground import Column
 from groundslab.layout import coarsest
 from groundslab.linear import Solver, Symbolic
+from groundslab.loadcases import Combination, combinations_of
 from groundslab.mesh import Mesh, values_between
 from groundslab.model import Model
-from groundslab.problem import Problem, System, nodal, right_hand_side, stiffness, system
+from groundslab.problem import Problem, System, W, bearings, nodal, right_hand_side, stiffness, system
 from groundslab.recover import recover
-from groundslab.results import Results, Step
-from groundslab.shape import Array, Flags
+from groundslab.results import Combined, Results, Step
+from groundslab.shape import Array, Integers
 from groundslab.solution import Solution
 from groundslab.statics import require_equilibrium
 
@@ -36,47 +45,139 @@ GAMMA_START = 1.0
 #: for which the zone then changes least; it costs a step or two if it is off, never the result.
 CLOSED_AT = -0.25
 
+#: A combination starts from the contact zone of the one before, unless more than this share of the bearings would
+#: change at once; then it is solved from the coarsest mesh upwards, as the first one is.
+FAR = 0.05
+
 OnStep = Callable[[Step], None]
 
 
+@dataclass(frozen=True, slots=True)
+class _Level:
+    """One of the nested meshes with all that the combinations have in common on it."""
+
+    system: System
+    symbolic: Symbolic
+
+
+class _Far(Exception):
+    """The start is too far from the solution."""
+
+
 def solve(model: Model, on_step: OnStep | None = None) -> Results:
-    """Return the certified results of a model.
+    """Return the certified results of a model with one combination of loads.
 
-    on_step is told every step of the iteration as it ends. Raises InputError for a description without a problem in it,
-    NoEquilibrium if the loads cannot be balanced, NotConverged with history and last iterate, SingularMatrix, and
-    NotCertified, which holds the results, if they do not fulfil the equations.
+    on_step is told every step of the iteration as it ends. Raises InputError for a description without a problem in it
+    or with several combinations, NoEquilibrium if the loads cannot be balanced, NotConverged with history and last
+    iterate, SingularMatrix, and NotCertified, which holds the results, if they do not fulfil the equations.
     """
+    wanted = combinations_of(model)
+    if len(wanted) > 1:
+        mend = "solve_combinations(model) solves them all; or keep one"
+        raise InputError([Fault("combinations", f"{len(wanted)} combinations", "one", mend)])
+    found = next(_each(model, wanted, on_step))
+    if isinstance(found, GroundslabError):
+        raise found
+    return found
+
+
+def solve_combinations(model: Model, on_step: OnStep | None = None) -> Combined:
+    """Return the results of every combination of a model, each solved by itself, and why some have none.
+
+    Each starts from the contact zone and the factor of the one before. One that has no equilibrium, or no certified
+    result, is refused by itself; raises InputError as `solve` does.
+    """
+    wanted = combinations_of(model)
+    results: dict[str, Results] = {}
+    refused: dict[str, GroundslabError] = {}
+    for combination, found in zip(wanted, _each(model, wanted, on_step), strict=True):
+        if isinstance(found, GroundslabError):
+            refused[combination.name] = found
+        else:
+            results[combination.name] = found
+    return Combined(model, wanted, results, refused)
+
+
+def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -> Iterator[Results | GroundslabError]:
+    """Yield for each combination its results, or why it has none."""
     name, solver = linear.choose(model.analysis.solver)
-    steps: list[Step] = []
+    levels: dict[int, _Level] = {}
+    before: Solution | None = None
+    for combination in wanted:
+        steps: list[Step] = []
 
-    def report(step: Step) -> None:
-        steps.append(step)
-        if on_step is not None:
-            on_step(step)
+        def report(step: Step, steps: list[Step] = steps) -> None:
+            steps.append(step)
+            if on_step is not None:
+                on_step(step)
 
-    solution = _nested(model, solver, report, finest=0, margin=1.0)
-    effect = _margin_effect(model, solver) if model.beyond.kind == "infinite" else None
-    results = recover(model, solution, certificate(solution, effect), tuple(steps), name)
-    if not results.certificate.holds:
-        raise NotCertified(results)
-    return results
+        factors = _factors(model, combination)
+        try:
+            solution = _from_before(model, levels, factors, before, report) if before is not None else None
+            if solution is None:
+                solution = _nested(model, solver, report, 0, 1.0, factors, levels if len(wanted) > 1 else None)
+            before = solution
+            effect = _margin_effect(model, solver, factors) if model.beyond.kind == "infinite" else None
+            results = recover(model, combination, solution, certificate(solution, effect), tuple(steps), name)
+            yield results if results.certificate.holds else NotCertified(results)
+        except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
+            yield refusal
 
 
-def _nested(model: Model, solver: Solver, report: OnStep, finest: int, margin: float) -> Solution:
-    """Return the solution on the mesh coarsened `finest` times, reached from the coarsest mesh upwards."""
+def _factors(model: Model, combination: Combination) -> Array:
+    """Return the factor of each load case in a combination, (cases,)."""
+    given = dict(combination.factors)
+    return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])
+
+
+def _from_before(
+    model: Model, levels: dict[int, _Level], factors: Array, before: Solution, report: OnStep
+) -> Solution | None:
+    """Return the solution for other factors, started from one on the same mesh; None if that is too far away."""
+    if model.analysis.increments > 1:
+        return None
+    level = levels[0]
+    s = replace(level.system, problem=level.system.problem.under(factors))
+    require_equilibrium(s.problem)
+    try:
+        return _equilibrium(model, s, level.symbolic, 1.0, before, report, True, None, FAR)
+    except _Far:
+        return None
+
+
+def _nested(
+    model: Model,
+    solver: Solver,
+    report: OnStep,
+    finest: int,
+    margin: float,
+    factors: Array,
+    levels: dict[int, _Level] | None = None,
+) -> Solution:
+    """Return the solution on the mesh coarsened `finest` times, reached from the coarsest mesh upwards.
+
+    What the combinations have in common on each mesh is kept in levels, if given, and taken from there.
+    """
     before: list[Solution] = []
     for coarsening in range(max(coarsest(model), finest), finest - 1, -1):
-        problem = discretise(model, coarsening, margin)
-        require_equilibrium(problem)
-        before = _increments(model, system(problem), solver, before, report, coarsening == finest)
+        level = levels.get(coarsening) if levels is not None else None
+        if level is None:
+            problem = discretise(model, coarsening, margin)
+            require_equilibrium(problem.under(factors))
+            s = system(problem)
+            level = _Level(s, linear.Remembering(solver(s.pattern.indptr, s.pattern.indices)))
+            if levels is not None:
+                levels[coarsening] = level
+        s = replace(level.system, problem=level.system.problem.under(factors))
+        require_equilibrium(s.problem)
+        before = _increments(model, s, level.symbolic, before, report, coarsening == finest)
     return before[-1]
 
 
 def _increments(
-    model: Model, s: System, solver: Solver, coarser: list[Solution], report: OnStep, finest: bool
+    model: Model, s: System, symbolic: Symbolic, coarser: list[Solution], report: OnStep, finest: bool
 ) -> list[Solution]:
     """Return a solution for each load increment, each started from the same increment on the coarser mesh."""
-    symbolic = solver(s.pattern.indptr, s.pattern.indices)
     done: list[Solution] = []
     for number in range(1, model.analysis.increments + 1):
         start = coarser[number - 1] if coarser else (done[-1] if done else None)
@@ -85,32 +186,57 @@ def _increments(
             report(replace(step, increment=number))
 
         factor = number / model.analysis.increments
-        done.append(_equilibrium(model, s, symbolic, factor, start, told, finest))
+        slip = done[-1].slip if done else None
+        done.append(_equilibrium(model, s, symbolic, factor, start, told, finest, slip))
     return done
 
 
 def _equilibrium(
-    model: Model, s: System, symbolic: Symbolic, factor: float, start: Solution | None, report: OnStep, finest: bool
+    model: Model,
+    s: System,
+    symbolic: Symbolic,
+    factor: float,
+    start: Solution | None,
+    report: OnStep,
+    finest: bool,
+    slip: Array | None,
+    far: float = np.inf,
 ) -> Solution:
-    """Return the solution for one load on one mesh: gamma, where it is sought, outside; contact inside."""
-    ground, closed = s.problem.ground, _zone(start, s.problem)
+    """Return the solution for one load on one mesh: gamma, where it is sought, outside; contact inside.
+
+    slip (c,) is what the bearings have slipped before. Raises _Far if more than a share `far` of the bearings are not
+    in the state in which they start.
+    """
+    ground, state = s.problem.ground, _states(start, s.problem)
+    slip = np.zeros(len(state)) if slip is None else slip
+    law = bearings(s.problem, factor, slip)
+    fresh = True
 
     def solved(column: Column, gamma: float | None) -> tuple[Array, Contact]:
         def told(iteration: int, in_contact: int, changed: int) -> None:
+            nonlocal fresh
             report(Step(s.pattern.size, 1, gamma, iteration, in_contact, changed, finest))
+            if fresh and changed > far * len(state):
+                raise _Far
+            fresh = False
 
         data = stiffness(s, column)
         f = right_hand_side(s, data, factor)
-        c = contact.solve(s.pattern, data, f, symbolic, s.problem.gaps, closed, model.analysis.max_iterations, told)
+        c = contact.solve(s.pattern, data, f, symbolic, law, state, model.analysis.max_iterations, told)
         return nodal(s.problem, c.u), c
+
+    def ended(
+        U: Array, c: Contact, column: Column, gamma: float | None, change: float, slope: float, iterations: int
+    ) -> Solution:
+        return Solution(s, U, c, column, gamma, change, slope, iterations, law, slip + slipped(law, c))
 
     if isinstance(ground, Column):
         U, c = solved(ground, None)
-        return Solution(s, U, c, ground, None, 0.0, 0.0, 0)
+        return ended(U, c, ground, None, 0.0, 0.0, 0)
     if ground.gamma is not None:
         column = ground.column(ground.gamma)
         U, c = solved(column, ground.gamma)
-        return Solution(s, U, c, column, ground.gamma, 0.0, 0.0, 0)
+        return ended(U, c, column, ground.gamma, 0.0, 0.0, 0)
 
     gamma, slope = GAMMA_START, 0.0
     if start is not None and start.gamma is not None:
@@ -120,14 +246,14 @@ def _equilibrium(
     while len(history) < GAMMA_LIMIT:
         column = ground.column(gamma)
         U, c = solved(column, gamma)
-        closed = c.closed
+        state = c.state
         # a plate that its supports carry over the ground leaves nothing to find gamma from
-        touches = c.closed.any() or not s.problem.tensionless
+        touches = c.closed[s.problem.bearing.support < 0].any() or not s.problem.tensionless
         found = ground.gamma_of(decay_squared(s, U, column)) if touches else gamma
         history.append((gamma, found))
         change = abs(found - gamma) / max(found, GAMMA_SMALL)
         if change <= tolerance:
-            return Solution(s, U, c, column, gamma, change, _slope(history, slope), len(history))
+            return ended(U, c, column, gamma, change, _slope(history, slope), len(history))
         gamma = next_gamma(history, slope)
     raise NotConverged("gamma", [{"gamma": a, "next": b} for a, b in history], {"U": U, "gamma": gamma})
 
@@ -158,21 +284,33 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
     return (f1 - f0) / (g1 - g0)
 
 
-def _zone(start: Solution | None, problem: Problem) -> Flags:
-    """Return which gaps to close at first: all, or those closed in a solution on the same or a coarser mesh."""
-    nodes = problem.plate_nodes
-    if not problem.tensionless:
-        return np.zeros(0, dtype=bool)
+def _states(start: Solution | None, problem: Problem) -> Integers:
+    """Return the states in which the bearings start: all closed, or as in a solution on the same or a coarser mesh."""
+    b = problem.bearing
     if start is None:
-        return np.ones(len(nodes), dtype=bool)
+        return np.full(len(b.law), contact.CLOSED)
     coarse: Mesh = start.system.problem.mesh
     if coarse is problem.mesh:
-        return start.contact.closed
-    zone: Flags = values_between(coarse, start.closed, problem.mesh.nodes[nodes]) <= CLOSED_AT
-    return zone
+        return start.contact.state
+    state = np.full(len(b.law), contact.CLOSED)
+    ground = np.flatnonzero(b.support < 0)
+    places = problem.mesh.nodes[b.node[ground]]
+    if len(ground):
+        touching = values_between(coarse, start.nodes_in(contact.CLOSED, contact.YIELDING), places) <= CLOSED_AT
+        state[ground] = np.where(touching, contact.CLOSED, contact.OPEN)
+        if (start.contact.state == contact.YIELDING).any():
+            yielding = values_between(coarse, start.nodes_in(contact.YIELDING), places) <= CLOSED_AT
+            state[ground[yielding]] = contact.YIELDING
+    before = start.system.problem.bearing
+    for support in np.unique(b.support[b.support >= 0]):
+        new, old = (np.flatnonzero((each.support == support) & (each.field == W)) for each in (b, before))
+        if len(new) and len(old):
+            offset = problem.mesh.nodes[b.node[new], None] - coarse.nodes[before.node[old]]
+            state[new] = start.contact.state[old[np.argmin((offset**2).sum(axis=2), axis=1)]]
+    return state
 
 
-def _margin_effect(model: Model, solver: Solver) -> float:
+def _margin_effect(model: Model, solver: Solver, factors: Array) -> float:
     """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively.
 
     Judged on the next coarser mesh, where it costs little.
@@ -180,6 +318,6 @@ def _margin_effect(model: Model, solver: Solver) -> float:
     level = min(1, coarsest(model))
     largest, unheard = [], list[Step]()
     for margin in (1.0, 2.0):
-        solution = _nested(model, solver, unheard.append, level, margin)
+        solution = _nested(model, solver, unheard.append, level, margin, factors)
         largest.append(np.abs(solution.U[:, 0]).max())
     return float(abs(largest[1] - largest[0]) / max(largest)) if any(largest) else 0.0

@@ -5,8 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.assembly import scatter
+from groundslab.contact import YIELDING
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, tail
-from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, System, W, edge_lengths, fields_of, surface_settlement
+from groundslab.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    Problem,
+    System,
+    W,
+    edge_lengths,
+    fields_of,
+    surface_settlement,
+)
 from groundslab.results import Certificate
 from groundslab.shape import Array, Integers
 from groundslab.solution import Solution
@@ -102,42 +113,48 @@ def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     return forces
 
 
-def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
-    """Return the certificate of a solution under the full load."""
-    s, U, column, force = solution.system, solution.U, solution.column, solution.contact.force
-    problem = s.problem
-    nodes, under = problem.mesh.nodes, problem.plate_nodes
-    plate, ground = plate_forces(s, U), ground_forces(s, U, column)
-    load = problem.load
-
+def left_over(solution: Solution) -> tuple[Array, Array]:
+    """Return the forces (n, F) with which plate and ground resist, and what of them the loads do not balance (n, F)."""
+    s, U, column = solution.system, solution.U, solution.column
+    ground = ground_forces(s, U, column)
     inner = np.zeros_like(U)
-    inner[:, :TOP] = plate
+    inner[:, :TOP] = plate_forces(s, U)
     for surface in range(column.surfaces):
         for field in fields_of(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
-    left_over = inner - load
+    return inner, inner - s.problem.load
+
+
+def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
+    """Return the certificate of a solution under the full load."""
+    s, U, column, c = solution.system, solution.U, solution.column, solution.contact
+    problem = s.problem
+    nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
+    ground, load = ground_forces(s, U, column), problem.load
+    inner, rest = left_over(solution)
+
     held = problem.unknown < 0
-    if problem.tensionless:
-        left_over[under, TOP] -= force
+    borne = np.zeros_like(U)
+    np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
     scale = max(np.abs(inner).max(), np.abs(load).max())
-    residual = float(np.abs(left_over[~held]).max() / scale)
+    residual = float(np.abs((rest - borne)[~held]).max() / scale)
 
     # what the ground and the supports push up on the plate, moments about the origin
-    support = np.where(held[:, :TOP], left_over[:, :TOP], 0.0)
+    support = np.where(held[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
+    own = bearing.support >= 0
+    np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
     pushed = ground[:, 0].sum()
     up = np.column_stack([ground[:, 0], np.zeros((len(nodes), 2))])
     reaction = _resultant(nodes, up - support)
     wanted = _resultant(nodes, load[:, :TOP])
     missing = np.abs(reaction - wanted)
-    size = np.abs(load[:, W]).sum()
     length = np.ptp(nodes[under], axis=0).max()
+    size = max(np.abs(part).sum() for part in (load[:, W], support[:, W], ground[:, 0], load[:, BETA_X:TOP] / length))
     moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
 
-    gap = U[under, TOP] if problem.tensionless else np.zeros(1)
-    forces = force if problem.tensionless else np.zeros(1)
     settlement = max(np.abs(U[:, W]).max(), NOTHING * length)
-    largest = max(np.abs(forces).max(), NOTHING * size)
+    gap, force, product = _bearing_errors(solution, NOTHING * size)
     share = 2.0 ** sum(problem.symmetry)
     return Certificate(
         residual=residual,
@@ -146,12 +163,33 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         force_balance=float(missing[0] / size),
         moment_balance=float(moments.max() / (size * length)),
         ground_balance=float(abs(_carried(s, U, column, inner) - pushed) / size),
-        worst_gap=float(max(0.0, -gap.min()) / settlement),
-        worst_pressure=float(max(0.0, -forces.min()) / largest),
-        worst_product=float(np.abs(forces * gap).max() / (largest * settlement)),
+        worst_gap=gap / settlement,
+        worst_pressure=force,
+        worst_product=product / settlement,
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
     )
+
+
+def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
+    """Return how badly the laws of the bearings are broken: way [m], force, and force times way [m].
+
+    Forces are relative to the largest one, or to a force that counts as nothing. One-sided bearings may not be driven
+    in further than their force says, pull, exceed their capacity, or carry anything while there is a way to go.
+    """
+    law, c = solution.law, solution.contact
+    if not len(law):
+        return 0.0, 0.0, 0.0
+    largest = max(float(np.abs(c.force).max()), nothing)
+    elastic = np.isfinite(law.stiffness)
+    way = law.driven(c.u)
+    way[elastic] -= c.force[elastic] / law.stiffness[elastic]
+    one_sided = ~law.both_ways
+    yielding = c.state == YIELDING
+    broken = np.where(law.both_ways, np.abs(way), np.where(yielding, -way, way))
+    force = np.where(one_sided, np.maximum(-c.force, c.force - law.capacity), 0.0)
+    product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0)
+    return max(0.0, float(broken.max())), max(0.0, float(force.max()) / largest), float(product.max()) / largest
 
 
 def _own_w(problem: Problem) -> Array:

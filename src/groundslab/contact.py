@@ -1,4 +1,8 @@
-"""Unilateral contact: minimise 1/2 u.A u - f.u subject to u >= 0 for some unknowns, the gaps.
+"""Unilateral contact: minimise 1/2 u.A u - f.u with bearings that push on some unknowns one way only.
+
+A bearing on the unknown u_i, with sign s, level l, stiffness k (infinite if rigid) and capacity F, is driven in by
+d = s (l - u_i) and pushes u_i in the direction s with the force clip(k d, 0, F). The ground's gap is a rigid bearing
+with s = 1 and l = 0: u >= 0, force >= 0, force times u = 0, and with a capacity the force that yields.
 
 Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2002), with the single pivots of Murty 1974 as the way
 out of a cycle (Judice and Pires 1994), so that it ends for every positive definite A. See docs/theory.md, contact.
@@ -16,19 +20,69 @@ from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.linear import Symbolic
 from groundslab.shape import Array, Flags, Indices, Integers
 
-#: A gap or force that is negative by less than this share of the largest one does not make a node change sides.
+#: A way or force that is on the wrong side by less than this share of the largest one does not change a bearing.
 SLACK = 1e-10
-#: Share of a gap's own stiffness that a spring across it gets while the closed gaps alone do not hold the plate.
+#: Share of an unknown's own stiffness that a spring on it gets while the closed bearings do not hold the plate.
 WEAK = 1e-5
+
+#: States of a bearing: it touches nothing, it bears, it has reached its capacity.
+OPEN, CLOSED, YIELDING = range(3)
+
+
+@dataclass(frozen=True, slots=True)
+class Bearings:
+    """What bears on one unknown each, (c,); the unknown's unit is m or rad, the force's N or N m."""
+
+    at: Integers  # number of the unknown
+    sign: Array  # 1.0 or -1.0: the direction of the force
+    level: Array  # value of the unknown at which it begins to bear
+    stiffness: Array  # force per way; infinite if rigid
+    capacity: Array  # largest force; infinite if there is none
+    both_ways: Flags  # closed for ever, whatever the sign of the force
+
+    def __len__(self) -> int:
+        """Return the number of bearings."""
+        return len(self.at)
+
+    def driven(self, u: Array) -> Array:
+        """Return how far each is driven in, d (c,)."""
+        d: Array = self.sign * (self.level - u[self.at])
+        return d
+
+
+def gaps(at: Integers) -> Bearings:
+    """Return the bearings of gaps: unknowns that are at least 0 and are pushed, never pulled."""
+    one, without_end = np.ones(len(at)), np.full(len(at), np.inf)
+    return Bearings(at, one, 0 * one, without_end, without_end, np.zeros(len(at), dtype=bool))
+
+
+def joined(*parts: Bearings) -> Bearings:
+    """Return the bearings of several parts as one list."""
+    names = ("at", "sign", "level", "stiffness", "capacity", "both_ways")
+    return Bearings(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A solution: unknowns u (size,), which gaps are closed (c,), and the contact forces on them (c,) [N]."""
+    """A solution: unknowns u (size,), states of the bearings (c,), and their forces (c,), >= 0 unless both ways."""
 
     u: Array
-    closed: Flags
+    state: Integers
     force: Array
+
+    @property
+    def closed(self) -> Flags:
+        """Return which bearings touch (c,), be it that they yield."""
+        touching: Flags = self.state != OPEN
+        return touching
+
+
+def slipped(b: Bearings, c: Contact) -> Array:
+    """Return how far each bearing (c,) has slipped at its capacity."""
+    elastic = np.isfinite(b.stiffness)
+    way = b.driven(c.u)
+    way[elastic] -= c.force[elastic] / b.stiffness[elastic]
+    return np.where(c.state == YIELDING, np.maximum(way, 0.0), 0.0)
 
 
 def solve(
@@ -36,60 +90,95 @@ def solve(
     data: Array,
     f: Array,
     symbolic: Symbolic,
-    gaps: Integers,
-    start: Flags,
+    bearings: Bearings,
+    start: Integers,
     limit: int,
     report: Callable[[int, int, int], None],
 ) -> Contact:
-    """Return the solution of A u - f = contact forces >= 0 on the gaps (c,), u >= 0 there, force times gap = 0.
+    """Return the solution of A u - f = forces of the bearings.
 
-    start (c,) says which gaps are closed at first; report is told iteration, closed gaps and changes. With no gaps this
-    is one linear solution. Raises NotConverged after `limit` iterations, SingularMatrix if A itself is not positive.
+    start (c,) holds the states at first; report is told iteration, bearings that touch and changes. With no bearings
+    this is one linear solution. Raises NotConverged after `limit` iterations, SingularMatrix if A itself, held by all
+    bearings, is not positive.
     """
+    b = bearings
     row: Indices = np.repeat(np.arange(p.size, dtype=np.int32), np.diff(p.indptr))
     history: list[dict[str, int]] = []
-    closed, pivots = start.copy(), _Pivots(len(gaps))
+    state, pivots = np.where(b.both_ways, CLOSED, start), _Pivots(len(b))
     u = np.zeros(p.size)
-    spring = rest = no_spring = np.zeros(len(gaps))
+    spring = rest = no_spring = np.zeros(len(b))
     for iteration in range(1, limit + 1):
         try:
-            u = _closed_solution(p, data, row, f, symbolic, gaps, closed, spring, rest)
+            u = _solution(p, data, row, f, symbolic, b, state, spring, rest)
         except SingularMatrix:
             if spring.any():
                 raise
-            # the plate floats: a proximal step, with springs that draw the gaps to where they are
-            spring, rest, pivots = WEAK * data[p.indptr[gaps]], np.maximum(u[gaps], 0.0), _Pivots(len(gaps))
-            u = _closed_solution(p, data, row, f, symbolic, gaps, closed, spring, rest)
-        force = (multiply(p, data, u) - f)[gaps] + spring * (u[gaps] - rest)
+            # the plate floats: a proximal step, with springs that draw the bearings to where they are
+            spring, rest = WEAK * data[p.indptr[b.at]], b.level + b.sign * np.maximum(-b.driven(u), 0.0)
+            pivots = _Pivots(len(b))
+            u = _solution(p, data, row, f, symbolic, b, state, spring, rest)
+        left_over = multiply(p, data, u) - f
+        force = _forces(b, state, u, left_over, spring * (u[b.at] - rest))
         slack = SLACK * np.abs(u).max()
-        wrong = np.where(closed, force < -SLACK * np.abs(force).max(initial=0), u[gaps] < -slack)
-        history.append({"iteration": iteration, "closed": int(closed.sum()), "changed": int(wrong.sum())})
-        report(iteration, int(closed.sum()), int(wrong.sum()))
+        after = np.where(b.both_ways, CLOSED, _next(b, state, b.driven(u), force, slack))
+        wrong: Flags = after != state
+        touching = int((state != OPEN).sum())
+        history.append({"iteration": iteration, "closed": touching, "changed": int(wrong.sum())})
+        report(iteration, touching, int(wrong.sum()))
         if wrong.any():
-            closed = pivots.change(closed, wrong)
-        elif (spring * (np.abs(u[gaps] - rest) > slack)).any():
-            # enough gaps are closed now, or the next proximal step starts from here
-            spring, pivots = no_spring, _Pivots(len(gaps))
+            state = pivots.change(state, after)
+        elif (spring * (np.abs(u[b.at] - rest) > slack)).any():
+            # enough bearings touch now, or the next proximal step starts from here
+            spring, pivots = no_spring, _Pivots(len(b))
         else:
             # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held
-            return Contact(u, closed, np.where(closed, force, 0.0))
-    raise NotConverged("the contact zone", history, {"u": u, "closed": closed})
+            return Contact(u, state, force)
+    raise NotConverged("the contact zone", history, {"u": u, "closed": state != OPEN})
+
+
+def _forces(b: Bearings, state: Integers, u: Array, left_over: Array, spring: Array) -> Array:
+    """Return the force of each bearing (c,); that of a rigid one is what the others leave over at its unknown."""
+    rigid = np.isinf(b.stiffness)
+    force = np.where(state == YIELDING, b.capacity, 0.0)
+    elastic = np.flatnonzero((state == CLOSED) & ~rigid)
+    force[elastic] = b.stiffness[elastic] * b.driven(u)[elastic]
+    borne = np.zeros(len(u))
+    np.add.at(borne, b.at, b.sign * force)
+    closed = np.flatnonzero((state == CLOSED) & rigid)
+    at = b.at[closed]
+    force[closed] = b.sign[closed] * (left_over[at] - borne[at] + spring[closed])
+    return force
+
+
+def _next(b: Bearings, state: Integers, driven: Array, force: Array, slack: float) -> Integers:
+    """Return the state (c,) in which each bearing should be, seen from the one that it is in."""
+    small = SLACK * np.abs(force).max(initial=0)
+    full = np.zeros(len(b))  # way at which it yields
+    elastic = np.isfinite(b.stiffness)
+    full[elastic] = b.capacity[elastic] / b.stiffness[elastic]
+    after = state.copy()
+    after[(state == OPEN) & (driven > slack)] = CLOSED
+    after[(state == CLOSED) & (force < -small)] = OPEN
+    after[(state == CLOSED) & (force > b.capacity + small)] = YIELDING
+    after[(state == YIELDING) & (driven < full - slack)] = CLOSED
+    return after
 
 
 class _Pivots:
-    """Which wrong gaps change sides: all of them, or, once a set of closed gaps has come back, the last one alone.
+    """Which wrong bearings change: all of them, or, once a set of states has come back, the last one alone.
 
     Back to all of them when fewer are wrong than ever before (Judice and Pires 1994).
     """
 
-    def __init__(self, gaps: int) -> None:
+    def __init__(self, bearings: int) -> None:
         self.seen: set[bytes] = set()
-        self.fewest = gaps + 1
+        self.fewest = bearings + 1
         self.single = False
 
-    def change(self, closed: Flags, wrong: Flags) -> Flags:
-        """Return the gaps to close next."""
-        wrongs, key = int(wrong.sum()), np.packbits(closed).tobytes()
+    def change(self, state: Integers, wanted: Integers) -> Integers:
+        """Return the states to take next."""
+        wrong = state != wanted
+        wrongs, key = int(wrong.sum()), state.astype(np.uint8).tobytes()
         if key in self.seen and not self.single:
             self.single, self.fewest = True, min(self.fewest, wrongs)
         elif wrongs < self.fewest:
@@ -97,26 +186,40 @@ class _Pivots:
         self.seen.add(key)
         if self.single:
             wrong = np.arange(len(wrong)) == np.flatnonzero(wrong)[-1]
-        return closed ^ wrong
+        after: Integers = np.where(wrong, wanted, state)
+        return after
 
 
-def _closed_solution(
+def _solution(
     p: Pattern,
     data: Array,
     row: Indices,
     f: Array,
     symbolic: Symbolic,
-    gaps: Integers,
-    closed: Flags,
+    b: Bearings,
+    state: Integers,
     spring: Array,
     rest: Array,
 ) -> Array:
-    """Return the solution with some gaps held closed, and springs (c,) that draw the others to their rest (c,)."""
-    keep = np.ones(p.size)
-    keep[gaps[closed]] = 0.0
-    held = data * keep[row] * keep[p.indices] if closed.any() else data.copy()
-    diagonal = p.indptr[gaps]
-    held[diagonal] = data[diagonal] + spring
+    """Return the solution for given states, and springs (c,) that draw the bearings' unknowns to their rest (c,)."""
+    rigid = (state == CLOSED) & np.isinf(b.stiffness)
+    elastic = (state == CLOSED) & np.isfinite(b.stiffness)
+    stiffness = spring + np.where(elastic, b.stiffness, 0.0)
     load = f.copy()
-    load[gaps] += spring * rest
-    return symbolic.factor(held).solve(load * keep)
+    np.add.at(load, b.at, spring * rest)
+    np.add.at(load, b.at[elastic], b.stiffness[elastic] * b.level[elastic])
+    yielding = state == YIELDING
+    np.add.at(load, b.at[yielding], b.sign[yielding] * b.capacity[yielding])
+
+    held = np.zeros(p.size)
+    held[b.at[rigid]] = b.level[rigid]
+    keep = np.ones(p.size)
+    keep[b.at[rigid]] = 0.0
+    if held.any():
+        load -= multiply(p, data, held)
+    matrix = data * keep[row] * keep[p.indices] if rigid.any() else data.copy()
+    diagonal = p.indptr[b.at]
+    matrix[diagonal] = data[diagonal]
+    np.add.at(matrix, diagonal, stiffness)
+    u: Array = symbolic.factor(matrix).solve(load * keep)
+    return u + held if held.any() else u

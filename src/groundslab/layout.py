@@ -4,15 +4,23 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.actions import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
+from groundslab.actions import (
+    NO_BEND,
+    NO_SLOPE,
+    AnyLoad,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    TemperatureLoad,
+    UniformLoad,
+)
 from groundslab.ground import Column, tail
 from groundslab.mesh import Mesh, grid, lines_beyond, sides_on_boundary
-from groundslab.model import SHORT_SIDE_ELEMENTS, Model
+from groundslab.model import SHORT_SIDE_ELEMENTS, Model, plan_of_plate
 from groundslab.plan import Plan, rectangle
 from groundslab.shape import Integers
 from groundslab.vlasov import Soil
@@ -41,7 +49,7 @@ def layout(model: Model, ground: Soil | Column, coarsening: int, margin: float) 
     """Return the layout of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond."""
     symmetry = symmetries(model)
     width = margin * _width_beyond(model, ground)
-    if model.plate.plain:
+    if model.plain:
         mesh, section = _plain_mesh(model, symmetry, coarsening, width)
     else:
         mesh, section = _drawn_mesh(model, coarsening, width)
@@ -62,7 +70,8 @@ def coarsest(model: Model) -> int:
 
 def symmetries(model: Model) -> tuple[bool, bool]:
     """Return whether the problem is its own mirror image about x = 0 and about y = 0 (and the mesh may use it)."""
-    if model.mesh.symmetry == "off" or not model.plate.plain:
+    varying = model.soil_zones or model.boreholes or model.contact.gaps
+    if model.mesh.symmetry == "off" or not model.plain or varying:
         return False, False
     return _symmetric(model, 0), _symmetric(model, 1)
 
@@ -74,29 +83,55 @@ def _symmetric(model: Model, axis: int) -> bool:
         return False
     if model.mesh.counts is not None and model.mesh.counts[axis] % 2:
         return False
-    size = max(model.plate.sides)
-
-    def key(numbers: Iterable[float]) -> tuple[float, ...]:
-        return tuple(round(value / size, 9) + 0.0 for value in numbers)
-
-    here: Counter[tuple[object, ...]] = Counter()
-    there: Counter[tuple[object, ...]] = Counter()
-    for item in (*model.loads, *model.contact.voids):
-        if isinstance(item, UniformLoad | SelfWeight):
-            continue
-        if isinstance(item, AreaLoad | LineLoad):
-            return False
-        if isinstance(item, PointLoad):
-            place = [(item.x, item.x), (item.y, item.y)]
-            value = item.P
-        else:
-            place = [item.x, item.y]
-            value = item.q if isinstance(item, PatchLoad) else item.depth
-        image = list(place)
-        image[axis] = (-place[axis][1], -place[axis][0])
-        here[(type(item).__name__, value, *key(place[0] + place[1]))] += 1
-        there[(type(item).__name__, value, *key(image[0] + image[1]))] += 1
+    placed = [_placed(load, model) for load in model.loads]
+    voids = [_Placed(("void", void.depth), void.x, void.y) for void in model.contact.voids if void.shape is None]
+    if None in placed or len(voids) < len(model.contact.voids):
+        return False
+    here, there = Counter[tuple[object, ...]](), Counter[tuple[object, ...]]()
+    for item in (*placed, *voids):
+        if item is not None and item.x is not None and item.y is not None:
+            here[item.key(max(model.plate.sides))] += 1
+            there[item.mirrored(axis).key(max(model.plate.sides))] += 1
     return here == there
+
+
+@dataclass(frozen=True)
+class _Placed:
+    """Something on a rectangle or at a point of the plan; x and y are None if it is everywhere."""
+
+    what: tuple[object, ...]
+    x: tuple[float, float] | None = None
+    y: tuple[float, float] | None = None
+
+    def mirrored(self, axis: int) -> _Placed:
+        """Return its image in the mirror across an axis."""
+        assert self.x is not None
+        assert self.y is not None
+        low, high = (self.x, self.y)[axis]
+        return replace(self, **{"xy"[axis]: (-high, -low)})
+
+    def key(self, size: float) -> tuple[object, ...]:
+        """Return what equals that of the same thing at the same place, relative to a size."""
+        assert self.x is not None
+        assert self.y is not None
+        return (*self.what, *(round(value / size, 9) + 0.0 for value in (*self.x, *self.y)))
+
+
+def _placed(load: AnyLoad, model: Model) -> _Placed | None:
+    """Return a load as something that has a mirror image; None if symmetry is not to be expected of it."""
+    if isinstance(load, SelfWeight | TemperatureLoad):
+        return _Placed(())
+    if isinstance(load, PointLoad):
+        own = load.on(model.columns)
+        if own.M_x or own.M_y:
+            return None
+        assert own.x is not None
+        assert own.y is not None
+        what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
+        return _Placed(what, (own.x, own.x), (own.y, own.y))
+    if isinstance(load, UniformLoad | PatchLoad) and (load.slope, load.bend) == (NO_SLOPE, NO_BEND):
+        return _Placed(("patch", load.case, load.q), load.x, load.y) if isinstance(load, PatchLoad) else _Placed(())
+    return None
 
 
 def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple[int, int]:
@@ -152,18 +187,12 @@ def _drawn_mesh(model: Model, coarsening: int, width: float) -> tuple[Mesh, Inte
 
 def plan_of(model: Model, width: float) -> Plan:
     """Return the plan of a model: zone i is section i; ground beyond fills the rectangle that is `width` [m] wider."""
-    plate = model.plate
     beyond = None
     if width:
         grow = {side: width if side in model.beyond.sides else 0.0 for side in OUTWARD}
-        x0, x1, y0, y1 = plate.bounds
+        x0, x1, y0, y1 = model.plate.bounds
         beyond = rectangle(x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"])
-    return Plan(
-        plate.ring(),
-        tuple(shape.ring() for shape in plate.openings),
-        tuple((zone.shape.ring(), number) for number, zone in enumerate(plate.zones, start=1)),
-        beyond,
-    )
+    return plan_of_plate(model.plate, model.supports, beyond)
 
 
 def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:

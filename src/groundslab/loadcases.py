@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.findings import Finding, describe, listed, quote, suggestion
 from groundslab.keys import Choice, Factors, Number, Range, Several, Text
 from groundslab.schema import Check, Part
+
+if TYPE_CHECKING:
+    from groundslab.model import Model
 
 Kind = Literal["permanent", "variable"]
 LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
@@ -97,3 +100,34 @@ def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
                 yield Finding(
                     place, "a case that is not there", listed(map(quote, names[:20])), suggestion(name, names)
                 )
+
+
+def combinations_of(model: Model) -> tuple[Combination, ...]:
+    """Return all combinations of a model: those given and those made by EN 1990.
+
+    With cases and neither of them it is each case by itself; without cases one nameless combination of all loads.
+    """
+    if not model.cases:
+        return (Combination(name="all loads", factors={"": 1.0}),)
+    made: tuple[Combination, ...] = ()
+    if model.combine is not None:
+        made = _made(model.combine, model.cases)
+    if not model.combinations and model.combine is None:
+        return tuple(
+            Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
+        )
+    taken = {combination.name for combination in model.combinations}
+    return (*model.combinations, *(each for each in made if each.name not in taken))
+
+
+def _made(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:
+    """Return the combinations that EN 1990 makes of the cases."""
+    from groundslab.combine import Action, combinations
+    from groundslab.combine import Factors as Partial
+
+    actions = [Action(case.name, case.action, case.psi_0, case.psi_1, case.psi_2, case.group) for case in cases]
+    partial = Partial(combine.permanent, combine.variable)
+    return tuple(
+        Combination(name=each.name, limit_state=each.limit_state, factors=each.factors)
+        for each in combinations(actions, combine.sets, partial)
+    )

@@ -6,6 +6,7 @@ loads. Parts need not follow the mesh: elements that a part cuts are cut as well
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,17 +24,41 @@ CHORDS = 16
 #: A piece this small, relative to the largest one, is nothing but rounding.
 SLIVER = 1e-15
 
+#: A pressure [Pa] as a function of places (..., 2).
+Pressure = Callable[[Array], Array]
 
-def over_elements(mesh: Mesh, elements: Integers) -> Array:
-    """Return int N dA (m, 9) [m2] over whole elements."""
+
+def one(places: Array) -> Array:
+    """Return a pressure of 1 at places (..., 2)."""
+    return np.ones(places.shape[:-1])
+
+
+def inertia(part: Polygon) -> tuple[Array, Array]:
+    """Return the centre (2,) [m] of a polygon and its second moments of area about it (2, 2) [m4]."""
+    from shapely import get_coordinates
+
+    centre = get_coordinates(part.centroid)[0]
+    x = get_coordinates(part.exterior) - centre
+    a, b = x[:-1], x[1:]
+    cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    # each edge makes a triangle with the centre, whose moments its corners give
+    total = np.einsum("e,ei,ej->ij", cross, a + b, a + b)
+    total += np.einsum("e,ei,ej->ij", cross, a, a) + np.einsum("e,ei,ej->ij", cross, b, b)
+    return centre, total / 24 * np.sign(cross.sum())
+
+
+def over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> Array:
+    """Return int q N dA (m, 9) over whole elements: [m2], or [N] for a pressure q [Pa] of places (..., 2)."""
     points, weights = gauss(3)
     N, dN = q9(points)
-    shares: Array = (jacobian(dN, mesh.xy[elements])[2] * weights) @ N
+    xy = mesh.xy[elements]
+    q = pressure(np.einsum("pa,eax->epx", N, xy))
+    shares: Array = (q * jacobian(dN, xy)[2] * weights) @ N
     return shares
 
 
-def over_polygon(mesh: Mesh, elements: Integers, part: Polygon) -> Array:
-    """Return int N dA (m, 9) [m2] over the part of each element that lies in a polygon."""
+def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one) -> Array:
+    """Return int q N dA (m, 9) over the part of each element that lies in a polygon: [m2], or [N] for a q [Pa]."""
     from shapely import contains, intersection, intersects, polygons, prepare
 
     shares = np.zeros((len(elements), 9))
@@ -41,7 +66,7 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon) -> Array:
     prepare(part)
     touched = intersects(outlines, part)
     inside = touched & contains(part, outlines)
-    shares[inside] = over_elements(mesh, elements[inside])
+    shares[inside] = over_elements(mesh, elements[inside], pressure)
     cut = np.flatnonzero(touched & ~inside)
     pieces = intersection(outlines[cut], part)
     triangles, owner = _triangles(pieces)
@@ -49,17 +74,19 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon) -> Array:
         points, weights = _triangle_rule(PIECE_POINTS)
         a, b, c = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
         x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
-        dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights
+        dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
         element = np.repeat(elements[cut[owner]], len(weights))
         N, _ = q9(place_in(mesh.xy[element], x.reshape(-1, 2)))
         np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
     return shares
 
 
-def along_line(mesh: Mesh, elements: Integers, ends: Array) -> Array:
-    """Return int N ds (m, 9) [m] along the straight line between two points (2, 2) on the plate.
+def along_line(mesh: Mesh, elements: Integers, ends: Array, q: tuple[float, float] = (1.0, 1.0)) -> Array:
+    """Return int q N ds (m, 9) along the straight line between two points (2, 2) on the plate: [m], or [N] for [N/m].
 
-    The line is cut where it enters another element; a line along common sides goes to one element each.
+    q changes linearly from the first to the second point. The line is cut where it enters another element; a line along
+    common sides goes to one element each.
+    common sides goes to one element each.
     """
     from shapely import LineString, get_coordinates, intersection, polygons
 
@@ -72,7 +99,7 @@ def along_line(mesh: Mesh, elements: Integers, ends: Array) -> Array:
     low, high = at[:-1, None], at[1:, None]
     s = ((low + high) / 2 + (high - low) / 2 * x).ravel()
     ds = ((high - low) / 2 * weights * length).ravel()
-    return _at_points(mesh, elements, ends[0] + s[:, None] * along, ds)
+    return _at_points(mesh, elements, ends[0] + s[:, None] * along, ds * (q[0] + (q[1] - q[0]) * s))
 
 
 def at_point(mesh: Mesh, elements: Integers, point: Array) -> Array:

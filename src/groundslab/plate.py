@@ -149,6 +149,19 @@ def stiffness(element: PlateElement, xy: Array, D: Array, S: Array) -> Array:
     return K
 
 
+def warping_couples(xy: Array, D: Array, warp: Array) -> Array:
+    """Return the couples (2, m, 9) [N m] on beta_x and beta_y that bend free elements to beta_x,x = beta_y,y = warp.
+
+    int B_b^T D (warp, warp, 0) dA for curvatures warp (m,) [1/m], as temperature gives them.
+    """
+    points, weights = gauss(3)
+    dA = jacobian(q9(points)[1], xy)[2] * weights
+    moment = D[:, :, :2].sum(axis=2) * warp[:, None]
+    f = np.einsum("ep,epcu,ec->eu", dA, bending_strain(points, xy), moment)
+    couples: Array = f[:, 9:].reshape(-1, 2, 9).swapaxes(0, 1)
+    return couples
+
+
 def _quadratic_form(B: Array, C: Array) -> Array:
     """Return sum over p of B^T C B, (m, u, u), for B (m, p, c, u) and C (m, p, c, c)."""
     m, _, _, u = B.shape

@@ -2,22 +2,52 @@
 
 Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the gap g under the plate and the settlement of the
 ground's surface beyond it; then the settlements of the lower surfaces. Under the plate w_0 = w + g - g0.
+What bears on single unknowns (the ground where the plate may lift off, supports) stands beside the matrix.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab import assembly, plate
 from groundslab.assembly import Pattern, add, congruent, gather, scatter
+from groundslab.contact import Bearings
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
 from groundslab.mesh import Mesh
 from groundslab.shape import Array, Integers, gauss, jacobian, q9
 from groundslab.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
+
+
+@dataclass(frozen=True, slots=True)
+class Loading:
+    """What acts together: forces, the curvature that temperature would give, settlements of supports."""
+
+    load: Array  # (n, F) [N, N m]
+    warp: Array  # (mp,) [1/m]: curvature beta_x,x = beta_y,y that each plate element would take freely
+    settlement: Array  # (s,) [m]: of each support
+
+    def __add__(self, other: Loading) -> Loading:
+        """Return both together."""
+        return Loading(self.load + other.load, self.warp + other.warp, self.settlement + other.settlement)
+
+    def times(self, factor: float) -> Loading:
+        """Return it multiplied by a factor."""
+        return Loading(factor * self.load, factor * self.warp, factor * self.settlement)
+
+
+@dataclass(frozen=True, slots=True)
+class Bearing:
+    """All that bears on single unknowns: first the ground, plate node by plate node; then the supports."""
+
+    law: Bearings  # (c,); levels without settlements of the supports
+    node: Integers  # (c,)
+    field: Integers  # (c,): W, BETA_X, BETA_Y or TOP
+    support: Integers  # (c,): number of the support, -1 for the ground
+    length: Array  # (c,) [m]: the share of a line support, 0 for all else
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +63,10 @@ class Problem:
     ground: Soil | Column
     rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
-    load: Array  # (n, F) [N, N m]
+    cases: tuple[Loading, ...]  # the load cases by themselves
+    loading: Loading  # what is to be solved for
     initial_gap: Array  # (n,) [m]
+    bearing: Bearing
     tensionless: bool
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
@@ -47,12 +79,30 @@ class Problem:
         return nodes
 
     @property
+    def load(self) -> Array:
+        """Return the nodal loads (n, F) [N, N m]."""
+        return self.loading.load
+
+    @property
     def gaps(self) -> Integers:
         """Return the unknowns of the gaps, one for each plate node (none if the plate is glued to the ground)."""
         if not self.tensionless:
             return np.zeros(0, dtype=np.int64)
         numbers: Integers = self.unknown[self.plate_nodes, TOP]
         return numbers
+
+    def under(self, factors: Array) -> Problem:
+        """Return the problem with its load cases multiplied by factors (cases,) and added up."""
+        first, *others = (case.times(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
+        return replace(self, loading=sum(others, first))
+
+
+def bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
+    """Return what bears under a share of the loading, having slipped (c,) [m] at its capacity before."""
+    law, support = problem.bearing.law, problem.bearing.support
+    settled = np.append(problem.loading.settlement, 0.0)[support]  # none for the ground, whose support is -1
+    settled = np.where(problem.bearing.field == W, factor * settled, 0.0)
+    return replace(law, level=law.level + settled - law.sign * slip)
 
 
 def nodal_area(mesh: Mesh, elements: Integers) -> Array:

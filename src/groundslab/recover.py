@@ -6,11 +6,12 @@ import numpy as np
 
 from groundslab import plate
 from groundslab.assembly import scatter
-from groundslab.checks import ground_forces
+from groundslab.checks import ground_forces, left_over
+from groundslab.loadcases import Combination
 from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import InterfaceLayer, Layered, Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
-from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step
+from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
 from groundslab.shape import COLUMN, ROW, Array, gauss
 from groundslab.solution import Solution
 from groundslab.subsoil import consistent_parts
@@ -23,7 +24,14 @@ ODD = (
 )
 
 
-def recover(model: Model, solution: Solution, proof: Certificate, steps: tuple[Step, ...], solver: str) -> Results:
+def recover(
+    model: Model,
+    combination: Combination,
+    solution: Solution,
+    proof: Certificate,
+    steps: tuple[Step, ...],
+    solver: str,
+) -> Results:
     """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
     problem = solution.system.problem
     mesh, fields = _plate_fields(solution)
@@ -41,7 +49,44 @@ def recover(model: Model, solution: Solution, proof: Certificate, steps: tuple[S
         solver=solver,
         unknowns=solution.system.pattern.size,
         symmetry=problem.symmetry,
+        combination=combination.name,
+        limit_state=combination.limit_state,
+        factors=combination.factors if model.cases else (),
+        supports=_supports(model, solution),
     )
+
+
+def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
+    """Return what each support carries."""
+    problem, b = solution.system.problem, solution.system.problem.bearing
+    if not model.supports:
+        return ()
+    _, rest = left_over(solution)
+    w = plate_settlement(problem, solution.U)
+    force = b.law.sign * solution.contact.force
+    found = []
+    for number, support in enumerate(model.supports):
+        own = np.flatnonzero((b.support == number) & (b.field == W))
+        nodes = b.node[own]
+        moments = np.zeros((len(nodes), 2))
+        for axis in (0, 1):
+            if support.rotation == "fixed":
+                moments[:, axis] = rest[nodes, BETA_X + axis]
+            turned = np.flatnonzero((b.support == number) & (b.field == BETA_X + axis))
+            if len(turned) and len(nodes):
+                moments[:, axis] += force[turned]
+        found.append(
+            SupportResult(
+                name=support.name or f"support {number + 1}",
+                nodes=problem.mesh.nodes[nodes],
+                length=b.length[own],
+                settlement=w[nodes],
+                force=-force[own],
+                moment_x=moments[:, 0],
+                moment_y=moments[:, 1],
+            )
+        )
+    return tuple(found)
 
 
 def _whole(mesh: Mesh, fields: dict[str, Array], symmetry: tuple[bool, bool]) -> tuple[Mesh, dict[str, Array]]:
@@ -69,9 +114,12 @@ def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
     elements = problem.mesh.elements[problem.plate_elements]
     n, under = len(problem.mesh.nodes), problem.plate_nodes
 
-    force, gap, closed = np.zeros(n), np.zeros(n), np.ones(n)
+    force, gap, closed, sunk = np.zeros(n), np.zeros(n), np.ones(n), np.zeros(n)
     if problem.tensionless:
-        force[under], gap[under], closed[under] = solution.contact.force, U[under, TOP], solution.contact.closed
+        ground = np.flatnonzero(problem.bearing.support < 0)
+        force[under], closed[under] = solution.contact.force[ground], solution.contact.closed[ground]
+        sunk[under] = solution.slip[ground]
+        gap[under] = np.where(closed[under] > 0, 0.0, U[under, TOP] + sunk[under])
     else:
         force[under] = ground_forces(s, U, solution.column)[under, 1]
     pressure = np.zeros(n)
@@ -81,6 +129,7 @@ def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
         "rotation_x": U[:, BETA_X],
         "rotation_y": U[:, BETA_Y],
         "gap": gap,
+        "penetration": sunk,
         "pressure": pressure,
         "in_contact": closed,
         "on_edge": _on_edge(problem),
@@ -116,6 +165,7 @@ def _section_forces(problem: Problem, U: Array, mesh: Mesh) -> dict[str, Array]:
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
     D, S = problem.bending[problem.section], problem.shear[problem.section]
     M, Q = plate.section_forces(problem.element, points, problem.mesh.nodes[elements], D, S, u)
+    M += (D[:, :, :2].sum(axis=2) * problem.loading.warp[:, None])[:, None]  # what bends freely carries nothing
     at_nodes = np.column_stack([COLUMN - 1, ROW - 1]) * np.sqrt(3.0)
     sign = np.sign(points)
     extrapolate = (1 + at_nodes[:, :1] * sign[:, 0]) * (1 + at_nodes[:, 1:] * sign[:, 1]) / 4

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import Fault, GroundslabError, InputError
 from groundslab.mesh import Mesh, values_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from groundslab.loadcases import Combination
     from groundslab.model import Model
 
     Array = NDArray[np.float64]
@@ -36,6 +37,7 @@ PLATE_FIELDS: dict[str, Field] = {
     "rotation_x": Field("beta_x", "mrad", 1e3, "rotation of the normal in the x-z plane, u = -z beta_x"),
     "rotation_y": Field("beta_y", "mrad", 1e3, "rotation of the normal in the y-z plane, v = -z beta_y"),
     "gap": Field("g", "mm", 1e3, "distance between plate and ground"),
+    "penetration": Field("s", "mm", 1e3, "how far the plate has sunk into ground that yields"),
     "pressure": Field("p", "kPa", 1e-3, "contact pressure: nodal contact force over the node's area"),
     "moment_x": Field("m_x", "kNm/m", 1e-3, "bending moment of strips along x, sagging positive"),
     "moment_y": Field("m_y", "kNm/m", 1e-3, "bending moment of strips along y, sagging positive"),
@@ -59,6 +61,7 @@ class PlateResult:
     rotation_x: Array
     rotation_y: Array
     gap: Array
+    penetration: Array
     pressure: Array
     moment_x: Array
     moment_y: Array
@@ -92,6 +95,24 @@ def _value_at(nodes: Array, elements: Integers, values: Array, x: float, y: floa
         return float(values_at(Mesh(nodes, elements), values, np.array([[x, y]]))[0])
     except ValueError:
         raise InputError([Fault("point", f"({x:g}, {y:g}) m", "a point inside the meshed region")]) from None
+
+
+@dataclass(frozen=True, slots=True)
+class SupportResult:
+    """A support: what it carries, node by node along a line; one node for a point."""
+
+    name: str
+    nodes: Array  # (k, 2) [m]
+    length: Array  # (k,) [m]: the share of the line that belongs to each node, 0 for a point
+    settlement: Array  # (k,) [m], of the plate there
+    force: Array  # (k,) [N], upwards positive, as it pushes the plate
+    moment_x: Array  # (k,) [N m], positive if it presses the side of larger x down
+    moment_y: Array  # (k,) [N m]
+
+    @property
+    def total(self) -> float:
+        """Return the force of the whole support [N], upwards positive."""
+        return float(self.force.sum())
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,3 +186,23 @@ class Results:
     solver: str
     unknowns: int
     symmetry: tuple[bool, bool]
+    combination: str
+    limit_state: str
+    factors: tuple[tuple[str, float], ...]
+    supports: tuple[SupportResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Combined:
+    """What came out of all combinations of a model, each solved by itself."""
+
+    model: Model
+    combinations: tuple[Combination, ...]
+    results: dict[str, Results]  # by the combination's name
+    refused: dict[str, GroundslabError]  # why the others have no results
+
+    def __getitem__(self, combination: str) -> Results:
+        """Return the results of a combination; raises what it was refused for."""
+        if combination in self.refused:
+            raise self.refused[combination]
+        return self.results[combination]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.contact import Contact
+from groundslab.contact import Bearings, Contact
 from groundslab.ground import Column
 from groundslab.problem import System
 from groundslab.shape import Array
@@ -24,11 +24,13 @@ class Solution:
     gamma_change: float  # relative, of one more step
     gamma_slope: float  # of the step's outcome over gamma
     gamma_iterations: int
+    law: Bearings  # what the bearings followed, settlements and earlier slip included
+    slip: Array  # (c,) [m]: how far each bearing has slipped at its capacity, all increments together
 
-    @property
-    def closed(self) -> Array:
-        """Return -1.0 at the nodes where the plate touches the ground, else 1.0, (n,)."""
+    def nodes_in(self, *states: int) -> Array:
+        """Return -1.0 at the nodes where the ground is in one of some states (see contact), else 1.0, (n,)."""
         problem = self.system.problem
+        ground = problem.bearing.support < 0
         field = np.ones(len(problem.mesh.nodes))
-        field[problem.plate_nodes[self.contact.closed]] = -1.0
+        field[problem.bearing.node[ground & np.isin(self.contact.state, states)]] = -1.0
         return field

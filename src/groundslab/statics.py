@@ -12,6 +12,8 @@ from groundslab.shape import Array
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
 MARGIN = 1e-9
+#: The same for bearings with limits: the share of its capacity by which each must be able to stay off both ends.
+ROOM = 1e-6
 
 
 def require_equilibrium(problem: Problem) -> None:
@@ -29,18 +31,57 @@ def require_equilibrium(problem: Problem) -> None:
     size = np.ptp(corners, axis=0).max()
     scale = np.array([1.0, 1 / size, 1 / size])
     motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
-    generators = np.column_stack([np.ones(len(corners)), corners * scale[1:]]) @ motions
     work = (_resultant(problem) * scale) @ motions
-    worst = min((float(n @ work) for n in _faces(generators)), default=np.inf)
-    if worst > MARGIN * np.abs(problem.load[:, W]).sum():
-        return
-    raise NoEquilibrium(_reason(problem, corners))
+    if _only_pushed(problem):
+        generators = np.column_stack([np.ones(len(corners)), corners * scale[1:]]) @ motions
+        worst = min((float(n @ work) for n in _faces(generators)), default=np.inf)
+        possible = worst > MARGIN * np.abs(problem.load[:, W]).sum()
+    else:
+        possible = _can_balance(problem, motions, scale, work)
+    if not possible:
+        raise NoEquilibrium(_reason(problem, corners))
+
+
+def _only_pushed(problem: Problem) -> bool:
+    """Return whether all that bears one way pushes up, without limit, on the plate that the ground pushes everywhere.
+
+    Supports that push up then add nothing to the ground.
+    """
+    b = problem.bearing
+    pulls = (b.law.sign > 0) & (b.support >= 0) & ~b.law.both_ways
+    return not (pulls.any() or np.isfinite(b.law.capacity).any())
+
+
+def _can_balance(problem: Problem, motions: Array, scale: Array, work: Array) -> bool:
+    """Return whether bearings with limits, or that pull, can balance the load with room to spare.
+
+    A linear programme: are there forces, each a little off zero and off its capacity, that do the load's work on the
+    free motions?
+    """
+    from scipy.optimize import linprog
+
+    b, law = problem.bearing, problem.bearing.law
+    use = np.flatnonzero(~law.both_ways & (law.capacity > 0))
+    if not len(use):
+        return False
+    size = max(np.abs(problem.load[:, W]).sum(), np.finfo(float).tiny)
+    up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
+    places = problem.mesh.nodes[b.node[use]]
+    generators = up[:, None] * (np.column_stack([np.ones(len(use)), places * scale[1:]]) @ motions)
+    capacity = law.capacity[use] / size
+    little = ROOM * np.minimum(capacity, 1 / len(use))
+    bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
+    found = linprog(np.zeros(len(use)), A_eq=generators.T, b_eq=work / size, bounds=bounds, method="highs")
+    return bool(found.status == 0)
 
 
 def _free_motions(problem: Problem) -> Array:
-    """Return the rigid motions w = a + b x + c y that the supports allow, as columns (3, d)."""
-    nodes = problem.plate_nodes
-    held = problem.unknown[nodes] < 0
+    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3, d)."""
+    nodes, b = problem.plate_nodes, problem.bearing
+    held = problem.unknown[:, : BETA_Y + 1] < 0
+    both = b.law.both_ways
+    held[b.node[both], b.field[both]] = True
+    held = held[nodes]
     x, y = problem.mesh.nodes[nodes].T
     one, zero = np.ones_like(x), np.zeros_like(x)
     own_w = np.ones(len(nodes), dtype=bool)
@@ -95,6 +136,14 @@ def _reason(problem: Problem, corners: Array) -> str:
     """Return a sentence that says where the load goes and where it would have to go."""
     F, Fx, Fy = _resultant(problem)
     share = 2.0 ** sum(problem.symmetry)
+    law = problem.bearing.law
+    most = law.capacity[~law.both_ways & ((problem.bearing.support < 0) | (law.sign < 0))].sum()
+    if most <= F * (1 + ROOM):
+        return (
+            f"the loads of {F * share / 1e3:.6g} kN are more than ground and supports can carry at their limits, "
+            f"{most * share / 1e3:.6g} kN; enlarge the plate, or look at contact.limit_pressure and at the limits of "
+            "the supports"
+        )
     size = np.abs(problem.load[:, W]).sum()
     if MARGIN * size >= F:
         return (

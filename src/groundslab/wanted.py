@@ -95,7 +95,8 @@ def output_on_plate(plate: Plate, output: Output) -> Iterator[Finding]:
     if not (output.lines or output.strips):
         return
     outline = plate.ring().polygon(1e-4 * max(plate.sides))
-    for part, lines in (("lines", output.lines), ("strips", output.strips)):
+    wanted: dict[str, tuple[OutputLine | OutputStrip, ...]] = {"lines": output.lines, "strips": output.strips}
+    for part, lines in wanted.items():
         for position, line in enumerate(lines):
             if not outline.intersects(LineString([line.start, line.end])):
                 yield Finding(("output", part, position), "a line beside the plate", "one that crosses it")

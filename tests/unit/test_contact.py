@@ -70,7 +70,9 @@ def solve(
     p = one_element(len(A) // 9)
     steps: list[tuple[int, int, int]] = []
     symbolic = linear.choose(name)[1](p.indptr, p.indices)
-    result = contact.solve(p, entries(p, A), f, symbolic, gaps, start, limit, lambda *step: steps.append(step))
+    result = contact.solve(
+        p, entries(p, A), f, symbolic, contact.gaps(gaps), start, limit, lambda *step: steps.append(step)
+    )
     return result, steps
 
 
@@ -233,7 +235,9 @@ def test_a_plate_that_floats_on_the_way_comes_to_rest(k: float, F: list[float]) 
     """
     p, A, f, gaps = plate_on_springs(k, F)
     symbolic = Dense(p)
-    result = contact.solve(p, entries(p, A), f, symbolic, gaps, np.ones(9, dtype=bool), 50, lambda *_: None)
+    result = contact.solve(
+        p, entries(p, A), f, symbolic, contact.gaps(gaps), np.ones(9, dtype=bool), 50, lambda *_: None
+    )
     assert symbolic.refused > 0
     left_over = A @ result.u - f
     left_over[gaps] -= result.force
@@ -252,7 +256,14 @@ def test_a_matrix_that_is_not_positive_is_an_error() -> None:
     symbolic = Dense(p)
     with pytest.raises(SingularMatrix):
         contact.solve(
-            p, entries(p, A), np.ones(18), symbolic, np.arange(1, 18, 2), np.ones(9, bool), 50, lambda *_: None
+            p,
+            entries(p, A),
+            np.ones(18),
+            symbolic,
+            contact.gaps(np.arange(1, 18, 2)),
+            np.ones(9, bool),
+            50,
+            lambda *_: None,
         )
 
 
@@ -285,3 +296,58 @@ def test_steps_are_reported_as_they_happen() -> None:
     assert steps[0][1] == 4
     assert steps[-1][1:] == (int(result.closed.sum()), 0)
     assert all(step[2] > 0 for step in steps[:-1])
+
+
+def any_bearings(rng: np.random.Generator, n: int, count: int) -> contact.Bearings:
+    """Return bearings of every kind on different unknowns: rigid, elastic, yielding, one-sided, both ways."""
+
+    def some(value: float) -> np.ndarray:
+        return np.where(rng.random(count) < 0.5, value, rng.uniform(0.05, 2.0, count))
+
+    stiffness, both_ways = some(np.inf), rng.random(count) < 0.2
+    capacity = np.where(both_ways, np.inf, some(np.inf))
+    at = rng.permutation(n)[:count]
+    sign = rng.choice([-1.0, 1.0], count)
+    return contact.Bearings(at, sign, rng.normal(0, 0.3, count), stiffness, capacity, both_ways)
+
+
+@settings(max_examples=60, derandomize=True, deadline=None)
+@given(seed=st.integers(0, 10_000), condition=st.sampled_from([2.0, 1e3]), count=st.integers(1, 9))
+def test_bearings_of_every_kind_follow_their_law(seed: int, condition: float, count: int) -> None:
+    """What is left over at an unknown is the force that its bearing's law gives for the way it is driven in."""
+    rng = np.random.default_rng(seed)
+    A, f = positive(rng, 9, condition), 3 * rng.standard_normal(9)
+    b, p = any_bearings(rng, 9, count), one_element()
+    symbolic = linear.choose("superlu")[1](p.indptr, p.indices)
+    start = rng.integers(0, 3, count)
+    start[(start == contact.YIELDING) & np.isinf(b.capacity)] = contact.OPEN
+    result = contact.solve(p, entries(p, A), f, symbolic, b, start, 200, lambda *_: None)
+    force, driven, tiny = np.zeros(9), b.driven(result.u), 1e-8 * max(1.0, np.abs(result.u).max() * condition)
+    force[b.at] = b.sign * result.force
+    np.testing.assert_allclose(A @ result.u - f, force, atol=tiny)
+    rigid = np.isinf(b.stiffness)
+    law = np.where(rigid, 0.0, np.where(rigid, 0.0, b.stiffness) * driven)
+    law = np.where(b.both_ways, law, np.clip(law, 0.0, b.capacity))
+    np.testing.assert_allclose(result.force[~rigid], law[~rigid], atol=tiny)
+    held = rigid & b.both_ways
+    np.testing.assert_allclose(driven[held], 0.0, atol=tiny)
+    one_sided = rigid & ~b.both_ways
+    assert (result.force[one_sided] >= -tiny).all()
+    assert (result.force[one_sided] <= b.capacity[one_sided] + tiny).all()
+    assert (driven[one_sided & (result.force < b.capacity - tiny)] <= tiny).all()
+    assert (driven[one_sided & (result.force > tiny)] >= -tiny).all()
+
+
+def test_two_bearings_may_share_an_unknown() -> None:
+    """A rigid stop beyond an elastic support takes what this one leaves: 10 N on k = 2 N/m and a stop at 3 m."""
+    p = one_element()
+    f = np.zeros(9)
+    f[4] = 10.0
+    b = contact.Bearings(
+        np.array([4, 4]), -np.ones(2), np.array([0.0, 3.0]), np.array([2.0, np.inf]), np.full(2, np.inf),
+        np.zeros(2, dtype=bool),
+    )  # fmt: skip
+    symbolic = linear.choose("superlu")[1](p.indptr, p.indices)
+    result = contact.solve(p, entries(p, 0.5 * np.eye(9)), f, symbolic, b, np.zeros(2, dtype=int), 50, lambda *_: None)
+    assert result.u[4] == pytest.approx(3.0)
+    np.testing.assert_allclose(result.force, [6.0, 10.0 - 6.0 - 0.5 * 3.0])

@@ -10,13 +10,13 @@ import numpy as np
 
 from groundslab import __version__
 from groundslab.errors import Fault, InputError
-from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step
+from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 1
+FORMAT = 2
 
 
 def write(results: Results, path: Path) -> None:
@@ -26,6 +26,9 @@ def write(results: Results, path: Path) -> None:
     arrays: dict[str, Any] = {}
     for part, values in (("plate", results.plate), ("ground", results.ground)):
         arrays |= {f"{part}.{item.name}": getattr(values, item.name) for item in fields(values)}
+    for number, support in enumerate(results.supports):
+        names = (item.name for item in fields(support) if item.name != "name")
+        arrays |= {f"supports.{number}.{name}": getattr(support, name) for name in names}
     about = {
         "format": FORMAT,
         "version": __version__,
@@ -35,6 +38,10 @@ def write(results: Results, path: Path) -> None:
         "solver": results.solver,
         "unknowns": results.unknowns,
         "symmetry": results.symmetry,
+        "combination": results.combination,
+        "limit_state": results.limit_state,
+        "factors": results.factors,
+        "supports": [support.name for support in results.supports],
     }
     text = json.dumps(about, allow_nan=False, default=lambda number: number.item())
     arrays |= {"model": np.array(casefile.to_toml(results.model)), "about": np.array(text)}
@@ -76,7 +83,17 @@ def _results(arrays: dict[str, Any]) -> Results:
         solver=about["solver"],
         unknowns=about["unknowns"],
         symmetry=(symmetric_x, symmetric_y),
+        combination=about["combination"],
+        limit_state=about["limit_state"],
+        factors=tuple((name, factor) for name, factor in about["factors"]),
+        supports=tuple(_support(name, number, arrays) for number, name in enumerate(about["supports"])),
     )
+
+
+def _support(name: str, number: int, arrays: dict[str, Any]) -> SupportResult:
+    """Return the support of a number among the arrays of an archive."""
+    names = (item.name for item in fields(SupportResult) if item.name != "name")
+    return SupportResult(name=name, **{each: arrays[f"supports.{number}.{each}"] for each in names})
 
 
 def _refusal(path: Path, got: str) -> InputError:

@@ -188,10 +188,9 @@ def _loads(axes: Axes, results: Results) -> dict[str, Any]:
     entries: dict[str, Any] = {}
     plate = results.model.plate
     chord = 1e-3 * max(plate.sides)
-    for load in results.model.loads:
-        if load.kind == "self weight":
-            continue
-        if load.kind == "point":
+    for given in results.model.loads:
+        load = given.on(results.model.columns) if given.kind == "point" else given
+        if load.kind == "point" and load.x is not None and load.y is not None:
             (mark,) = axes.plot(load.x, load.y, "v", color=LOAD, markeredgecolor="white", markersize=9, clip_on=False)
             mark.set_linestyle("none")
             entries["point load"] = mark
@@ -199,7 +198,7 @@ def _loads(axes: Axes, results: Results) -> dict[str, Any]:
             (entries["line load"],) = axes.plot(
                 *zip(*load.points, strict=True), color=LOAD, linewidth=2.4, clip_on=False
             )
-        else:
+        elif load.kind == "uniform" or load.kind == "patch" or load.kind == "area":
             around = plate.ring().flat(chord) if load.kind == "uniform" else load.drawn(chord).exterior.coords
             outline = Polygon(np.array(around), fill=False, edgecolor=LOAD, linewidth=1.8)
             outline.set(linestyle=(0, (4, 2)), clip_on=False, zorder=3)

@@ -1,0 +1,166 @@
+"""From described loads to arrays: forces on nodes, free curvatures of elements, settlements of supports."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+
+import numpy as np
+
+from groundslab import loads, plate
+from groundslab.actions import (
+    NO_BEND,
+    NO_SLOPE,
+    AnyLoad,
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    SettlementLoad,
+    TemperatureLoad,
+    UniformLoad,
+)
+from groundslab.assembly import scatter
+from groundslab.layout import Layout
+from groundslab.model import Model
+from groundslab.problem import BETA_X, Loading, W
+from groundslab.shape import Array
+
+#: Places closer than this, relative to the plate, are the same.
+SAME_PLACE = 1e-9
+#: Loaded areas have their arcs replaced by chords at most this far off, relative to the plate.
+ARC_CHORD = 1e-6
+
+
+def loadings(model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> tuple[Loading, ...]:
+    """Return the loading of each case of a model, of a nameless one if it has no cases; fields is F."""
+    names = [case.name for case in model.cases] or [""]
+    return tuple(_loading([load for load in model.loads if load.case == name], model, plan, element, fields)
+                 for name in names)  # fmt: skip
+
+
+def materials(model: Model) -> list[tuple[float, float, float]]:
+    """Return E [Pa], nu and thickness [m] of each section: the plate's own, then those of its zones."""
+    own = (model.plate.E, model.plate.nu, model.plate.thickness)
+    zones = [(zone.E, zone.nu, zone.thickness) for zone in model.plate.zones]
+    differing = [tuple(a if b is None else b for a, b in zip(own, zone, strict=True)) for zone in zones]
+    return [own, *differing]  # type: ignore[list-item]
+
+
+def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> Loading:
+    """Return the loading of some loads; distributed ones are integrated exactly over the meshed part of the plate."""
+    mesh, elements = plan.mesh, plan.plate_elements
+    n = len(mesh.nodes)
+    forces, couples = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9))
+    warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
+    thickness = np.array([t for _, _, t in materials(model)])[plan.section]
+    for load in acting:
+        if isinstance(load, TemperatureLoad):
+            # u = -z beta_x, and the bottom, z = t/2, is warmer by the difference
+            warp -= model.plate.thermal_expansion * load.difference / thickness
+        elif isinstance(load, SettlementLoad):
+            settlement[[support.name for support in model.supports].index(load.support)] += load.w
+        elif isinstance(load, PointLoad):
+            force, couple = _at_point(load.on(model.columns), model, plan)
+            forces, couples = forces + force, couples + couple
+        else:
+            forces += _spread(load, model, plan, thickness)
+    if not element.centre_w:
+        forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
+    table = np.zeros((n, fields))
+    table[:, W] = scatter(mesh.elements[elements], forces, n)
+    if warp.any():
+        D = np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in materials(model)])[plan.section]
+        couples = couples + plate.warping_couples(mesh.xy[elements], D, warp)
+    for axis in (0, 1):
+        if couples[axis].any():
+            table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
+    return Loading(table, warp, settlement)
+
+
+def _spread(
+    load: UniformLoad | PatchLoad | AreaLoad | LineLoad | SelfWeight, model: Model, plan: Layout, thickness: Array
+) -> Array:
+    """Return the nodal forces (mp, 9) [N] of a distributed load on the meshed part of the plate."""
+    mesh, elements = plan.mesh, plan.plate_elements
+    if isinstance(load, SelfWeight):
+        weight: Array = load.unit_weight * thickness[:, None] * loads.over_elements(mesh, elements)
+        return weight
+    if isinstance(load, LineLoad):
+        return _along(load, plan)
+    pressure = _pressure(load)
+    if isinstance(load, UniformLoad):
+        return loads.over_elements(mesh, elements, pressure)
+    return loads.over_polygon(mesh, elements, load.drawn(ARC_CHORD * max(model.plate.sides)), pressure)
+
+
+def _pressure(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
+    """Return the pressure [Pa] of a load as a function of places (..., 2)."""
+    if load.slope == NO_SLOPE and load.bend == NO_BEND:
+        return lambda places: np.full(places.shape[:-1], load.q)
+    slope, about = np.array(load.slope), np.array(load.about)
+    xx, xy, yy = load.bend
+
+    def pressure(places: Array) -> Array:
+        r = places - about
+        x, y = r[..., 0], r[..., 1]
+        q: Array = load.q + r @ slope + (xx * x * x + 2 * xy * x * y + yy * y * y) / 2
+        return q
+
+    return pressure
+
+
+def _along(load: LineLoad, plan: Layout) -> Array:
+    """Return the nodal forces (mp, 9) [N] of a line load that changes linearly from its start to its end."""
+    pieces = [np.array(piece) for piece in itertools.pairwise(load.points)]
+    ways = np.concatenate([[0.0], np.cumsum([np.linalg.norm(b - a) for a, b in pieces])])
+    end = load.q if load.q_end is None else load.q_end
+    q = load.q + (end - load.q) * ways / ways[-1]
+    parts = [
+        loads.along_line(plan.mesh, plan.plate_elements, piece, (float(q0), float(q1)))
+        for piece, (q0, q1) in zip(pieces, itertools.pairwise(q), strict=True)
+    ]
+    total: Array = np.sum(parts, axis=0)
+    return total
+
+
+def _at_point(load: PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
+    """Return nodal forces (mp, 9) [N] and couples (2, mp, 9) [N m] of a load at a point or on its footprint.
+
+    On a footprint a force is a uniform pressure, a moment one that grows linearly from the middle.
+    """
+    mesh, elements = plan.mesh, plan.plate_elements
+    place = load.drawn(ARC_CHORD * max(model.plate.sides))
+    none = np.zeros((2, len(elements), 9))
+    if place.geom_type == "Point":
+        N = _share(load, plan) * loads.at_point(mesh, elements, _on_meshed_side(load, plan))
+        return load.P * N, np.array([load.M_x * N, load.M_y * N])
+    centre, inertia = loads.inertia(place)
+    slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
+
+    def pressure(places: Array) -> Array:
+        q: Array = load.P / place.area + (places - centre) @ slope
+        return q
+
+    return loads.over_polygon(mesh, elements, place, pressure), none
+
+
+def _share(load: PointLoad, plan: Layout) -> float:
+    """Return the share of a point load that the meshed part takes: none beyond a mirror, half on it, else all."""
+    near = SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max()
+    share = 1.0
+    for value, mirrored in zip((load.x, load.y), plan.symmetry, strict=True):
+        assert value is not None
+        if mirrored:
+            share *= 0.0 if value < -near else 0.5 if value <= near else 1.0
+    return share
+
+
+def _on_meshed_side(load: PointLoad, plan: Layout) -> Array:
+    """Return the place (2,) of a point load or of its meshed mirror image, on the plate to the last digit."""
+    given = np.array([load.x, load.y])
+    place = np.where(plan.symmetry, np.abs(given), given)
+    nodes = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements]]
+    on_plate: Array = np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))
+    return on_plate
