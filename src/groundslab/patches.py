@@ -1,0 +1,177 @@
+"""Superconvergent patch recovery: nodal values from the 2 x 2 Gauss points of nine-node elements.
+
+At these points the derivatives of a quadratic element are one order more accurate than elsewhere. Around each corner
+node a polynomial is fitted to them by least squares, and nodes take their values from it (Zienkiewicz and Zhu 1992).
+No patch reaches over an edge of the mesh, so a mesh whose parts do not share nodes is recovered part by part.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.assembly import scatter
+from groundslab.mesh import sides_on_boundary
+from groundslab.shape import COLUMN, ROW, Array, Flags, Integers, gauss
+
+#: Terms x^a y^b of a complete quadratic; the further ones of a biquadratic.
+_POWERS = np.array([(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (2, 1), (1, 2), (2, 2)])
+_QUADRATIC = 6
+#: A fit counts if the smallest eigenvalue of its matrix is above this share of the largest. Sound patches have 1e-2,
+#: biquadratics on elements of very different sizes somewhat less.
+_DEFINITE = 1e-4
+#: The nodes of an element that lie nearest to each corner, and which share of their value they take from it.
+_NEAR = np.array([[corner, 4 + corner, 4 + (corner - 1) % 4, 8] for corner in range(4)])
+_SHARE = np.array([1.0, 1 / 2, 1 / 2, 1 / 4])
+_CHUNK = 8192
+
+
+@dataclass(frozen=True, slots=True)
+class _Fits:
+    """A polynomial (terms, k) for each of V corner nodes, in the coordinates L^-1 (x - centre) of its patch."""
+
+    known: Flags  # (V,)
+    centre: Array  # (V, 2) [m]
+    L: Array  # (V, 3) [m]: L_xx, L_yx, L_yy, the lower triangle of the points' covariance
+    coefficients: Array  # (V, 9, k)
+
+
+def extrapolation() -> Array:
+    """Return the matrix (9, 4) from values at the 2 x 2 Gauss points to the element's nodes, bilinear between them."""
+    at = np.column_stack([COLUMN - 1, ROW - 1]) * np.sqrt(3.0)
+    sign = np.sign(gauss(2)[0])
+    bilinear: Array = (1 + at[:, :1] * sign[:, 0]) * (1 + at[:, 1:] * sign[:, 1]) / 4
+    return bilinear
+
+
+def nodal(nodes: Array, elements: Integers, points: Array, values: Array) -> Array:
+    """Return values (n, k) at the nodes from values (m, 4, k) at the elements' 2 x 2 Gauss points (m, 4, 2) [m].
+
+    nodes (n, 2) [m], elements (m, 9). A corner node inside has the polynomial fitted to the elements that meet there;
+    one on the edge, where points lie on one side only, takes the mean of those of its neighbours inside (Zienkiewicz
+    and Zhu 1992): at the other end of an element's side, else across an element. Midside nodes and centres are means
+    of their corners' polynomials. Where there is no neighbour inside, as in a strip one element wide, each element
+    extrapolates bilinearly, and the nodes take the mean of its elements.
+    """
+    vertices, corner = np.unique(elements[:, :4], return_inverse=True)
+    corner = corner.reshape(-1, 4)
+    inside = np.ones(len(nodes), dtype=bool)
+    inside[sides_on_boundary(elements)[:, :2]] = False
+    fits = _fits(nodes[elements[:, :4]], corner, inside[vertices], points, values)
+    first, source = _sources(corner, fits.known)
+
+    n, k = len(nodes), values.shape[2]
+    sums = np.zeros((n, k))
+    extrapolate = extrapolation()
+    for start in range(0, len(elements), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        at_nodes = np.zeros((len(elements[part]), 9, k))
+        for c, near in enumerate(_NEAR):
+            vertex = corner[part, c]
+            count = first[vertex + 1] - first[vertex]
+            own = np.flatnonzero(count == 0)
+            at_nodes[np.ix_(own, near)] += _SHARE[:, None] * (extrapolate[near] @ values[part][own])
+            # most corners have one source; some at corners of the outline have two or more, taken in turn
+            for turn in range(count.max(initial=0)):
+                those = np.flatnonzero(count > turn)
+                x = nodes[elements[part][those[:, None], near]]
+                at = _polynomial(fits, source[first[vertex[those]] + turn], x)
+                at_nodes[those[:, None], near] += (_SHARE / count[those, None])[..., None] * at
+        sums += np.column_stack([scatter(elements[part], at_nodes[..., i], n) for i in range(k)])
+    meeting = np.bincount(elements.ravel(), minlength=n)
+    mean: Array = sums / np.maximum(meeting, 1)[:, None]
+    return mean
+
+
+def _fits(xy: Array, corner: Integers, inside: Flags, points: Array, values: Array) -> _Fits:
+    """Return the fits around the corner nodes inside; xy (m, 4, 2) are the corners, corner (m, 4) their numbers.
+
+    Quadratic; biquadratic where all elements are rectangles along x and y, whose points make rows and columns. That
+    smears peaks less, but on other quadrilaterals it follows the scatter of the points' values.
+    """
+    V, k = len(inside), values.shape[2]
+    known, centre, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
+    coefficients = np.zeros((V, len(_POWERS), k))
+    meeting = np.bincount(corner.ravel(), minlength=V)
+    order = np.argsort(corner.ravel(), kind="stable") // 4
+    first = np.cumsum(meeting) - meeting
+    oblong = _rectangles(xy)
+    for count in np.unique(meeting[inside]):
+        alike = np.flatnonzero(inside & (meeting == count))
+        patch = order[first[alike][:, None] + np.arange(count)]
+        rows_and_columns = oblong[patch].all(axis=1)
+        for terms, fit in ((len(_POWERS), rows_and_columns), (_QUADRATIC, np.ones_like(rows_and_columns))):
+            left = fit & ~known[alike] & (4 * count >= terms)
+            where, which = alike[left], patch[left]
+            for start in range(0, len(where), _CHUNK):
+                part = slice(start, start + _CHUNK)
+                v = where[part]
+                x = points[which[part]].reshape(len(v), -1, 2)
+                f = values[which[part]].reshape(len(v), -1, k)
+                known[v], centre[v], L[v], coefficients[v, :terms] = _least_squares(x, f, terms)
+    return _Fits(known, centre, L, coefficients)
+
+
+def _rectangles(xy: Array) -> Flags:
+    """Return which quadrilaterals with corners xy (m, 4, 2) are rectangles along x and y, (m,)."""
+    low, high = xy.min(axis=1, keepdims=True), xy.max(axis=1, keepdims=True)
+    off = np.minimum(xy - low, high - xy).max(axis=(1, 2))
+    oblong: Flags = off < 1e-9 * (high - low).min(axis=(1, 2))
+    return oblong
+
+
+def _least_squares(x: Array, f: Array, terms: int) -> tuple[Flags, Array, Array, Array]:
+    """Return whether the points x (P, p, 2) determine it, and centre, L and coefficients of the fit to f (P, p, k).
+
+    In coordinates whose covariance is the identity, so that the answer does not depend on how a patch is stretched.
+    """
+    centre = x.mean(axis=1)
+    dx, dy = np.moveaxis(x - centre[:, None], -1, 0)
+    tiny = np.finfo(float).tiny
+    xx = np.sqrt(np.maximum((dx * dx).mean(axis=1), tiny))
+    yx = (dx * dy).mean(axis=1) / xx
+    yy = np.sqrt(np.maximum((dy * dy).mean(axis=1) - yx**2, tiny))
+    L = np.column_stack([xx, yx, yy])
+    A = _terms(x, centre, L)[..., :terms]
+    transposed = np.swapaxes(A, 1, 2)
+    normal = transposed @ A
+    eigenvalues = np.linalg.eigvalsh(normal)
+    known = eigenvalues[:, 0] > _DEFINITE * eigenvalues[:, -1]
+    normal[~known] = np.eye(terms)
+    coefficients = np.linalg.solve(normal, transposed @ f).astype(np.float64, copy=False)
+    return known, centre, L, coefficients
+
+
+def _terms(x: Array, centre: Array, L: Array) -> Array:
+    """Return the terms (P, p, 9) at points x (P, p, 2) of patches with centre (P, 2) and L (P, 3)."""
+    X = (x[..., 0] - centre[:, :1]) / L[:, :1]
+    Y = (x[..., 1] - centre[:, 1:] - L[:, 1:2] * X) / L[:, 2:]
+    one = np.ones_like(X)
+    powers = (one, X, X * X), (one, Y, Y * Y)
+    return np.stack([powers[0][a] * powers[1][b] for a, b in _POWERS], axis=-1)
+
+
+def _polynomial(fits: _Fits, which: Integers, x: Array) -> Array:
+    """Return the values (P, p, k) of the fits `which` (P,) at points x (P, p, 2)."""
+    at: Array = _terms(x, fits.centre[which], fits.L[which]) @ fits.coefficients[which]
+    return at
+
+
+def _sources(corner: Integers, known: Flags) -> tuple[Integers, Integers]:
+    """Return whose polynomials each corner node takes: source[first[v]:first[v + 1]], first (V + 1,).
+
+    Its own if known; else those at the other ends of its elements' sides; else those across its elements.
+    """
+    V = len(known)
+    own = np.flatnonzero(known)
+    pairs, served = [own * V + own], known.copy()
+    for step in ((1, 3), (2,)):
+        one = np.concatenate([corner.ravel() for _ in step])
+        other = np.concatenate([np.roll(corner, -s, axis=1).ravel() for s in step])
+        new = ~served[one] & known[other]
+        pairs.append(np.unique(one[new] * V + other[new]))
+        served[one[new]] = True
+    all_pairs = np.sort(np.concatenate(pairs))
+    first = np.concatenate([[0], np.cumsum(np.bincount(all_pairs // V, minlength=V))])
+    return first, all_pairs % V
