@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab import plate
-from groundslab.assembly import scatter
+from groundslab import patches, plate
 from groundslab.checks import ground_forces, left_over
 from groundslab.loadcases import Combination
 from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import InterfaceLayer, Layered, Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
 from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
-from groundslab.shape import COLUMN, ROW, Array, gauss
+from groundslab.shape import Array, Integers, gauss, q9
 from groundslab.solution import Solution
 from groundslab.subsoil import consistent_parts
 from groundslab.vlasov import Soil
@@ -22,6 +21,10 @@ ODD = (
     {"rotation_x", "shear_x", "moment_xy"},
     {"rotation_y", "shear_y", "moment_xy"},
 )
+#: What is recovered from the Gauss points, in the order of plate.section_forces.
+FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+#: The 2 x 2 Gauss points in the order that an element's mirror image has them.
+XI_TURNED = np.array([2, 3, 0, 1])
 
 
 def recover(
@@ -111,7 +114,6 @@ def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
     """
     s, U = solution.system, solution.U
     problem = s.problem
-    elements = problem.mesh.elements[problem.plate_elements]
     n, under = len(problem.mesh.nodes), problem.plate_nodes
 
     force, gap, closed, sunk = np.zeros(n), np.zeros(n), np.ones(n), np.zeros(n)
@@ -135,12 +137,17 @@ def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
         "on_edge": _on_edge(problem),
     }
 
-    key = elements + n * problem.section[:, None]
-    keys, own = np.unique(key, return_inverse=True)
-    mesh = Mesh(problem.mesh.nodes[keys % n], own.reshape(elements.shape))
-    fields = {name: field[keys % n] for name, field in fields.items()}
-    fields["area"] = nodal_area(mesh, np.arange(len(elements)))
+    mesh, node = _by_section(problem)
+    fields = {name: field[node] for name, field in fields.items()}
+    fields["area"] = nodal_area(mesh, np.arange(len(mesh.elements)))
     return mesh, fields | _section_forces(problem, U, mesh)
+
+
+def _by_section(problem: Problem) -> tuple[Mesh, Integers]:
+    """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was."""
+    elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
+    keys, own = np.unique(elements + n * problem.section[:, None], return_inverse=True)
+    return Mesh(problem.mesh.nodes[keys % n], own.reshape(elements.shape)), keys % n
 
 
 def _on_edge(problem: Problem) -> Array:
@@ -155,25 +162,61 @@ def _on_edge(problem: Problem) -> Array:
     return edge
 
 
-def _section_forces(problem: Problem, U: Array, mesh: Mesh) -> dict[str, Array]:
-    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, averaged over its elements there.
-
-    Taken at the 2 x 2 Gauss points, where they are most accurate, and extrapolated bilinearly within each element.
-    """
+def gauss_forces(problem: Problem, U: Array) -> Array:
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5)."""
     elements = problem.mesh.elements[problem.plate_elements]
-    points, _ = gauss(2)
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
     D, S = problem.bending[problem.section], problem.shear[problem.section]
-    M, Q = plate.section_forces(problem.element, points, problem.mesh.nodes[elements], D, S, u)
+    M, Q = plate.section_forces(problem.element, gauss(2)[0], problem.mesh.nodes[elements], D, S, u)
     M += (D[:, :, :2].sum(axis=2) * problem.loading.warp[:, None])[:, None]  # what bends freely carries nothing
-    at_nodes = np.column_stack([COLUMN - 1, ROW - 1]) * np.sqrt(3.0)
-    sign = np.sign(points)
-    extrapolate = (1 + at_nodes[:, :1] * sign[:, 0]) * (1 + at_nodes[:, 1:] * sign[:, 1]) / 4
-    values = extrapolate @ np.concatenate([M, Q], axis=2)
+    forces: Array = np.concatenate([M, Q], axis=2)
+    return forces
+
+
+def centre_forces(problem: Problem, U: Array) -> Array:
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the centres of the plate's elements, (mp, 5).
+
+    Nothing is averaged between elements: each has the mean of its 2 x 2 Gauss points, which is their bilinear field's
+    value at its centre. The elements are those of the meshed part, in its order.
+    """
+    centres: Array = gauss_forces(problem, U).mean(axis=1)
+    return centres
+
+
+def _section_forces(problem: Problem, U: Array, mesh: Mesh) -> dict[str, Array]:
+    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, recovered section by section.
+
+    From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992).
+    """
+    points, values = q9(gauss(2)[0])[0] @ mesh.xy, gauss_forces(problem, U)
     n = len(mesh.nodes)
-    meeting = np.bincount(mesh.elements.ravel(), minlength=n)
-    names = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
-    return {name: scatter(mesh.elements, values[..., i], n) / meeting for i, name in enumerate(names)}
+    for axis in (0, 1):
+        if problem.symmetry[axis]:
+            mesh, points, values = _beyond_the_line(mesh, points, values, axis)
+    at_nodes = patches.nodal(mesh.nodes, mesh.elements, points, values)[:n]
+    return {name: at_nodes[:, i] for i, name in enumerate(FORCES)}
+
+
+def _beyond_the_line(mesh: Mesh, points: Array, values: Array, axis: int) -> tuple[Mesh, Array, Array]:
+    """Return the mesh, its Gauss points and their section forces with the images of the elements near a symmetry line.
+
+    Two rings of them, so that a corner node on the line has the patch it would have in the whole plate, and so has its
+    neighbour across. The mesh's own nodes come first.
+    """
+    near = mesh.nodes[:, axis] == 0.0
+    for _ in range(2):
+        copied = near[mesh.elements].any(axis=1)
+        near[mesh.elements[copied]] = True
+    doubled, _, _ = mirror(mesh, axis)
+    turn = np.where(np.arange(2) == axis, -1.0, 1.0)
+    sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in FORCES])
+    images = np.concatenate([np.ones(len(copied), dtype=bool), copied])
+    # an image runs through its reference square with xi turned round
+    return (
+        Mesh(doubled.nodes, doubled.elements[images]),
+        np.vstack([points, turn * points[copied][:, XI_TURNED]]),
+        np.vstack([values, sign * values[copied][:, XI_TURNED]]),
+    )
 
 
 def _constants(model: Model, solution: Solution) -> Constants:
