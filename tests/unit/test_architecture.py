@@ -62,7 +62,7 @@ FLOORS = [
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 DESCRIPTION = {"model", "schema", "keys", "findings", "reference", "soil", "casefile", "results"}
-HEAVY = {"matplotlib", "meshio", "rich", "pint", "scipy", "pypardiso", "ezdxf", "gmsh", "shapely"}
+HEAVY = {"matplotlib", "meshio", "rich", "pint", "scipy", "pypardiso", "ezdxf", "gmsh", "netgen", "shapely"}
 
 
 def name_of(path: Path) -> str:

@@ -10,81 +10,18 @@ import numpy as np
 import pytest
 
 from groundslab.errors import InputError
-from groundslab.mesher import PlanMesh, mesh, quality, rectilinear, unstructured
+from groundslab.mesher import Maker, mesh, quality, rectilinear, unstructured, with_gmsh
 from groundslab.mesher.door import session
 from groundslab.plan import GROUND, Plan, Ring, circle, rectangle
-from groundslab.shape import gauss, jacobian, q9
+from plans import ALL, FREE, GRIDS, MAKERS, OBLIQUE, SIDES, areas, boundary, holds, meshed, needs_gmsh
 
-try:
-    import gmsh
-
-    MISSING = ""
-except (ImportError, OSError) as error:
-    MISSING = f"free meshes are NOT tested, Gmsh cannot be loaded: {error}"
-
-needs_gmsh = pytest.mark.skipif(bool(MISSING), reason=MISSING)
-
-L_SHAPE = Ring(((0, 0), (10, 0), (10, 4), (4, 4), (4, 8), (0, 8)))
-OBLIQUE = Ring(((0, 0), (10, 1), (12, 6), (7, 9), (1, 7)))
-GRIDS = {
-    "L with opening": Plan(L_SHAPE, (rectangle(1, 2, 1, 2.5),)),
-    "L with ground": Plan(
-        L_SHAPE,
-        (rectangle(1, 2, 1, 2.5),),
-        ((rectangle(-1, 3, 3, 20), 1),),
-        rectangle(-8, 10, -8, 16),
-        ((7.0, 1.3),),
-        (((0.5, 6.2), (3.1, 6.2)),),
-    ),
-}
-FREE = {
-    "circle": Plan(circle((0, 0), 5)),
-    "ring": Plan(circle((0, 0), 5), (circle((1.5, 0.5), 1.2),)),
-    "oblique": Plan(OBLIQUE, points=((3.0, 3.0), (6.1, 5.2)), lines=(((2, 2), (8, 3), (9, 6)),)),
-    "small opening": Plan(rectangle(0, 10, 0, 8), (circle((3, 3), 0.1),)),
-    "narrow strip": Plan(rectangle(0, 10, 0, 8), (circle((3, 1.1), 1.0),)),
-    "ground": Plan(circle((0, 0), 5), (circle((1, 1), 0.5),), ((circle((-5, 0), 2), 2),), circle((0, 0), 15)),
-    "zones": Plan(OBLIQUE, (circle((5, 4), 1),), ((circle((5, 4), 2), 1), (rectangle(0, 6, 0, 2.5), 2))),
-    "stadium": Plan(Ring(((0, 0), (10, 0), (10, 5), (0, 5)), (0, 1, 0, 0.3))),
-    "far away": Plan(Ring(tuple((x + 5e5, y - 3e6) for x, y in OBLIQUE.points))),
-    "small": Plan(Ring(tuple((x / 1e3, y / 1e3) for x, y in OBLIQUE.points))),
-}
-ALL = [
-    *(pytest.param(plan, id=name) for name, plan in GRIDS.items()),
-    *(pytest.param(plan, id=name, marks=needs_gmsh) for name, plan in FREE.items()),
-]
-SIDES = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
+each_maker = pytest.mark.parametrize("maker", MAKERS)
 
 
-def meshed(plan: Plan) -> PlanMesh:
-    """Return the mesh of a plan with about twenty elements along its longer side."""
-    return mesh(plan, 0.05 * max(np.ptp(plan.outline.flat(1e-3 * plan.extent), axis=0)))
-
-
-def areas(result: PlanMesh) -> np.ndarray:
-    """Return the area of each element."""
-    points, weights = gauss(3)
-    areas: np.ndarray = jacobian(q9(points)[1], result.xy)[2] @ weights
-    return areas
-
-
-def boundary(result: PlanMesh) -> np.ndarray:
-    """Return the nodes of sides that belong to one element only."""
-    sides = result.elements[:, SIDES].reshape(-1, 3)
-    count = Counter(map(tuple, np.sort(sides[:, :2], axis=1).tolist()))
-    only = [side for side in sides if count[min(side[:2]), max(side[:2])] == 1]
-    return np.unique(only)
-
-
-def holds(result: PlanMesh, place: tuple[float, float]) -> bool:
-    """Return whether a place is a node, to the last bits."""
-    return bool(np.abs(result.nodes - place).max(axis=1).min() <= 4e-16 * max(1.0, *map(abs, place)))
-
-
-@pytest.mark.parametrize("plan", ALL)
-def test_mesh_is_whole(plan: Plan) -> None:
+@pytest.mark.parametrize(("plan", "maker"), ALL)
+def test_mesh_is_whole(plan: Plan, maker: Maker | None) -> None:
     """Areas are right, sides and their middles are shared by two elements, no node is double or unused."""
-    result = meshed(plan)
+    result = meshed(plan, maker)
     straight = all(ring.straight for ring in plan.rings().values())
     wanted = plan.area if plan.beyond is None else plan.beyond.area
     shift = 1e-10 * (np.abs(result.nodes).max() / plan.extent) + 1e-12
@@ -104,10 +41,10 @@ def test_mesh_is_whole(plan: Plan) -> None:
     assert corners - len(np.unique(ends, axis=0)) + len(result.elements) == 1 - holes
 
 
-@pytest.mark.parametrize("plan", ALL)
-def test_what_is_asked_for_is_a_node(plan: Plan) -> None:
+@pytest.mark.parametrize(("plan", "maker"), ALL)
+def test_what_is_asked_for_is_a_node(plan: Plan, maker: Maker | None) -> None:
     """Corners, points and ends of lines are nodes; along lines there are sides of elements."""
-    result = meshed(plan)
+    result = meshed(plan, maker)
     assert all(holds(result, point) for point in plan.outline.points + plan.points)
     assert all(holds(result, point) for ring in plan.openings for point in ring.points)
     for line in plan.line_segments():
@@ -119,32 +56,34 @@ def test_what_is_asked_for_is_a_node(plan: Plan) -> None:
         assert np.hypot(length[:, 0], length[:, 1]).sum() == pytest.approx(line.length)
 
 
-@pytest.mark.parametrize("plan", ALL)
-def test_elements_are_good(plan: Plan) -> None:
+@pytest.mark.parametrize(("plan", "maker"), ALL)
+def test_elements_are_good(plan: Plan, maker: Maker | None) -> None:
     """No scaled Jacobian is below 0.35, and the quality names the worst place."""
-    result = meshed(plan)
+    result = meshed(plan, maker)
     assert result.quality.worst > 0.35
     assert result.quality.median > 0.9
     assert holds(result, result.quality.worst_place)
 
 
-@needs_gmsh
-def test_all_boundary_nodes_lie_on_the_circles() -> None:
+@each_maker
+def test_all_boundary_nodes_lie_on_the_circles(maker: Maker) -> None:
     """Corner and midside nodes on arcs are exactly there; so the area is right to the fourth order."""
-    result = meshed(FREE["ring"])
+    result = meshed(FREE["ring"], maker)
     outer = np.linalg.norm(result.nodes - [0, 0], axis=1)[boundary(result)]
     inner = np.linalg.norm(result.nodes - [1.5, 0.5], axis=1)[boundary(result)]
     off = np.minimum(np.abs(outer / 5 - 1), np.abs(inner / 1.2 - 1))
     assert off.max() < 1e-12
     assert (np.abs(outer / 5 - 1) < 1e-12).sum() > 40
-    coarse, fine = (areas(mesh(FREE["circle"], size)).sum() / FREE["circle"].area - 1 for size in (0.5, 0.25))
+    coarse, fine = (
+        areas(mesh(FREE["circle"], size, maker=maker)).sum() / FREE["circle"].area - 1 for size in (0.5, 0.25)
+    )
     assert abs(fine) < abs(coarse) / 10
 
 
-@needs_gmsh
-def test_sections_have_their_areas() -> None:
+@each_maker
+def test_sections_have_their_areas(maker: Maker) -> None:
     """Zones are met exactly: where they overlap the last counts, and openings are taken off."""
-    result = meshed(FREE["zones"])
+    result = meshed(FREE["zones"], maker)
     import shapely
 
     first, second = circle((5, 4), 2).polygon(1e-7), rectangle(0, 6, 0, 2.5).polygon(1)
@@ -153,57 +92,60 @@ def test_sections_have_their_areas() -> None:
     wanted = {1: first - second - opening, 2: second & plate}
     for number, shape in wanted.items():
         assert areas(result)[result.section == number].sum() == pytest.approx(shapely.area(shape), rel=1e-4)
-    ground = meshed(FREE["ground"])
+    ground = meshed(FREE["ground"], maker)
     assert set(ground.section.tolist()) == {GROUND, 0, 2}
 
 
-@needs_gmsh
-def test_elements_follow_what_is_small_and_grow_outside() -> None:
+@each_maker
+def test_elements_follow_what_is_small_and_grow_outside(maker: Maker) -> None:
     """Elements are small at a small opening, near the wanted size elsewhere, and large on the ground far away."""
-    result = mesh(FREE["small opening"], 0.5)
+    result = mesh(FREE["small opening"], 0.5, maker=maker)
     side = np.sqrt(areas(result))
     away = np.linalg.norm(result.nodes[result.elements[:, 8]] - [3, 3], axis=1)
     assert side[away < 0.2].max() < 0.12
     assert 0.3 < np.median(side[away > 3]) < 0.6
-    ground = mesh(FREE["ground"], 0.5)
+    ground = mesh(FREE["ground"], 0.5, maker=maker)
     side = np.sqrt(areas(ground))
     away = np.linalg.norm(ground.nodes[ground.elements[:, 8]], axis=1)
     assert np.median(side[away > 13]) > 1.5 * np.median(side[(away > 3) & (away < 5)])
-    slow = mesh(FREE["ground"], 0.5, beyond_growth=100.0)
+    slow = mesh(FREE["ground"], 0.5, beyond_growth=100.0, maker=maker)
     assert len(slow.elements) > 1.5 * len(ground.elements)
 
 
-@needs_gmsh
+@each_maker
 @pytest.mark.parametrize("name", ["zones", "ground"])
-def test_the_same_plan_gives_the_same_mesh(name: str) -> None:
-    """Twice the same, to the last bit, whatever was meshed between; Gmsh is left as if never used."""
-    first = mesh(FREE[name], 0.4)
-    mesh(FREE["circle"], 1.0)
-    again = mesh(FREE[name], 0.4)
+def test_the_same_plan_gives_the_same_mesh(name: str, maker: Maker) -> None:
+    """Twice the same, to the last bit, whatever was meshed between."""
+    first = mesh(FREE[name], 0.4, maker=maker)
+    mesh(FREE["circle"], 1.0, maker=maker)
+    again = mesh(FREE[name], 0.4, maker=maker)
     np.testing.assert_array_equal(first.nodes, again.nodes)
     np.testing.assert_array_equal(first.elements, again.elements)
-    assert not gmsh.isInitialized()
 
 
 @needs_gmsh
 def test_a_session_of_the_caller_is_left_alone() -> None:
-    """Who uses Gmsh already keeps model and options."""
+    """Who uses Gmsh already keeps model and options; else it is left as if never used."""
+    import gmsh
+
+    mesh(FREE["circle"], 1.0, maker=with_gmsh)
+    assert not gmsh.isInitialized()
     gmsh.initialize([], False, False, False)
     try:
         gmsh.model.add("mine")
         gmsh.option.setNumber("Mesh.Algorithm", 5)
-        mesh(FREE["circle"], 1.0)
+        mesh(FREE["circle"], 1.0, maker=with_gmsh)
         assert gmsh.model.getCurrent() == "mine"
         assert gmsh.option.getNumber("Mesh.Algorithm") == 5
     finally:
         gmsh.finalize()
 
 
-@needs_gmsh
-def test_rectilinear_plans_can_be_meshed_freely() -> None:
+@each_maker
+def test_rectilinear_plans_can_be_meshed_freely(maker: Maker) -> None:
     """The free mesher takes what the grid takes, with the same areas."""
     plan = GRIDS["L with ground"]
-    result = unstructured(plan, 0.5)
+    result = unstructured(plan, 0.5, maker=maker)
     assert areas(result)[result.section == 1].sum() == pytest.approx(15, rel=1e-9)
     assert areas(result)[result.section >= 0].sum() == pytest.approx(plan.area, rel=1e-9)
 
@@ -257,26 +199,36 @@ def test_wrong_plans_are_refused() -> None:
 
 
 @pytest.mark.parametrize(
-    ("error", "said"), [(ImportError("no"), r"groundslab\[mesh\]"), (OSError("libGLU.so.1"), "libglu1-mesa")]
+    ("error", "said"),
+    [
+        (ModuleNotFoundError("no"), r"^mesh: got a plan with oblique edges or arcs, expected Gmsh or Netgen"),
+        (OSError("libGLU.so.1"), r"a Gmsh that cannot be loaded \(libGLU.so.1\).*libglu1-mesa"),
+    ],
 )
-def test_without_gmsh_it_says_what_to_install(error: Exception, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without the package the extra is named, without the system's libraries these are; grids need neither."""
+def test_without_meshers_it_says_what_to_install(error: Exception, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without both packages their extras are named, and the system's libraries for Gmsh; grids need neither."""
     load = builtins.__import__
 
     def without(name: str, *rest: Any) -> Any:
         if name == "gmsh":
             raise error
+        if name.startswith("netgen"):
+            raise ModuleNotFoundError(name)
         return load(name, *rest)
 
     monkeypatch.setattr(builtins, "__import__", without)
-    with pytest.raises(InputError, match=said):
+    with pytest.raises(InputError, match=said) as refused:
         mesh(FREE["circle"], 0.5)
+    assert "groundslab[mesh]" in str(refused.value)
+    assert "groundslab[netgen]" in str(refused.value)
     assert len(mesh(GRIDS["L with opening"], 0.5).elements) > 100
 
 
 @needs_gmsh
 def test_what_gmsh_says_becomes_our_error() -> None:
     """An exception of Gmsh is an error of the input, and the session is closed all the same."""
+    import gmsh
+
     with pytest.raises(InputError, match="Gmsh refuses"), session() as opened:
         opened.model.occ.addPlaneSurface([99])
     assert not gmsh.isInitialized()

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from groundslab.dxf.curves import Edge, Point
 
 
-def _crossings(e: Edge, f: Edge) -> list[Point]:
+def crossings(e: Edge, f: Edge) -> list[Point]:
     """Return the points at which the whole lines or circles of two edges cross."""
     if e.bulge and f.bulge:
         (c, r), (d, s) = e.circle(), f.circle()
@@ -21,7 +21,7 @@ def _crossings(e: Edge, f: Edge) -> list[Point]:
         foot, square = (c[0] + along * ux, c[1] + along * uy), r**2 - along**2
         across = (-uy, ux)
     elif e.bulge:
-        return _crossings(f, e)
+        return crossings(f, e)
     else:
         dx, dy = e.b[0] - e.a[0], e.b[1] - e.a[1]
         length = math.hypot(dx, dy)
@@ -49,7 +49,7 @@ def _meeting(e: Edge, f: Edge, tolerance: float) -> Point | None:
     # An arc that leaves a line as its tangent crosses it again nearby, by rounding.
     blur = max(tolerance, 0.01 * min(math.dist(e.a, e.b), math.dist(f.a, f.b)))
     ends = [point for point in (*e[:2], *f[:2], e.middle(), f.middle()) if point not in shared]
-    candidates = [(point, tolerance) for point in ends] + [(point, blur) for point in _crossings(e, f)]
+    candidates = [(point, tolerance) for point in ends] + [(point, blur) for point in crossings(e, f)]
     for point, radius in candidates:
         if any(math.dist(point, end) <= radius for end in shared):
             continue

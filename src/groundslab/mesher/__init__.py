@@ -1,38 +1,76 @@
-"""Nine-node meshes of plans: grids where everything runs along x and y, else quadrilaterals from Gmsh.
+"""Nine-node meshes of plans: grids where everything runs along x and y, else quadrilaterals from Gmsh or Netgen.
 
-Gmsh is asked for a mesh of twice the wanted size, whose triangles and quadrilaterals are then cut into smaller
+They are asked for a mesh of twice the wanted size, whose triangles and quadrilaterals are then cut into smaller
 quadrilaterals here. Nodes on arcs, midside nodes too, are put exactly on them.
 """
 
 from __future__ import annotations
 
-from groundslab.mesher.door import session
-from groundslab.mesher.drawing import cells_of
+from groundslab.errors import Fault, InputError
+from groundslab.mesher.cells import Cells
 from groundslab.mesher.grids import rectilinear
 from groundslab.mesher.jacobians import Quality, quality
+from groundslab.mesher.makers import Maker, choose, with_gmsh, with_netgen
 from groundslab.mesher.planmesh import PlanMesh, check, check_area, finished
 from groundslab.mesher.quads import all_quadrilaterals, mend, nine_nodes, smoothed, without_flat_corners
 from groundslab.mesher.sizes import doubling, sources
 from groundslab.plan import Plan, sections
 
-__all__ = ["PlanMesh", "Quality", "mesh", "quality", "rectilinear", "sources", "unstructured"]
+__all__ = [
+    "Maker",
+    "PlanMesh",
+    "Quality",
+    "choose",
+    "mesh",
+    "quality",
+    "rectilinear",
+    "sources",
+    "unstructured",
+    "with_gmsh",
+    "with_netgen",
+]
+
+#: A mesh whose least scaled Jacobian exceeds this is good; else the next one that the maker has is looked at.
+ENOUGH = 0.35
+#: Such a next mesh takes the place of the one before if its least scaled Jacobian is larger by this.
+CLEARLY = 0.05
 
 
-def mesh(plan: Plan, size: float, beyond_growth: float | None = None) -> PlanMesh:
+def mesh(plan: Plan, size: float, beyond_growth: float | None = None, maker: Maker | None = None) -> PlanMesh:
     """Return a mesh with sides of at most about `size` [m], smaller where the plan asks for it.
 
     On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
-    the plate's longer side).
+    the plate's longer side). Where a grid does not fit, `maker` makes the cells (default: what `choose` returns).
     """
-    return rectilinear(plan, size, beyond_growth) if plan.rectilinear else unstructured(plan, size, beyond_growth)
+    return (
+        rectilinear(plan, size, beyond_growth) if plan.rectilinear else unstructured(plan, size, beyond_growth, maker)
+    )
 
 
-def unstructured(plan: Plan, size: float, beyond_growth: float | None = None) -> PlanMesh:
+def unstructured(plan: Plan, size: float, beyond_growth: float | None = None, maker: Maker | None = None) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)
-    places, sizes = sources(plan, size)
-    with session() as gmsh:
-        cells = cells_of(gmsh, plan, size, (places, sizes), doubling(plan, beyond_growth))
+    scale = doubling(plan, beyond_growth)
+    make = choose() if maker is None else maker
+    best = None
+    refused = InputError([Fault("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
+    for cells in make(plan, size, sources(plan, size), scale):
+        try:
+            result = _quadrilaterals(plan, cells)
+        except InputError as error:
+            refused = error
+            continue
+        if best is None or result.quality.worst > best.quality.worst + CLEARLY:
+            best = result
+        if best.quality.worst > ENOUGH:
+            break
+    if best is None:
+        raise refused
+    return best
+
+
+def _quadrilaterals(plan: Plan, cells: Cells) -> PlanMesh:
+    """Return cells cut into good nine-node quadrilaterals, or say that there are bad ones."""
     nodes, quadrilaterals, drawn = all_quadrilaterals(without_flat_corners(cells))
     nodes = smoothed(nodes, quadrilaterals, drawn)
     mend(nodes, quadrilaterals, drawn)

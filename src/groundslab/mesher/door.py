@@ -33,7 +33,7 @@ OPTIONS = {
 @contextmanager
 def session() -> Iterator[Any]:
     """Yield Gmsh with an empty model of our own; afterwards everything is as it was, whatever happened."""
-    gmsh = _gmsh()
+    gmsh = load()
     ours = not gmsh.isInitialized()
     if ours:
         gmsh.initialize([], readConfigFiles=False, run=False, interruptible=False)
@@ -60,15 +60,8 @@ def session() -> Iterator[Any]:
                 gmsh.option.setNumber(name, value)
 
 
-def _gmsh() -> Any:
-    """Return the module gmsh, or say how to get it."""
-    try:
-        import gmsh  # type: ignore[import-untyped,unused-ignore]
-    except ImportError:
-        mend = "pip install groundslab[mesh]"
-        raise InputError([Fault("mesh", "a plan with oblique edges or arcs", "Gmsh to mesh it", mend)]) from None
-    except OSError as missing:
-        mend = f"on Debian and Ubuntu: apt-get install {SYSTEM_LIBRARIES}"
-        got = f"a Gmsh that cannot be loaded ({missing})"
-        raise InputError([Fault("mesh", got, "one with the system's libraries that it needs", mend)]) from None
+def load() -> Any:
+    """Return the module gmsh, or raise what keeps it from being loaded."""
+    import gmsh  # type: ignore[import-untyped,unused-ignore]
+
     return gmsh

@@ -62,7 +62,7 @@ def finished(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
 
 
 def check_area(plan: Plan, result: PlanMesh) -> None:
-    """Raise if the mesh does not cover the plan: nothing that Gmsh leaves out may go unnoticed."""
+    """Raise if the mesh does not cover the plan: nothing that a mesher leaves out may go unnoticed."""
     points, weights = gauss(3)
     area = jacobian(q9(points)[1], result.xy)[2] @ weights
     for what, got, wanted in (

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -65,3 +66,29 @@ def doubling(plan: Plan, given: float | None) -> float:
         raise InputError([Fault("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
     outline = np.array(plan.outline.flat(FLAT * plan.extent))
     return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
+
+
+def doubled(plan: Plan, size: float, smaller: Sources, scale: float) -> Callable[[Array], Array]:
+    """Return a function from places (p, 2) to twice the wanted sizes (p,) [m] there.
+
+    Twice, since cells are halved afterwards: `size` on the plate, growing on the ground beyond until it is twice that
+    at a distance `scale` [m], less near `smaller`.
+    """
+    import shapely
+    from scipy.spatial import KDTree
+
+    places, sizes = smaller
+    level = np.ceil(2 * np.log2(size / sizes)).astype(np.int64)
+    near = [(2 * size * 2 ** (-k / 2), KDTree(places[level == k])) for k in np.unique(level)]
+    plate = plan.outline.polygon(1e-3 * plan.extent)
+    shapely.prepare(plate)
+
+    def wanted(at: Array) -> Array:
+        result = np.full(len(at), 2 * size)
+        if plan.beyond is not None:
+            result *= 1 + shapely.distance(plate, shapely.points(at)) / scale
+        for least, tree in near:
+            result = np.minimum(result, least + GRADING * tree.query(at)[0])
+        return result
+
+    return wanted
