@@ -121,7 +121,8 @@ def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -
             results = recover(model, combination, solution, certificate(solution, effect), tuple(steps), name)
             yield results if results.certificate.holds else NotCertified(results)
         except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
-            yield refusal
+            # what it was raised in holds meshes and factors, which nobody needs any more
+            yield refusal.with_traceback(None)
 
 
 def _factors(model: Model, combination: Combination) -> Array:

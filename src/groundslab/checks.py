@@ -163,9 +163,9 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         force_balance=float(missing[0] / size),
         moment_balance=float(moments.max() / (size * length)),
         ground_balance=float(abs(_carried(s, U, column, inner) - pushed) / size),
-        worst_gap=gap / settlement,
+        worst_gap=float(gap / settlement),
         worst_pressure=force,
-        worst_product=product / settlement,
+        worst_product=float(product / settlement),
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
     )

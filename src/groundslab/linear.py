@@ -78,7 +78,7 @@ class _Pardiso:
 
     def __del__(self) -> None:
         # PARDISO keeps its factor outside Python's memory
-        if getattr(self, "used", False):
+        if getattr(self, "used", False) and not sys.is_finalizing():
             self.handle.free_memory(everything=True)
 
 
