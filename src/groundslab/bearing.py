@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 
 import numpy as np
 
@@ -183,28 +184,37 @@ def node_at(plan: Layout, x: float, y: float) -> int:
 
 def nodes_along(plan: Layout, support: LineSupport) -> tuple[Integers, Array]:
     """Return the nodes along a line support, and the length that belongs to each [m]."""
-    sides = np.unique(plan.mesh.elements[plan.plate_elements][:, SIDES].reshape(-1, 3)[:, [2, 0, 1]], axis=0)[
-        :, [1, 2, 0]
-    ]
-    _, once = np.unique(sides[:, 2], return_index=True)
-    sides = sides[once]
-    place, near = plan.mesh.nodes[sides], _near(plan)
+    sides = sides_along(plan, support)
+    length = np.linalg.norm(plan.mesh.nodes[sides[:, 1]] - plan.mesh.nodes[sides[:, 0]], axis=1)
     lengths = np.zeros(len(plan.mesh.nodes))
-    wanted = found = 0.0
-    for a, b in itertools.pairwise(np.array(support.points)):
-        along = b - a
-        length = float(np.linalg.norm(along))
-        part = (place - a) @ along / length
-        off = np.abs((place - a) @ np.array([-along[1], along[0]]) / length)
-        on = ((off <= near) & (part >= -near) & (part <= length + near)).all(axis=1)
-        own = np.linalg.norm(place[on, 1] - place[on, 0], axis=1)
-        np.add.at(lengths, sides[on], own[:, None] * SIMPSON)
-        wanted, found = wanted + length, found + float(own.sum())
-    if abs(found - wanted) > 1e-6 * wanted:
-        got = f"sides of elements along {found:g} m of a line of {wanted:g} m"
+    np.add.at(lengths, sides, length[:, None] * SIMPSON)
+    wanted = sum(math.dist(a, b) for a, b in itertools.pairwise(support.points))
+    if abs(length.sum() - wanted) > 1e-6 * wanted:
+        got = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
         raise InputError([Fault("supports", got, "a mesh that meets every support")])
     nodes = np.flatnonzero(lengths)
     return nodes, lengths[nodes]
+
+
+def sides_along(plan: Layout, support: LineSupport) -> Integers:
+    """Return the sides (k, 3: end, end, middle) of plate elements along a line support, each once."""
+    sides = plan.mesh.elements[plan.plate_elements][:, SIDES].reshape(-1, 3)
+    sides = sides[np.unique(sides[:, 2], return_index=True)[1]]
+    place, near = plan.mesh.nodes[sides], _near(plan)
+    found = []
+    for a, b in itertools.pairwise(np.array(support.points)):
+        length = float(np.linalg.norm(b - a))
+        along = (b - a) / length
+        part = (place - a) @ along
+        off = np.abs((place - a) @ np.array([-along[1], along[0]]))
+        found.append(sides[((off <= near) & (part >= -near) & (part <= length + near)).all(axis=1)])
+    return np.concatenate(found)
+
+
+def walls(model: Model, plan: Layout) -> Integers:
+    """Return the sides (k, 3) along all line supports."""
+    along = [sides_along(plan, support) for support in model.supports if isinstance(support, LineSupport)]
+    return np.concatenate([np.zeros((0, 3), dtype=np.int64), *along])
 
 
 def _near(plan: Layout) -> float:

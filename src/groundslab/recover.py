@@ -7,7 +7,7 @@ import numpy as np
 from groundslab import patches, plate
 from groundslab.checks import ground_forces, left_over
 from groundslab.loadcases import Combination
-from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
+from groundslab.mesh import SIDES, Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import InterfaceLayer, Layered, Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
 from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
@@ -144,10 +144,49 @@ def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
 
 
 def _by_section(problem: Problem) -> tuple[Mesh, Integers]:
-    """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was."""
+    """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was.
+
+    Nodes along line supports stand once for each side, since moments kink and shear forces jump there.
+    """
     elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
-    keys, own = np.unique(elements + n * problem.section[:, None], return_inverse=True)
+    key = elements + n * problem.section[:, None]
+    if len(problem.walls):
+        key = key + n * len(problem.bending) * _side_of_walls(elements, problem.walls, n)
+    keys, own = np.unique(key, return_inverse=True)
     return Mesh(problem.mesh.nodes[keys % n], own.reshape(elements.shape)), keys % n
+
+
+def _side_of_walls(elements: Integers, walls: Integers, n: int) -> Integers:
+    """Return a number (m, 9) that tells apart, at each node on a wall, the elements on different sides of it.
+
+    Elements round such a node belong together if one comes from one to the other without crossing a wall (k, 3: sides).
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    on_wall = np.zeros(n, dtype=bool)
+    on_wall[walls] = True
+    number = np.full(elements.shape, -1)
+    meets = on_wall[elements]
+    count = int(meets.sum())
+    number[meets] = np.arange(count)
+    sides = elements[:, SIDES]  # (m, 4, 3)
+    owner, which = np.nonzero(on_wall[sides].any(axis=2) & ~np.isin(sides[..., 2], walls[:, 2]))
+    order = np.argsort(sides[owner, which, 2], kind="stable")
+    owner, which = owner[order], which[order]
+    pair = np.flatnonzero(np.diff(sides[owner, which, 2]) == 0)
+    one, other = pair, pair + 1
+    links = [np.zeros((2, 0), dtype=np.int64)]
+    for end in range(3):
+        at_one = number[owner[one], SIDES[which[one], end]]
+        # two neighbours run along their common side in opposite directions
+        at_other = number[owner[other], SIDES[which[other], (1, 0, 2)[end]]]
+        links.append(np.vstack([at_one, at_other])[:, at_one >= 0])
+    row, column = np.concatenate(links, axis=1)
+    _, label = connected_components(coo_array((np.ones(len(row)), (row, column)), shape=(count, count)), directed=False)
+    result = np.zeros(elements.shape, dtype=np.int64)
+    result[meets] = label
+    return result
 
 
 def _on_edge(problem: Problem) -> Array:
