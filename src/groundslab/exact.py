@@ -7,6 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from groundslab.exact_circular import partly_loaded_circular_plate
+from groundslab.exact_springs import curling_strip, lifting_circular_plate, rigid_plate_on_springs
+
 
 def navier(
     x: float, y: float, a: float, b: float, t: float, E: float, nu: float, factor: float, q: float, k0: float, k1: float
@@ -31,6 +34,44 @@ def navier(
         "moment_x": float((D * (alpha**2 + nu * beta**2) / bent * amplitude * shape).sum()),
         "moment_y": float((D * (beta**2 + nu * alpha**2) / bent * amplitude * shape).sum()),
     }
+
+
+def plate_on_a_column(
+    x: float,
+    y: float,
+    a: float,
+    b: float,
+    t: float,
+    E: float,
+    nu: float,
+    factor: float,
+    q: float,
+    K: float,
+    u: float,
+    v: float,
+    mean: bool = False,
+) -> dict[str, float]:
+    """Return settlement [m] and the column's force [N] of a simply supported Mindlin plate on an elastic column.
+
+    Uniform pressure q [Pa] on a x b; the column of stiffness K [N/m] stands under the centre, x and y count from
+    there. Its force is spread evenly over u x v [m] and is K times the settlement of the centre, or the mean
+    settlement over u x v. Force method with Navier's series for both loads (Timoshenko and Woinowsky-Krieger 1959,
+    sections 28 and 29).
+    """
+    D, S = E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t
+    m = np.arange(1, 2000, 2)[:, None]
+    n = np.arange(1, 2000, 2)[None, :]
+    alpha, beta = m * math.pi / a, n * math.pi / b
+    l2 = alpha**2 + beta**2
+    flexibility = 1 / (D * l2**2) + 1 / (S * l2)
+    spread = np.sinc(alpha * u / (2 * math.pi)) * np.sinc(beta * v / (2 * math.pi))
+    centre = (-1.0) ** ((m + n) // 2 - 1)  # sin(m pi / 2) sin(n pi / 2)
+    under_q = 16 * q / (math.pi**2 * m * n) * flexibility
+    under_1 = 4 / (a * b) * centre * spread * flexibility
+    felt = centre * spread if mean else centre
+    force = K * float((under_q * felt).sum()) / (1 + K * float((under_1 * felt).sum()))
+    shape = np.cos(alpha * x) * np.cos(beta * y) * centre
+    return {"settlement": float(((under_q - force * under_1) * shape).sum()), "force": force}
 
 
 def point_load_on_infinite_plate(r: float, P: float, D: float, k: float) -> float:
@@ -87,6 +128,17 @@ FORMULAS: dict[str, Callable[..., float]] = {
     "point load on infinite plate": point_load_on_infinite_plate,
     "circular plate settlement": lambda **given: circular_plate(**given)["settlement"],
     "circular plate moment": lambda **given: circular_plate(**given)["moment"],
+    "partly loaded circular plate settlement": lambda **given: partly_loaded_circular_plate(**given)["settlement"],
+    "partly loaded circular plate moment_r": lambda **given: partly_loaded_circular_plate(**given)["moment_r"],
+    "partly loaded circular plate moment_t": lambda **given: partly_loaded_circular_plate(**given)["moment_t"],
+    "lifting circular plate settlement": lambda **given: lifting_circular_plate(**given)["settlement"],
+    "lifting circular plate moment": lambda **given: lifting_circular_plate(**given)["moment"],
+    "plate on a column settlement": lambda **given: plate_on_a_column(**given)["settlement"],
+    "plate on a column force": lambda **given: plate_on_a_column(**given)["force"],
+    "curling strip settlement": lambda **given: curling_strip(**given)["settlement"],
+    "curling strip moment across": lambda **given: curling_strip(**given)["moment across"],
+    "curling strip moment along": lambda **given: curling_strip(**given)["moment along"],
+    "rigid plate on springs": rigid_plate_on_springs,
     "rigid strip": rigid_strip,
     "confined compression": confined_compression,
 }
