@@ -1,11 +1,14 @@
 """An L-shaped raft that lifts off, solved by OpenSees; it prints what the case l_raft_opensees holds us against.
 
-Needs a Python of its own with `pip install openseespy==3.7.1.2 numpy` (x86-64 Linux); nothing of groundslab is used. Where the system has no libblas.so.3, LD_LIBRARY_PATH must name the folder lib of the package openseespylinux. Run it with the element sizes as arguments, each half of the one before:
+Needs a Python of its own with `pip install openseespy==3.7.1.2 numpy` (x86-64 Linux); nothing of groundslab is used.
+Where the system has no libblas.so.3, LD_LIBRARY_PATH must name the folder lib of the package openseespylinux. Run it
+with the element sizes as arguments, each half of the one before:
 
     python tools/other_programs/opensees_raft.py 1 0.5 0.25 0.125
 
-Model: ShellMITC4 (four nodes, Mindlin, transverse shear 5/6 G t), free but for the ground; under each node a zeroLength spring of material ENT (elastic, no tension) of stiffness k times the node's share of the area; loads
-as forces on the nodes by the same shares. Full Newton steps from the unloaded state until no spring changes.
+Model: ShellMITC4 (four nodes, Mindlin, transverse shear 5/6 G t), free but for the ground; between each node and the
+ground a zeroLength spring of material ENT (elastic, no tension) of stiffness k times the node's share of the area;
+loads as forces on the nodes by the same shares. Full Newton steps from the unloaded state until nothing moves.
 """
 
 from __future__ import annotations
@@ -44,7 +47,7 @@ def cells(size: float) -> np.ndarray:
 
 
 def solve(size: float) -> dict[str, float]:
-    """Return the settlements at PLACES [mm], the largest uplift [mm], the sum of reactions [kN] and the share lifted."""
+    """Return the settlements at PLACES and the largest uplift [mm], reactions and load [kN], and the share lifted."""
     lower = cells(size)
     corners = lower[:, None, :] + np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
     places, number = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
