@@ -59,8 +59,6 @@ FLOORS = [
     ],
     ["subsoil", "layout", "loading", "bearing", "discretise"],
     ["statics", "solution", "checks", "recover", "analysis", "sections", "punching", "tilt"],
-    ["verify", "exact", "proofs", "cases"],
-    ["statics", "solution", "checks", "recover", "analysis"],
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases"],
     ["views", "study"],
     ["cli", "__main__"],
