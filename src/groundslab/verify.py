@@ -164,6 +164,7 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "largest uplift": ("length", lambda r, _: float(-r.plate.settlement.min())),
     "ground settlement": ("length", lambda r, row: r.ground.value_at(*row["at"])),
     "moment_x": ("force", lambda r, row: r.plate.value_at("moment_x", *row["at"])),
+    "force of a support": ("force", lambda r, row: next(s.total for s in r.supports if s.name == row["support"])),
     "k0": ("pressure per length", lambda r, row: r.constants.k0[row.get("layer", 1) - 1]),
     "k1": ("pressure times length", lambda r, row: r.constants.k1[row.get("layer", 1) - 1]),
     "gamma": (None, lambda r, _: r.constants.gamma or 0.0),
