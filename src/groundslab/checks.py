@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab.assembly import scatter
 from groundslab.contact import YIELDING
-from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, tail
+from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.problem import (
     BETA_X,
     BETA_Y,
@@ -17,6 +17,7 @@ from groundslab.problem import (
     edge_lengths,
     fields_of,
     surface_settlement,
+    tails,
 )
 from groundslab.results import Certificate
 from groundslab.shape import Array, Integers
@@ -36,14 +37,17 @@ def decay_squared(s: System, U: Array, column: Column) -> float:
     varying = we - we[:, 8:]  # else rounding makes slopes of a settlement that is everywhere the same
     slopes = _by_kind(b.slope, b.ground_kind, varying, varying)
     if len(problem.edges):
-        t = tail(column)
-        X, Y, Xc, Yc = t.square_integrals()
+        t, at_corners = tails(problem, column)
+        X, Y, _, _ = t.square_integrals()
+        _, _, Xc, Yc = at_corners.square_integrals()
         length = edge_lengths(problem)
-        c = np.einsum("ms,sek->ekm", t.share, w[:, problem.edges])
-        along = np.einsum("e,ekm,kl,eln->mn", length, c, EDGE_MASS, c)
-        across = np.einsum("e,ekm,kl,eln->mn", 1 / length, c, EDGE_SLOPE, c)
-        at_corner = t.share @ w[:, problem.corners]
-        corner = at_corner @ at_corner.T
+        # the amplitudes' products are summed over edges and corners where the tails are the same
+        products = "emn" if t.varies else "mn"
+        c = np.einsum("...ms,s...k->...km", t.share, w[:, problem.edges])
+        along = np.einsum(f"e,ekm,kl,eln->{products}", length, c, EDGE_MASS, c)
+        across = np.einsum(f"e,ekm,kl,eln->{products}", 1 / length, c, EDGE_SLOPE, c)
+        c = np.einsum("...ms,s...->...m", at_corners.share, w[:, problem.corners])
+        corner = np.einsum(f"em,en->{products}", c, c)
         squares += float((X * along).sum() + (Xc * corner).sum())
         slopes += float((Y * along).sum() + (X * across).sum() + (Yc * corner).sum())
     return max(slopes, 0.0) / squares if squares > 0 else 0.0
@@ -103,13 +107,13 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
 
 def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     """Return the forces (n, S) that infinite ground puts on the outer edges."""
-    t, length = tail(column), edge_lengths(problem)
+    (t, at_corners), length = tails(problem, column), edge_lengths(problem)
     we = w[:, problem.edges]
-    f = np.einsum("ij,e,kl,jel->iek", t.spring, length, EDGE_MASS, we)
-    f += np.einsum("ij,e,kl,jel->iek", t.slope, 1 / length, EDGE_SLOPE, we)
+    f = np.einsum("...ij,...,kl,j...l->i...k", t.spring, length, EDGE_MASS, we)
+    f += np.einsum("...ij,...,kl,j...l->i...k", t.slope, 1 / length, EDGE_SLOPE, we)
     n = len(problem.mesh.nodes)
     forces = np.column_stack([scatter(problem.edges, each, n) for each in f])
-    forces[problem.corners] += (t.corner @ w[:, problem.corners]).T
+    forces[problem.corners] += np.einsum("...ij,j...->...i", at_corners.corner, w[:, problem.corners])
     return forces
 
 

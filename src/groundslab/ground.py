@@ -11,7 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.shape import Array, gauss, jacobian, q9
+from groundslab.shape import Array, Integers, gauss, jacobian, q9
+
+#: A number for one column of soil, or one for each of c columns, (c,).
+Values = float | Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,43 +29,59 @@ class Column:
         """Return S, the number of surfaces that can settle."""
         return int(self.A0.shape[-1])
 
+    @property
+    def varies(self) -> bool:
+        """Return whether A0 and A1 are given by element."""
+        return self.A0.ndim > 2
+
+    def at(self, elements: Integers) -> Column:
+        """Return the columns (e, S, S) of some elements (e,), or the one column that all have."""
+        return Column(self.A0[elements], self.A1[elements]) if self.varies else self
+
 
 @dataclass(frozen=True, slots=True)
 class Layer:
-    """A soil layer of some thickness [m] and Poisson's ratio nu, with E a quadratic in the relative depth s = z / h."""
+    """A soil layer of some thickness [m] and Poisson's ratio nu, with E a quadratic in the relative depth s = z / h.
 
-    thickness: float
-    moduli: tuple[float, float, float]  # c0, c1, c2 [Pa] of E = c0 + c1 s + c2 s^2
-    nu: float
+    Where the ground varies over the plan, all of them are arrays (c,) over its columns.
+    """
+
+    thickness: Values
+    moduli: tuple[Values, Values, Values]  # c0, c1, c2 [Pa] of E = c0 + c1 s + c2 s^2
+    nu: Values
 
     def E(self, s: Array) -> Array:
-        """Return E [Pa] at the relative depth s (paper (1.1), (1.2))."""
+        """Return E [Pa] at the relative depth s (paper (1.1), (1.2)); s broadcasts against the columns."""
         c0, c1, c2 = self.moduli
         return c0 + s * (c1 + s * c2)
 
     @property
-    def mean(self) -> float:
+    def mean(self) -> Values:
         """Return the mean of E over the thickness [Pa]."""
         c0, c1, c2 = self.moduli
         return c0 + c1 / 2 + c2 / 3
 
     @property
-    def constrained(self) -> float:
+    def constrained(self) -> Values:
         """Return Ec / E for confined compression, (1 - nu) / ((1 + nu)(1 - 2 nu))."""
         return (1 - self.nu) / ((1 + self.nu) * (1 - 2 * self.nu))
 
     @property
-    def shear(self) -> float:
+    def shear(self) -> Values:
         """Return G / E."""
         return 1 / (2 * (1 + self.nu))
+
+    @property
+    def stiffnesses(self) -> tuple[Values, Values]:
+        """Return Ec / h [Pa/m] and G h [Pa m] for the mean of E."""
+        return self.constrained * self.mean / self.thickness, self.shear * self.mean * self.thickness
 
     def split(self, n: int) -> list[Layer]:
         """Return n equal parts of the layer, each with the moduli of its own depths."""
         _, c1, c2 = self.moduli
         starts = np.arange(n) / n
         return [
-            Layer(self.thickness / n, (float(self.E(s)), float(c1 + 2 * c2 * s) / n, c2 / n**2), self.nu)
-            for s in starts
+            Layer(self.thickness / n, (self.E(s), (c1 + 2 * c2 * s) / n, c2 / n**2), self.nu) for s in starts
         ]
 
 
@@ -82,17 +101,22 @@ def interface_stack(k0: Array, k1: Array) -> Column:
 
 
 def consistent_stack(layers: list[Layer]) -> Column:
-    """Return the column in which the settlement is linear in z within each layer, E(z) integrated exactly."""
+    """Return the column in which the settlement is linear in z within each layer, E(z) integrated exactly.
+
+    Of layers over c columns, the c columns (c, S, S).
+    """
     A0, A1 = [], []
     for layer in layers:
         s, weight = np.polynomial.legendre.leggauss(4)
         s, weight = (s + 1) / 2, weight / 2
         psi = np.stack([1 - s, s])
-        E = layer.E(s) * weight
-        slope = np.array([[1.0, -1.0], [-1.0, 1.0]]) / layer.thickness
-        A0.append(layer.constrained * E.sum() * slope)
-        A1.append(layer.shear * layer.thickness * np.einsum("is,js,s->ij", psi, psi, E))
-    return Column(_stack(np.array(A0)), _stack(np.array(A1)))
+        h = np.asarray(layer.thickness)
+        of_columns = (slice(None), *(None,) * h.ndim)
+        E = layer.E(s[of_columns]) * weight[of_columns]
+        slope = np.array([[1.0, -1.0], [-1.0, 1.0]]) / h[..., None, None]
+        A0.append(np.asarray(layer.constrained * E.sum(axis=0))[..., None, None] * slope)
+        A1.append(np.asarray(layer.shear * h)[..., None, None] * np.einsum("is,js,s...->...ij", psi, psi, E))
+    return Column(_stack(np.stack(A0, axis=-3)), _stack(np.stack(A1, axis=-3)))
 
 
 def _stack(layers: Array) -> Array:
@@ -138,7 +162,8 @@ EDGE_SLOPE = np.array([[7.0, 1.0, -8.0], [1.0, 7.0, -8.0], [-8.0, -8.0, 16.0]]) 
 class Tail:
     """The infinite ground beyond a straight edge: modes phi exp(-a d) with A0 phi = a^2 A1 phi, phi.A1 phi = 1.
 
-    The amplitudes of the modes at an edge that settles by w are `share` w (docs/theory.md, infinite ground).
+    The amplitudes of the modes at an edge that settles by w are `share` w (docs/theory.md, infinite ground). Where the
+    ground varies, all arrays have an axis of edges, (e, ...), in front.
     """
 
     phi: Array  # (S, S): a mode in each column
@@ -146,19 +171,24 @@ class Tail:
     decay: Array  # (S,) [1/m]: a
 
     @property
+    def varies(self) -> bool:
+        """Return whether the tails differ between edges."""
+        return self.decay.ndim > 1
+
+    @property
     def spring(self) -> Array:
         """Return the edge spring (S, S) [Pa] on w along the edge; sqrt(k0 k1) for one surface."""
-        return self.share.T @ (self.decay[:, None] * self.share)
+        return self.share.swapaxes(-1, -2) @ (self.decay[..., None] * self.share)
 
     @property
     def slope(self) -> Array:
         """Return the edge stiffness (S, S) [Pa m2] on the tangential derivative of w; k1 / 2a for one surface."""
-        return self.share.T @ (self.share / (2 * self.decay[:, None]))
+        return self.share.swapaxes(-1, -2) @ (self.share / (2 * self.decay[..., None]))
 
     @property
     def corner(self) -> Array:
         """Return the spring (S, S) [Pa m] of the quarter plane between two edges; 3 k1 / 4 for one surface."""
-        return 0.75 * self.share.T @ self.share
+        return 0.75 * self.share.swapaxes(-1, -2) @ self.share
 
     def square_integrals(self) -> tuple[Array, Array, Array, Array]:
         """Return matrices (S, S) on the amplitudes c that integrate the top surface's w0 over the ground beyond.
@@ -168,14 +198,15 @@ class Tail:
         1/4a^2 and 1/2.
         """
         a = self.decay
-        top = np.outer(self.phi[0], self.phi[0])
-        total, product = a[:, None] + a, np.outer(a, a)
+        at_top = self.phi[..., 0, :]
+        top = at_top[..., :, None] * at_top[..., None, :]
+        total, product = a[..., :, None] + a[..., None, :], a[..., :, None] * a[..., None, :]
         return top / total, top * product / total, top / total**2, 2 * top * product / total**2
 
 
 def tail(column: Column) -> Tail:
-    """Return the tail of a uniform column whose layers all carry shear."""
+    """Return the tail of a column whose layers all carry shear, or the tails of columns (e, S, S)."""
     L = np.linalg.cholesky(column.A1)
-    inner = np.linalg.solve(L, np.linalg.solve(L, column.A0).T)
-    a2, V = np.linalg.eigh((inner + inner.T) / 2)
-    return Tail(np.linalg.solve(L.T, V), (L @ V).T, np.sqrt(a2))
+    inner = np.linalg.solve(L, np.linalg.solve(L, column.A0).swapaxes(-1, -2))
+    a2, V = np.linalg.eigh((inner + inner.swapaxes(-1, -2)) / 2)
+    return Tail(np.linalg.solve(L.swapaxes(-1, -2), V), (L @ V).swapaxes(-1, -2), np.sqrt(a2))

@@ -210,23 +210,48 @@ def stiffness(s: System, column: Column) -> Array:
                         values = gather(p, each, np.arange(len(kind)))
                     add(p, data, i, j, values)
     if len(s.problem.edges):
-        _add_tail(s, data, tail(column))
+        _add_tail(s, data, column)
     return data
 
 
-def _add_tail(s: System, data: Array, t: Tail) -> None:
+def tails(problem: Problem, column: Column) -> tuple[Tail, Tail]:
+    """Return the infinite ground beyond the outer edges and at their corners.
+
+    Where the ground varies, each edge and each corner continues the column of the element inside it.
+    """
+    if not column.varies:
+        everywhere = tail(column)
+        return everywhere, everywhere
+    elements = problem.mesh.elements
+    inside = np.empty(len(problem.mesh.nodes), dtype=np.int64)
+    inside[elements] = np.arange(len(elements))[:, None]
+    return tail(column.at(inside[problem.edges[:, 2]])), tail(column.at(inside[problem.corners]))
+
+
+def _add_tail(s: System, data: Array, column: Column) -> None:
     """Add the infinite ground's springs on the outer edges and corners (docs/theory.md, infinite ground)."""
     problem, p = s.problem, s.pattern
+    t, at_corners = tails(problem, column)
     length = edge_lengths(problem)
     a, b = np.triu_indices(3)
     pair = p.pairs(problem.edges[:, a], problem.edges[:, b])
-    mass = scatter(pair, length[:, None] * EDGE_MASS[a, b], len(p.keys))
-    slope = scatter(pair, EDGE_SLOPE[a, b] / length[:, None], len(p.keys))
+    mass, slope = length[:, None] * EDGE_MASS[a, b], EDGE_SLOPE[a, b] / length[:, None]
     at_corner = p.pairs(problem.corners, problem.corners)
-    point = scatter(at_corner, np.ones(len(at_corner)), len(p.keys))
-    for i in range(len(t.decay)):
-        for j in range(len(t.decay)):
-            values = t.spring[i, j] * mass + t.slope[i, j] * slope + t.corner[i, j] * point
+    point = np.ones(len(at_corner))
+    spring, along, corner = t.spring, t.slope, at_corners.corner
+
+    def spread(where: Integers, each: Array) -> Array:
+        return scatter(where, each, len(p.keys))
+
+    if not t.varies:
+        mass, slope, point = spread(pair, mass), spread(pair, slope), spread(at_corner, point)
+    for i in range(column.surfaces):
+        for j in range(column.surfaces):
+            if t.varies:
+                values = spread(pair, spring[:, i, j, None] * mass + along[:, i, j, None] * slope)
+                values += spread(at_corner, corner[:, i, j] * point)
+            else:
+                values = spring[i, j] * mass + along[i, j] * slope + corner[i, j] * point
             add(p, data, TOP + i, TOP + j, values)
 
 
