@@ -15,7 +15,7 @@ from groundslab.model import Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.shape import Flags, Integers
 from groundslab.slab import Plate
-from groundslab.subsoil import ground_of, surfaces_of
+from groundslab.subsoil import ground_under, grounds_of, surfaces_of
 
 #: Places closer than this, relative to the plate, are the same.
 SAME_PLACE = 1e-9
@@ -23,8 +23,8 @@ SAME_PLACE = 1e-9
 
 def discretise(model: Model, coarsening: int = 0, margin: float = 1.0) -> Problem:
     """Return the arrays of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond."""
-    ground = ground_of(model)
-    plan = layout(model, ground, coarsening, margin)
+    plan = layout(model, grounds_of(model), coarsening, margin)
+    ground = ground_under(model, plan.mesh, plan.plate_elements)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
     cases = loadings(model, plan, element, present.shape[1])

@@ -80,9 +80,7 @@ class Layer:
         """Return n equal parts of the layer, each with the moduli of its own depths."""
         _, c1, c2 = self.moduli
         starts = np.arange(n) / n
-        return [
-            Layer(self.thickness / n, (self.E(s), (c1 + 2 * c2 * s) / n, c2 / n**2), self.nu) for s in starts
-        ]
+        return [Layer(self.thickness / n, (self.E(s), (c1 + 2 * c2 * s) / n, c2 / n**2), self.nu) for s in starts]
 
 
 def single(k0: Array | float, k1: Array | float) -> Column:

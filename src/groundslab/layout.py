@@ -45,10 +45,10 @@ class Layout:
     outer_axis: Integers  # (s,): the axis across each of them
 
 
-def layout(model: Model, ground: Soil | Column, coarsening: int, margin: float) -> Layout:
+def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: float) -> Layout:
     """Return the layout of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond."""
     symmetry = symmetries(model)
-    width = margin * _width_beyond(model, ground)
+    width = margin * _width_beyond(model, grounds)
     if model.plain:
         mesh, section = _plain_mesh(model, symmetry, coarsening, width)
     else:
@@ -147,14 +147,14 @@ def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple
     return nx, ny
 
 
-def _width_beyond(model: Model, ground: Soil | Column) -> float:
-    """Return the width of the meshed ground beyond the plate [m]."""
+def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
+    """Return the width of the meshed ground beyond the plate [m]; of several grounds, the widest decides."""
     if model.beyond.kind == "none":
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
-    column = ground if isinstance(ground, Column) else ground.column(ground.gamma or 1.0)
-    longest = 1 / float(tail(column).decay.min())
+    columns = [ground if isinstance(ground, Column) else ground.column(ground.gamma or 1.0) for ground in grounds]
+    longest = max(1 / float(tail(column).decay.min()) for column in columns)
     return MESHED_DECAYS * min(longest, 2 * max(model.plate.sides))
 
 

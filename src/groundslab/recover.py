@@ -8,12 +8,12 @@ from groundslab import patches, plate
 from groundslab.checks import ground_forces, left_over
 from groundslab.loadcases import Combination
 from groundslab.mesh import SIDES, Mesh, mirror, row_by_row, sides_on_boundary
-from groundslab.model import InterfaceLayer, Layered, Model
+from groundslab.model import Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
 from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
 from groundslab.shape import Array, Integers, gauss, q9
 from groundslab.solution import Solution
-from groundslab.subsoil import consistent_parts
+from groundslab.subsoil import constants_under
 from groundslab.vlasov import Soil
 
 #: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
@@ -259,18 +259,14 @@ def _beyond_the_line(mesh: Mesh, points: Array, values: Array, axis: int) -> tup
 
 
 def _constants(model: Model, solution: Solution) -> Constants:
-    """Return k0 and k1 of each layer: given, from gamma, or of a consistent stack the means of Ec / h and G h."""
-    ground, gamma = solution.system.problem.ground, solution.gamma
+    """Return k0 and k1 of each layer, given or from gamma; where the ground varies, the means over the plate's area."""
+    problem, gamma = solution.system.problem, solution.gamma
+    ground = problem.ground
     if isinstance(ground, Soil):
         assert gamma is not None
         k0, k1 = ground.layer_parameters(gamma)
-    elif isinstance(model.ground, Layered) and model.ground.coupling == "consistent":
-        parts = consistent_parts(model.ground)
-        k0 = np.array([part.constrained * part.mean / part.thickness for part in parts])
-        k1 = np.array([part.shear * part.mean * part.thickness for part in parts])
-    elif isinstance(model.ground, Layered):
-        k0 = np.array([layer.k0 for layer in model.ground.layers if isinstance(layer, InterfaceLayer)])
-        k1 = np.array([layer.k1 for layer in model.ground.layers if isinstance(layer, InterfaceLayer)])
+        if ground.share is not None:
+            k0, k1 = ground.share @ k0, ground.share @ k1
     else:
-        k0, k1 = ground.A0[0], ground.A1[0]
+        k0, k1 = constants_under(model, problem.mesh, problem.plate_elements)
     return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations)

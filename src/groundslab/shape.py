@@ -64,3 +64,10 @@ def jacobian(dN: Array, xy: Array) -> tuple[Array, Array, Array]:
     inverse[..., 0, 0], inverse[..., 1, 1] = J[..., 1, 1], J[..., 0, 0]
     inverse[..., 0, 1], inverse[..., 1, 0] = -J[..., 0, 1], -J[..., 1, 0]
     return J, inverse / det[..., None, None], det
+
+
+def areas(xy: Array) -> Array:
+    """Return the areas (m,) [m2] of elements with nodes xy (m, 9, 2)."""
+    points, weights = gauss(3)
+    total: Array = jacobian(q9(points)[1], xy)[2] @ weights
+    return total

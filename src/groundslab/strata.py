@@ -38,7 +38,7 @@ class Borehole(Part):
 def _described(ground: AnyGround) -> tuple[object, ...]:
     """Return what must be the same in all the ground: kind, rule, number and kind of layers."""
     if isinstance(ground, Vlasov):
-        return ground.kind, ground.gamma, ground.formulas
+        return ground.kind, ground.gamma, ground.formulas, ground.mode, len(ground.layers)
     if isinstance(ground, Layered):
         kinds = tuple(type(layer).__name__ for layer in ground.layers)
         sublayers = tuple(layer.sublayers for layer in ground.layers if isinstance(layer, SoilLayer))

@@ -1,4 +1,9 @@
-"""The described ground as the kernels know it: columns of constants, or soil whose constants follow from gamma."""
+"""The described ground as the kernels know it: columns of constants, or soil whose constants follow from gamma.
+
+A table holds what describes the layers of a column, (L, 2): k0 and k1, or (L, 5): thickness, c0, c1, c2 and nu. Where
+the ground varies over the plan, by zones or between boreholes, each element has the column at its centre; (c, L, ...)
+are the tables of the c columns that differ.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +11,20 @@ import math
 
 import numpy as np
 
-from groundslab.ground import Column, Layer, consistent_stack, interface_stack, single
-from groundslab.model import Layered, Model, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.between import interpolated
+from groundslab.errors import Fault, InputError
+from groundslab.ground import Column, Layer, consistent_stack, interface_stack
+from groundslab.mesh import Mesh
+from groundslab.model import Borehole, InterfaceLayer, Layered, Model, Pasternak, SoilLayer, SoilZone, Vlasov, Winkler
+from groundslab.plan import at
+from groundslab.shape import Array, Flags, Integers, areas
+from groundslab.soil import AnyGround
 from groundslab.vlasov import Soil
+
+#: Arcs of zones are followed by chords that are at most this far off, relative to the plate.
+ARC_CHORD = 1e-6
+#: A Poisson's ratio this close to zero is zero but for the rounding of its interpolation.
+ROUNDING = 1e-12
 
 
 def layer_of(layer: SoilLayer) -> Layer:
@@ -20,41 +36,49 @@ def layer_of(layer: SoilLayer) -> Layer:
 
 
 def ground_of(model: Model) -> Soil | Column:
-    """Return the ground: a column of constants, or soil whose constants follow from gamma."""
-    ground = model.ground
-    if isinstance(ground, Winkler):
-        return single(winkler_modulus(model), 0.0)
-    if isinstance(ground, Pasternak):
-        return single(ground.k0, ground.k1)
-    printed = ground.formulas == "as printed"
-    gamma = None if ground.gamma == "iterate" else float(ground.gamma)
-    if isinstance(ground, Vlasov):
-        layers = tuple(layer_of(layer) for layer in ground.layers)
-        by_profile = ground.mode == "profile" or (ground.mode == "auto" and len(layers) > 1)
-        return Soil(layers, "profile" if by_profile else "sinh", printed, gamma)
-    return _layered(ground, printed, gamma)
+    """Return the ground as [ground] says it, the same everywhere."""
+    return _made(model.ground, _table(model.ground, model))
 
 
-def _layered(ground: Layered, printed: bool, gamma: float | None) -> Soil | Column:
-    if ground.coupling == "consistent":
-        return consistent_stack(consistent_parts(ground))
-    soil = [layer for layer in ground.layers if isinstance(layer, SoilLayer)]
-    if soil:
-        return Soil(tuple(layer_of(layer) for layer in soil), "interface", printed, gamma)
-    given = [layer for layer in ground.layers if not isinstance(layer, SoilLayer)]
-    return interface_stack(np.array([layer.k0 for layer in given]), np.array([layer.k1 for layer in given]))
+def grounds_of(model: Model) -> list[Soil | Column]:
+    """Return every ground that is described for some place, each as if it were the same everywhere."""
+    return [_made(model.ground, table) for table in _tables(model)]
 
 
-def consistent_parts(ground: Layered) -> list[Layer]:
-    """Return the layers of a consistent stack, each split into its sublayers."""
-    soil = [layer for layer in ground.layers if isinstance(layer, SoilLayer)]
-    return [part for layer in soil for part in layer_of(layer).split(layer.sublayers)]
+def varies(model: Model) -> bool:
+    """Return whether the ground differs from place to place."""
+    return bool(model.soil_zones or model.boreholes)
 
 
-def winkler_modulus(model: Model) -> float:
+def ground_under(model: Model, mesh: Mesh, plate_elements: Integers) -> Soil | Column:
+    """Return the ground under a mesh, by element where it varies."""
+    if not varies(model):
+        return ground_of(model)
+    tables, of = _columns_under(model, mesh)
+    if len(tables) == 1:
+        return _made(model.ground, tables[0])
+    found = _made(model.ground, tables)
+    if isinstance(found, Column):
+        return found.at(of)
+    share = _share(of, len(tables), mesh, plate_elements)
+    return Soil(found.layers, found.way, found.as_printed, found.gamma, of, share)
+
+
+def constants_under(model: Model, mesh: Mesh, plate_elements: Integers) -> tuple[Array, Array]:
+    """Return k0 [Pa/m] and k1 [Pa m] of each layer (L,), where they do not hang on gamma: means over the plate's area.
+
+    Of a consistent stack they are Ec / h and G h of each sublayer, for the mean of its E.
+    """
+    if not varies(model):
+        return _constants(model.ground, _table(model.ground, model))
+    tables, of = _columns_under(model, mesh)
+    k0, k1 = _constants(model.ground, tables)
+    share = _share(of, len(tables), mesh, plate_elements)
+    return share @ k0, share @ k1
+
+
+def winkler_modulus(ground: Winkler, model: Model) -> float:
     """Return k [Pa/m], given or by Selvadurai's k = 2 E / (a ln(1 + 2 H / a)) with a the longer side (paper (3.1))."""
-    ground = model.ground
-    assert isinstance(ground, Winkler)
     if ground.k is not None:
         return ground.k
     assert ground.selvadurai is not None
@@ -67,3 +91,115 @@ def surfaces_of(ground: Soil | Column) -> int:
     if isinstance(ground, Column):
         return ground.surfaces
     return len(ground.layers) if ground.way == "interface" else 1
+
+
+def _table(ground: AnyGround, model: Model) -> Array:
+    """Return the table of a described ground."""
+    if isinstance(ground, Winkler):
+        return np.array([[winkler_modulus(ground, model), 0.0]])
+    if isinstance(ground, Pasternak):
+        return np.array([[ground.k0, ground.k1]])
+    given = [[layer.k0, layer.k1] for layer in ground.layers if isinstance(layer, InterfaceLayer)]
+    return np.array(given) if given else _table_of_soil(ground.layers)
+
+
+def _table_of_soil(layers: tuple[SoilLayer | InterfaceLayer, ...]) -> Array:
+    soil = [layer_of(layer) for layer in layers if isinstance(layer, SoilLayer)]
+    return np.array([[layer.thickness, *layer.moduli, layer.nu] for layer in soil])
+
+
+def _tables(model: Model) -> list[Array]:
+    """Return the tables of the boreholes, or of the ground and then of its zones."""
+    if model.boreholes:
+        return [_table_of_soil(hole.layers) for hole in model.boreholes]
+    return [_table(ground, model) for ground in (model.ground, *(zone.ground for zone in model.soil_zones))]
+
+
+def _made(ground: AnyGround, table: Array) -> Soil | Column:
+    """Return the ground of a table, or of those of many columns, by the rules of the described one."""
+    if table.shape[-1] == 2:
+        return interface_stack(table[..., 0], table[..., 1])
+    layers = tuple(_layers(table))
+    assert isinstance(ground, Vlasov | Layered)
+    if isinstance(ground, Layered) and ground.coupling == "consistent":
+        return consistent_stack(sublayers(ground, layers))
+    printed = ground.formulas == "as printed"
+    gamma = None if ground.gamma == "iterate" else float(ground.gamma)
+    if isinstance(ground, Layered):
+        return Soil(layers, "interface", printed, gamma)
+    by_profile = ground.mode == "profile" or (ground.mode == "auto" and len(layers) > 1)
+    return Soil(layers, "profile" if by_profile else "sinh", printed, gamma)
+
+
+def _layers(table: Array) -> list[Layer]:
+    """Return the layers of a table (..., L, 5)."""
+    return [Layer(h, (c0, c1, c2), nu) for h, c0, c1, c2, nu in np.moveaxis(table, (-2, -1), (0, 1))]
+
+
+def sublayers(ground: Layered, layers: tuple[Layer, ...]) -> list[Layer]:
+    """Return the layers of a consistent stack, each split into the sublayers that the described ground wants."""
+    soil = [layer for layer in ground.layers if isinstance(layer, SoilLayer)]
+    return [part for layer, own in zip(soil, layers, strict=True) for part in own.split(layer.sublayers)]
+
+
+def _constants(ground: AnyGround, table: Array) -> tuple[Array, Array]:
+    """Return k0 and k1 (..., L) of a table whose ground has constants without gamma."""
+    if table.shape[-1] == 2:
+        return table[..., 0], table[..., 1]
+    assert isinstance(ground, Layered)
+    k0, k1 = zip(*(part.stiffnesses for part in sublayers(ground, tuple(_layers(table)))), strict=True)
+    return np.stack(k0, axis=-1), np.stack(k1, axis=-1)
+
+
+def _columns_under(model: Model, mesh: Mesh) -> tuple[Array, Integers]:
+    """Return the tables (c, L, ...) that differ under a mesh, and which of them each element has (m,)."""
+    centres = mesh.nodes[mesh.elements[:, 8]]
+    tables = np.stack(_tables(model))
+    if model.boreholes:
+        by_element = _between_boreholes(model.boreholes, tables, centres)
+    else:
+        by_element = tables[_zone_at(model.soil_zones, centres, ARC_CHORD * max(model.plate.sides))]
+    rows, of = np.unique(by_element.reshape(len(centres), -1), axis=0, return_inverse=True)
+    return rows.reshape(-1, *tables.shape[1:]), of.ravel()
+
+
+def _share(of: Integers, columns: int, mesh: Mesh, plate_elements: Integers) -> Array:
+    """Return the part of the plate's area on each column (c,)."""
+    area = areas(mesh.xy[plate_elements])
+    on_each: Array = np.bincount(of[plate_elements], weights=area, minlength=columns) / area.sum()
+    return on_each
+
+
+def _zone_at(zones: tuple[SoilZone, ...], places: Array, tolerance: float) -> Integers:
+    """Return at each place (p, 2) the number of the last zone that covers it, its border included; 0 if none does."""
+    import shapely
+
+    found = np.zeros(len(places), dtype=np.int64)
+    for number, zone in enumerate(zones, start=1):
+        found[shapely.intersects_xy(zone.shape.ring().polygon(tolerance), places[:, 0], places[:, 1])] = number
+    return found
+
+
+def _between_boreholes(holes: tuple[Borehole, ...], tables: Array, places: Array) -> Array:
+    """Return the tables (p, L, 5) at places (p, 2), interpolated between those of the boreholes (h, L, 5)."""
+    known = np.array([(hole.x, hole.y) for hole in holes])
+    found = interpolated(known, tables.reshape(len(holes), -1), places).reshape(len(places), *tables.shape[1:])
+    found[..., 4] = np.where(np.abs(found[..., 4]) < ROUNDING, 0.0, found[..., 4])
+    thickness, E, nu = found[..., 0], found[..., 1], found[..., 4]
+    E_bottom = found[..., 1:4].sum(axis=-1)
+    faults: list[Fault] = []
+    checks: list[tuple[str, Array, Flags, str, str]] = [
+        ("thickness", thickness, thickness > 0, "m", "above 0"),
+        ("E", E, E > 0, "Pa", "above 0"),
+        ("E_bottom", E_bottom, E_bottom > 0, "Pa", "above 0"),
+        ("nu", nu, (nu >= 0) & (nu < 0.5), "", "at least 0 and below 0.5"),
+    ]
+    for name, values, right, unit, expected in checks:
+        for layer in np.flatnonzero(~right.all(axis=0)):
+            place = right[:, layer].argmin()
+            got = f"{name} = {values[place, layer]:.4g} {unit}".rstrip()
+            where = f"layer {layer + 1} at {at(tuple(places[place]))} m"
+            faults.append(Fault("boreholes", f"{got} of {where}, between boreholes", expected, "add a borehole there"))
+    if faults:
+        raise InputError(faults)
+    return found

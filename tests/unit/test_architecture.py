@@ -45,6 +45,7 @@ FLOORS = [
         "plate",
         "ground",
         "vlasov",
+        "between",
         "assembly",
         "linear",
         "contact",

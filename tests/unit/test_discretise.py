@@ -403,7 +403,8 @@ def test_selvadurais_modulus(E: float, k: float) -> None:
         ground=Winkler(selvadurai=Selvadurai(E=E, depth=10.0)),
         loads=[UniformLoad(q=1.0)],
     )
-    assert winkler_modulus(described) == pytest.approx(k, abs=60.0)
+    assert isinstance(described.ground, Winkler)
+    assert winkler_modulus(described.ground, described) == pytest.approx(k, abs=60.0)
 
 
 def test_ground_becomes_column_or_soil() -> None:
@@ -441,7 +442,7 @@ def test_sublayers_are_the_parts_of_their_layer() -> None:
             SoilLayer(E=20e6, nu=0.2, thickness=1.0),
         ],
     )
-    parts = rooms.consistent_parts(ground)
+    parts = rooms.sublayers(ground, tuple(rooms.layer_of(layer) for layer in ground.layers))
     assert [part.thickness for part in parts] == pytest.approx([2.0, 2.0, 2.0, 1.0])
     ends = [(float(part.E(np.array(0.0))), float(part.E(np.array(1.0)))) for part in parts]
     np.testing.assert_allclose(ends, [(40e6, 60e6), (60e6, 80e6), (80e6, 100e6), (20e6, 20e6)])
