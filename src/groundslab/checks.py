@@ -215,7 +215,7 @@ def _carried(s: System, U: Array, column: Column, inner: Array) -> float:
     problem = s.problem
     w = surface_settlement(problem, U)
     volume = s.blocks.mass.sum(axis=1)[s.blocks.ground_kind]  # int N over each element
-    base = np.einsum("...ij,jea,ea->e", column.A0, w[:, problem.mesh.elements], volume).sum()
+    base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
     beyond = np.setdiff1d(np.arange(len(w[0])), problem.plate_nodes)
     fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)
     edge = -(inner[:, TOP:] * fixed)[beyond].sum()

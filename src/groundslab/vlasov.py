@@ -222,8 +222,10 @@ class Soil:
 
     def gammas(self, gamma: float) -> Values:
         """Return the gamma of each column (c,) where the soil varies."""
-        if self.share is None or self.gamma is not None:
+        if self.share is None:
             return gamma
+        if self.gamma is not None:
+            return np.full(len(self.share), gamma)
         lengths = self.depth * np.sqrt(self._ratio)
         return gamma * (lengths / (self.share @ lengths))
 
