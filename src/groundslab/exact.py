@@ -121,6 +121,50 @@ def confined_compression(q: float, h: float, E_top: float, E_bottom: float, nu: 
     return q * h * math.log(E_bottom / E_top) / (constrained * (E_bottom - E_top))
 
 
+def wedge(x: float, length: float, q: float, h_left: float, h_right: float, E: float, nu: float) -> float:
+    """Return the settlement [m] of a layer whose thickness h grows evenly over a length, x from its middle.
+
+    Under a pressure q [Pa] the settlement falls evenly over the depth, so that k0 = Ec / h and k1 = G h / 3. Then
+    Ec w / h - (G h w' / 3)' = q is an Euler-Cauchy equation in h: w = c h + A h^p + B h^-p with c = q / (Ec - G s^2/3),
+    s = h' and p^2 = 3 Ec / (G s^2); at both ends the ground is free, w' = 0.
+    """
+    slope = (h_right - h_left) / length
+    Ec, G = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
+    c, p = q / (Ec - G * slope**2 / 3), math.sqrt(3 * Ec / G) / abs(slope)
+
+    def powers(h: float) -> tuple[float, float]:
+        return (h / h_right) ** p, (h_left / h) ** p
+
+    slopes = [[p / h * powers(h)[0], -p / h * powers(h)[1]] for h in (h_left, h_right)]
+    amplitudes = np.linalg.solve(np.array(slopes), [-c, -c])
+    h = (h_left + h_right) / 2 + slope * x
+    return float(c * h + amplitudes @ powers(h))
+
+
+def strip_on_two_springs(
+    x: float, t: float, E: float, factor: float, q: float, k_left: float, k_right: float
+) -> dict[str, float]:
+    """Return settlement [m] and moment [N m/m] of an endless Mindlin strip with nu = 0 on springs that change at x = 0.
+
+    Far off w = q / k. In the rest w = a exp(r x), D r^4 - (D k / S) r^2 + k = 0, beta = r w - k w / (S r),
+    M = -D r beta and Q = k w / r, with the two roots that die out on each side; w, beta, M and Q are the same at x = 0.
+    """
+    D, S = E * t**3 / 12, factor * E / 2 * t
+
+    def modes(k: float, side: float) -> tuple[np.ndarray, np.ndarray]:
+        root = np.sqrt(np.roots([D, -D * k / S, k]).astype(complex))
+        r = -side * root * np.sign(root.real)
+        beta = r - k / (S * r)
+        return r, np.array([np.ones(2), beta, -D * r * beta, k / r])
+
+    (r_left, left), (r_right, right) = modes(k_left, -1.0), modes(k_right, 1.0)
+    step = np.array([q / k_right - q / k_left, 0.0, 0.0, 0.0])
+    a = np.linalg.solve(np.hstack([left, -right]), step)
+    r, all_of, a, k = (r_left, left, a[:2], k_left) if x < 0 else (r_right, right, a[2:], k_right)
+    w, _, M, _ = (all_of @ (a * np.exp(r * x))).real
+    return {"settlement": float(q / k + w), "moment": float(M)}
+
+
 #: What a case file may name as `exact`: quantity-valued functions of the row's and the case's arguments.
 FORMULAS: dict[str, Callable[..., float]] = {
     "navier settlement": lambda **given: navier(**given)["settlement"],
@@ -141,4 +185,7 @@ FORMULAS: dict[str, Callable[..., float]] = {
     "rigid plate on springs": rigid_plate_on_springs,
     "rigid strip": rigid_strip,
     "confined compression": confined_compression,
+    "wedge": wedge,
+    "strip on two springs settlement": lambda **given: strip_on_two_springs(**given)["settlement"],
+    "strip on two springs moment": lambda **given: strip_on_two_springs(**given)["moment"],
 }

@@ -227,6 +227,14 @@ def _ground_reaches(ground: AnyGround, beyond: Beyond) -> Iterator[Finding]:
             yield Finding(place, got, '"none" or "margin": without shear a layer ends with the plate', mend)
 
 
+def _zones_reach(soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[Finding]:
+    for position, zone in enumerate(soil_zones if beyond.kind == "infinite" else ()):
+        layers = zone.ground.layers if isinstance(zone.ground, Layered) else (zone.ground,)
+        if any(isinstance(layer, Pasternak | InterfaceLayer) and layer.k1 == 0 for layer in layers):
+            expected = "k1 above 0, as the ground beyond is infinite"
+            yield Finding(("soil_zones", position, "ground"), "k1 = 0", expected)
+
+
 def _voids_on_plate(plate: Plate, contact: Contact) -> Iterator[Finding]:
     return voids_on_plate(plate, contact.voids)
 
@@ -305,6 +313,7 @@ class Model(Part):
 
     checks: ClassVar[tuple[Check, ...]] = (
         _ground_reaches,
+        _zones_reach,
         loads_on_plate,
         _voids_on_plate,
         _few_elements,
