@@ -22,7 +22,7 @@ from groundslab.exact import FORMULAS
 from groundslab.model import Model, SoilLayer
 from groundslab.proofs import PROOFS
 from groundslab.results import Results
-from groundslab.subsoil import ground_of
+from groundslab.subsoil import ground_of, varies
 from groundslab.vlasov import Soil
 
 if TYPE_CHECKING:
@@ -200,8 +200,9 @@ def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Resul
 def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., Results]) -> float:
     """Return the row's quantity in SI units; k0 and k1 for a given gamma need no solution."""
     if row["quantity"] in ("k0", "k1"):
-        ground = ground_of(model_of(case, row["model"]))
-        if isinstance(ground, Soil) and ground.gamma is not None:
+        model = model_of(case, row["model"])
+        ground = ground_of(model)
+        if isinstance(ground, Soil) and ground.gamma is not None and not varies(model):
             return float(
                 ground.layer_parameters(ground.gamma)[("k0", "k1").index(row["quantity"])][row.get("layer", 1) - 1]
             )

@@ -194,8 +194,8 @@ class Soil:
     """Soil whose k0 and k1 follow from gamma: one sinh mode, a profile's own mode, or interface layers.
 
     Where the soil varies over the plan its layers hold c columns, and gamma is their mean, weighted by the plate's area
-    on each: a settlement has one decay, from which each column has its own gamma (docs/theory.md, ground that varies).
-    A given gamma is that of every column.
+    on each: a settlement has one decay, from which each column has its own gamma. A given gamma is that of
+    every column. See docs/theory.md, ground that varies over the plan.
     """
 
     layers: tuple[Layer, ...]

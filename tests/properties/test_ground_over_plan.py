@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from groundslab.analysis import solve
-from groundslab.errors import GroundslabError
+from groundslab.errors import GroundslabError, InputError
 from groundslab.model import (
     Beyond,
     Borehole,
@@ -162,6 +162,37 @@ def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model
     else:
         assert results.certificate.holds
         assert np.isfinite(results.plate.settlement).all()
+
+
+@settings(max_examples=60, deadline=None, derandomize=True, database=None)
+@given(
+    st.sampled_from(["consistent", "profile", "vlasov", "interface of soil", "given gamma"]),
+    st.lists(
+        st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(0.2, 5.0), st.floats(0.5, 2.0)),
+        min_size=2,
+        max_size=6,
+        unique_by=lambda hole: hole[:2],
+    ),
+    st.sampled_from(["none", "infinite"]),
+)
+def test_boreholes_anywhere(name: str, places: list[tuple[float, float, float, float]], beyond: Any) -> None:
+    """However boreholes lie and differ, the result is certified, unless a layer ends between them."""
+    ground = GROUNDS[name]
+    holes = [
+        Borehole(
+            x=x, y=y, layers=[each.replace(thickness=each.thickness * h) for each in times(ground, stiffness).layers]
+        )
+        for x, y, stiffness, h in places
+    ]
+    described = model(ground, boreholes=holes, beyond=Beyond(kind=beyond), mesh=Mesh(counts=(6, 4)))
+    try:
+        results = solve(described)
+    except InputError as error:
+        faults = error.faults
+    else:
+        assert results.certificate.holds
+        return
+    assert {fault.where for fault in faults} == {"boreholes"}
 
 
 @settings(max_examples=20, deadline=None, derandomize=True, database=None)
