@@ -8,16 +8,15 @@ import math
 import numpy as np
 
 from groundslab import contact
+from groundslab.between import interpolated
 from groundslab.contact import Bearings
 from groundslab.errors import Fault, InputError
 from groundslab.layout import Layout
-from groundslab.mesh import SIDES
+from groundslab.mesh import SAME_PLACE, sides_along
 from groundslab.model import LineSupport, Model, PointSupport, SettlementLoad, Void
 from groundslab.problem import BETA_X, BETA_Y, TOP, Bearing, W, nodal_area
 from groundslab.shape import Array, Flags, Integers
 
-#: Places closer than this, relative to the plate, are the same.
-SAME_PLACE = 1e-9
 #: Arcs of voids are replaced by chords at most this far off, relative to the plate.
 ARC_CHORD = 1e-6
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
@@ -43,6 +42,9 @@ def initial_gap(model: Model, plan: Layout, finest: bool) -> tuple[Array, Flags]
     if faults:
         raise InputError(faults)
     gap[under] += extra
+    if model.contact.gaps:
+        known = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
+        gap[under] += interpolated(known[:, :2], known[:, 2:], plan.mesh.nodes[under])[:, 0]
     return gap, cavity
 
 
@@ -177,14 +179,14 @@ def node_at(plan: Layout, x: float, y: float) -> int:
     under = np.unique(plan.mesh.elements[plan.plate_elements])
     distance = np.linalg.norm(plan.mesh.nodes[under] - [x, y], axis=1)
     nearest = int(np.argmin(distance))
-    if distance[nearest] > _near(plan):
+    if distance[nearest] > 10 * SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max():
         raise InputError([Fault("supports", f"no node at ({x:g}, {y:g}) m", "a mesh that meets every support")])
     return int(under[nearest])
 
 
 def nodes_along(plan: Layout, support: LineSupport) -> tuple[Integers, Array]:
     """Return the nodes along a line support, and the length that belongs to each [m]."""
-    sides = sides_along(plan, support)
+    sides = sides_along(plan.mesh, plan.mesh.elements[plan.plate_elements], list(itertools.pairwise(support.points)))
     length = np.linalg.norm(plan.mesh.nodes[sides[:, 1]] - plan.mesh.nodes[sides[:, 0]], axis=1)
     lengths = np.zeros(len(plan.mesh.nodes))
     np.add.at(lengths, sides, length[:, None] * SIMPSON)
@@ -194,29 +196,3 @@ def nodes_along(plan: Layout, support: LineSupport) -> tuple[Integers, Array]:
         raise InputError([Fault("supports", got, "a mesh that meets every support")])
     nodes = np.flatnonzero(lengths)
     return nodes, lengths[nodes]
-
-
-def sides_along(plan: Layout, support: LineSupport) -> Integers:
-    """Return the sides (k, 3: end, end, middle) of plate elements along a line support, each once."""
-    sides = plan.mesh.elements[plan.plate_elements][:, SIDES].reshape(-1, 3)
-    sides = sides[np.unique(sides[:, 2], return_index=True)[1]]
-    place, near = plan.mesh.nodes[sides], _near(plan)
-    found = []
-    for a, b in itertools.pairwise(np.array(support.points)):
-        length = float(np.linalg.norm(b - a))
-        along = (b - a) / length
-        part = (place - a) @ along
-        off = np.abs((place - a) @ np.array([-along[1], along[0]]))
-        found.append(sides[((off <= near) & (part >= -near) & (part <= length + near)).all(axis=1)])
-    return np.concatenate(found)
-
-
-def walls(model: Model, plan: Layout) -> Integers:
-    """Return the sides (k, 3) along all line supports."""
-    along = [sides_along(plan, support) for support in model.supports if isinstance(support, LineSupport)]
-    return np.concatenate([np.zeros((0, 3), dtype=np.int64), *along])
-
-
-def _near(plan: Layout) -> float:
-    """Return how far off a place that the mesh meets may be [m]."""
-    return 10 * SAME_PLACE * float(np.ptp(plan.mesh.nodes, axis=0).max())

@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab import plate
 from groundslab.assembly import number
-from groundslab.bearing import fixed_nodes, ground_bearing, initial_gap, joined, support_bearing, walls
+from groundslab.bearing import fixed_nodes, ground_bearing, initial_gap, joined, support_bearing
 from groundslab.errors import Fault, InputError
 from groundslab.layout import AXIS, OUTWARD, Layout, layout
 from groundslab.loading import loadings, materials
@@ -52,7 +52,6 @@ def discretise(model: Model, coarsening: int = 0, margin: float = 1.0) -> Proble
         tensionless=model.contact.tensionless,
         edges=edges,
         corners=corners,
-        walls=walls(model, plan),
         symmetry=plan.symmetry,
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,10 @@ SIDES = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
 MIRRORED = np.array([1, 0, 3, 2, 4, 7, 6, 5, 8])
 #: A point this far outside an element, relative to its size, still counts as in it.
 NEAR = 1e-9
+#: Places closer than this, relative to the mesh, are the same.
+SAME_PLACE = 1e-9
+
+Place = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,6 +143,23 @@ def sides_on_boundary(elements: Integers) -> Integers:
     _, first, count = np.unique(sides[:, 2], return_index=True, return_counts=True)
     boundary: Integers = sides[first[count == 1]]
     return boundary
+
+
+def sides_along(mesh: Mesh, elements: Integers, lines: Sequence[tuple[Place, Place]]) -> Integers:
+    """Return the sides (s, 3: end, end, middle) of some elements (m, 9) that lie on straight lines, each once."""
+    sides = elements[:, SIDES].reshape(-1, 3)
+    sides = sides[np.unique(sides[:, 2], return_index=True)[1]]
+    place = mesh.nodes[sides]
+    near = 10 * SAME_PLACE * float(np.ptp(mesh.nodes, axis=0).max())
+    on_any = np.zeros(len(sides), dtype=bool)
+    for start, end in lines:
+        a, b = np.array(start), np.array(end)
+        length = float(np.linalg.norm(b - a))
+        along = (b - a) / length
+        part, off = (place - a) @ along, np.abs((place - a) @ np.array([-along[1], along[0]]))
+        on_any |= ((off <= near) & (part >= -near) & (part <= length + near)).all(axis=1)
+    found: Integers = sides[on_any]
+    return found
 
 
 def elimination_order(mesh: Mesh) -> Integers:

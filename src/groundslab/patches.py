@@ -7,6 +7,7 @@ No patch reaches over an edge of the mesh, so a mesh whose parts do not share no
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +26,9 @@ _DEFINITE = 1e-4
 _NEAR = np.array([[corner, 4 + corner, 4 + (corner - 1) % 4, 8] for corner in range(4)])
 _SHARE = np.array([1.0, 1 / 2, 1 / 2, 1 / 4])
 _CHUNK = 8192
+#: Share of the values' scatter in a patch that its fit leaves over: up to the first the fit counts alone, from the
+#: second on the elements extrapolate by themselves, between them a mixture.
+SMOOTH, ROUGH = 0.05, 0.15
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +39,7 @@ class _Fits:
     centre: Array  # (V, 2) [m]
     L: Array  # (V, 3) [m]: L_xx, L_yx, L_yy, the lower triangle of the points' covariance
     coefficients: Array  # (V, 9, k)
+    doubt: Array  # (V, k): 0 where the fit is good, 1 where it is worth nothing
 
 
 def extrapolation() -> Array:
@@ -45,20 +50,24 @@ def extrapolation() -> Array:
     return bilinear
 
 
-def nodal(nodes: Array, elements: Integers, points: Array, values: Array) -> Array:
+def nodal(nodes: Array, elements: Integers, points: Array, values: Array, sizes: Sequence[Array]) -> Array:
     """Return values (n, k) at the nodes from values (m, 4, k) at the elements' 2 x 2 Gauss points (m, 4, 2) [m].
 
-    nodes (n, 2) [m], elements (m, 9). A corner node inside has the polynomial fitted to the elements that meet there;
-    one on the edge, where points lie on one side only, takes the mean of those of its neighbours inside (Zienkiewicz
-    and Zhu 1992): at the other end of an element's side, else across an element. Midside nodes and centres are means
-    of their corners' polynomials. Where there is no neighbour inside, as in a strip one element wide, each element
-    extrapolates bilinearly, and the nodes take the mean of its elements.
+    nodes (n, 2) [m], elements (m, 9). Each of sizes (k,) weighs the squares of values that belong together, such as the
+    components of a tensor, 0 for the others.
+
+    A corner node inside has the polynomial fitted to the elements that meet there; one on the edge, where points lie on
+    one side only, takes the mean of those of its neighbours inside (Zienkiewicz and Zhu 1992): at the other end of an
+    element's side, else across an element. Midside nodes and centres are means of their corners' polynomials. Where
+    there is no neighbour inside, as in a strip one element wide, each element extrapolates bilinearly, and the nodes
+    take the mean of its elements. So they do as far as a fit leaves too much over (SMOOTH, ROUGH): no polynomial may
+    smear a peak.
     """
     vertices, corner = np.unique(elements[:, :4], return_inverse=True)
     corner = corner.reshape(-1, 4)
     inside = np.ones(len(nodes), dtype=bool)
     inside[sides_on_boundary(elements)[:, :2]] = False
-    fits = _fits(nodes[elements[:, :4]], corner, inside[vertices], points, values)
+    fits = _fits(nodes[elements[:, :4]], corner, inside[vertices], points, values, sizes)
     first, source = _sources(corner, fits.known)
 
     n, k = len(nodes), values.shape[2]
@@ -76,7 +85,9 @@ def nodal(nodes: Array, elements: Integers, points: Array, values: Array) -> Arr
             for turn in range(count.max(initial=0)):
                 those = np.flatnonzero(count > turn)
                 x = nodes[elements[part][those[:, None], near]]
-                at = _polynomial(fits, source[first[vertex[those]] + turn], x)
+                which = source[first[vertex[those]] + turn]
+                doubt = fits.doubt[which][:, None]
+                at = (1 - doubt) * _polynomial(fits, which, x) + doubt * (extrapolate[near] @ values[part][those])
                 at_nodes[those[:, None], near] += (_SHARE / count[those, None])[..., None] * at
         sums += np.column_stack([scatter(elements[part], at_nodes[..., i], n) for i in range(k)])
     meeting = np.bincount(elements.ravel(), minlength=n)
@@ -84,7 +95,7 @@ def nodal(nodes: Array, elements: Integers, points: Array, values: Array) -> Arr
     return mean
 
 
-def _fits(xy: Array, corner: Integers, inside: Flags, points: Array, values: Array) -> _Fits:
+def _fits(xy: Array, corner: Integers, inside: Flags, points: Array, values: Array, sizes: Sequence[Array]) -> _Fits:
     """Return the fits around the corner nodes inside; xy (m, 4, 2) are the corners, corner (m, 4) their numbers.
 
     Quadratic; biquadratic where all elements are rectangles along x and y, whose points make rows and columns. That
@@ -92,7 +103,7 @@ def _fits(xy: Array, corner: Integers, inside: Flags, points: Array, values: Arr
     """
     V, k = len(inside), values.shape[2]
     known, centre, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
-    coefficients = np.zeros((V, len(_POWERS), k))
+    coefficients, doubt = np.zeros((V, len(_POWERS), k)), np.zeros((V, k))
     meeting = np.bincount(corner.ravel(), minlength=V)
     order = np.argsort(corner.ravel(), kind="stable") // 4
     first = np.cumsum(meeting) - meeting
@@ -109,8 +120,9 @@ def _fits(xy: Array, corner: Integers, inside: Flags, points: Array, values: Arr
                 v = where[part]
                 x = points[which[part]].reshape(len(v), -1, 2)
                 f = values[which[part]].reshape(len(v), -1, k)
-                known[v], centre[v], L[v], coefficients[v, :terms] = _least_squares(x, f, terms)
-    return _Fits(known, centre, L, coefficients)
+                known[v], centre[v], L[v], coefficients[v, :terms], rest = _least_squares(x, f, terms)
+                doubt[v] = _doubt(f, rest, sizes)
+    return _Fits(known, centre, L, coefficients, doubt)
 
 
 def _rectangles(xy: Array) -> Flags:
@@ -121,8 +133,21 @@ def _rectangles(xy: Array) -> Flags:
     return oblong
 
 
-def _least_squares(x: Array, f: Array, terms: int) -> tuple[Flags, Array, Array, Array]:
-    """Return whether the points x (P, p, 2) determine it, and centre, L and coefficients of the fit to f (P, p, k).
+def _doubt(f: Array, rest: Array, sizes: Sequence[Array]) -> Array:
+    """Return how little fits to f (P, p, k) that leave a rest (P, p, k) are worth, from 0 to 1, (P, k)."""
+    scatter_of, left = ((part**2).sum(axis=1) for part in (f - f.mean(axis=1, keepdims=True), rest))
+    whole = (f**2).sum(axis=1)
+    doubt = np.zeros((len(f), f.shape[2]))
+    for size in sizes:
+        # of a constant nothing but rounding is left over
+        spread = scatter_of @ size + 1e-16 * (whole @ size) + np.finfo(float).tiny
+        share = np.clip((np.sqrt(left @ size / spread) - SMOOTH) / (ROUGH - SMOOTH), 0.0, 1.0)
+        doubt[:, size > 0] = share[:, None]
+    return doubt
+
+
+def _least_squares(x: Array, f: Array, terms: int) -> tuple[Flags, Array, Array, Array, Array]:
+    """Return whether points x (P, p, 2) determine it, and centre, L, coefficients, rest of the fit to f (P, p, k).
 
     In coordinates whose covariance is the identity, so that the answer does not depend on how a patch is stretched.
     """
@@ -140,7 +165,7 @@ def _least_squares(x: Array, f: Array, terms: int) -> tuple[Flags, Array, Array,
     known = eigenvalues[:, 0] > _DEFINITE * eigenvalues[:, -1]
     normal[~known] = np.eye(terms)
     coefficients = np.linalg.solve(normal, transposed @ f).astype(np.float64, copy=False)
-    return known, centre, L, coefficients
+    return known, centre, L, coefficients, f - A @ coefficients
 
 
 def _terms(x: Array, centre: Array, L: Array) -> Array:

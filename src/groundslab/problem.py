@@ -70,7 +70,6 @@ class Problem:
     tensionless: bool
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
-    walls: Integers  # (k, 3): end, end and middle node of each side of an element along a line support
     symmetry: tuple[bool, bool]
 
     @property

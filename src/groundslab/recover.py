@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab import patches, plate
+from groundslab.assembly import scatter
 from groundslab.checks import ground_forces, left_over
+from groundslab.creases import apart, loaded, walls
 from groundslab.loadcases import Combination
-from groundslab.mesh import SIDES, Mesh, mirror, row_by_row, sides_on_boundary
+from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
 from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
@@ -23,6 +25,8 @@ ODD = (
 )
 #: What is recovered from the Gauss points, in the order of plate.section_forces.
 FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+#: Weights of their squares in the size of the moment tensor, and of the shear force, in any direction alike.
+SIZES = (np.array([1.0, 1.0, 2.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0, 1.0]))
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
 XI_TURNED = np.array([2, 3, 0, 1])
 
@@ -37,7 +41,7 @@ def recover(
 ) -> Results:
     """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
     problem = solution.system.problem
-    mesh, fields = _plate_fields(solution)
+    mesh, fields = _plate_fields(model, solution)
     mesh, fields = _whole(mesh, fields, problem.symmetry)
     in_contact, on_edge = (fields.pop(name) > 0 for name in ("in_contact", "on_edge"))
     surfaces = surface_settlement(problem, solution.U)
@@ -107,10 +111,11 @@ def _whole(mesh: Mesh, fields: dict[str, Array], symmetry: tuple[bool, bool]) ->
     return mesh, {name: field[old] for name, field in fields.items()}
 
 
-def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
+def _plate_fields(model: Model, solution: Solution) -> tuple[Mesh, dict[str, Array]]:
     """Return the meshed part of the plate and its fields (n,), flags as 0 and 1.
 
-    A node on the border of two sections stands once for each, so that nothing is averaged across the border.
+    A node on the border of two sections, or along a line support, stands once for each side, so that nothing is
+    averaged across.
     """
     s, U = solution.system, solution.U
     problem = s.problem
@@ -137,56 +142,25 @@ def _plate_fields(solution: Solution) -> tuple[Mesh, dict[str, Array]]:
         "on_edge": _on_edge(problem),
     }
 
-    mesh, node = _by_section(problem)
+    supported = walls(model, problem)
+    mesh, node = _by_section(problem, supported)
+    smooth, _ = _by_section(problem, np.concatenate([supported, loaded(model, problem)]))
     fields = {name: field[node] for name, field in fields.items()}
     fields["area"] = nodal_area(mesh, np.arange(len(mesh.elements)))
-    return mesh, fields | _section_forces(problem, U, mesh)
+    return mesh, fields | _section_forces(problem, U, mesh, smooth)
 
 
-def _by_section(problem: Problem) -> tuple[Mesh, Integers]:
+def _by_section(problem: Problem, creases: Integers) -> tuple[Mesh, Integers]:
     """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was.
 
-    Nodes along line supports stand once for each side, since moments kink and shear forces jump there.
+    Nodes along creases (k, 3) stand once for each side, so that nothing is averaged across them.
     """
     elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
     key = elements + n * problem.section[:, None]
-    if len(problem.walls):
-        key = key + n * len(problem.bending) * _side_of_walls(elements, problem.walls, n)
+    if len(creases):
+        key = key + n * len(problem.bending) * apart(elements, creases, n)
     keys, own = np.unique(key, return_inverse=True)
     return Mesh(problem.mesh.nodes[keys % n], own.reshape(elements.shape)), keys % n
-
-
-def _side_of_walls(elements: Integers, walls: Integers, n: int) -> Integers:
-    """Return a number (m, 9) that tells apart, at each node on a wall, the elements on different sides of it.
-
-    Elements round such a node belong together if one comes from one to the other without crossing a wall (k, 3: sides).
-    """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    on_wall = np.zeros(n, dtype=bool)
-    on_wall[walls] = True
-    number = np.full(elements.shape, -1)
-    meets = on_wall[elements]
-    count = int(meets.sum())
-    number[meets] = np.arange(count)
-    sides = elements[:, SIDES]  # (m, 4, 3)
-    owner, which = np.nonzero(on_wall[sides].any(axis=2) & ~np.isin(sides[..., 2], walls[:, 2]))
-    order = np.argsort(sides[owner, which, 2], kind="stable")
-    owner, which = owner[order], which[order]
-    pair = np.flatnonzero(np.diff(sides[owner, which, 2]) == 0)
-    one, other = pair, pair + 1
-    links = [np.zeros((2, 0), dtype=np.int64)]
-    for end in range(3):
-        at_one = number[owner[one], SIDES[which[one], end]]
-        # two neighbours run along their common side in opposite directions
-        at_other = number[owner[other], SIDES[which[other], (1, 0, 2)[end]]]
-        links.append(np.vstack([at_one, at_other])[:, at_one >= 0])
-    row, column = np.concatenate(links, axis=1)
-    _, label = connected_components(coo_array((np.ones(len(row)), (row, column)), shape=(count, count)), directed=False)
-    result = np.zeros(elements.shape, dtype=np.int64)
-    result[meets] = label
-    return result
 
 
 def _on_edge(problem: Problem) -> Array:
@@ -222,18 +196,20 @@ def centre_forces(problem: Problem, U: Array) -> Array:
     return centres
 
 
-def _section_forces(problem: Problem, U: Array, mesh: Mesh) -> dict[str, Array]:
-    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, recovered section by section.
+def _section_forces(problem: Problem, U: Array, mesh: Mesh, smooth: Mesh) -> dict[str, Array]:
+    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, recovered part by part.
 
-    From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992).
+    From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992) in the parts of the
+    mesh in which they are smooth, whose nodes stand apart; nodes that are one in the mesh take the mean.
     """
     points, values = q9(gauss(2)[0])[0] @ mesh.xy, gauss_forces(problem, U)
-    n = len(mesh.nodes)
+    parts, n = smooth, len(mesh.nodes)
     for axis in (0, 1):
         if problem.symmetry[axis]:
-            mesh, points, values = _beyond_the_line(mesh, points, values, axis)
-    at_nodes = patches.nodal(mesh.nodes, mesh.elements, points, values)[:n]
-    return {name: at_nodes[:, i] for i, name in enumerate(FORCES)}
+            parts, points, values = _beyond_the_line(parts, points, values, axis)
+    at_nodes = patches.nodal(parts.nodes, parts.elements, points, values, SIZES)[smooth.elements]
+    meeting = np.bincount(mesh.elements.ravel(), minlength=n)
+    return {name: scatter(mesh.elements, at_nodes[..., i], n) / meeting for i, name in enumerate(FORCES)}
 
 
 def _beyond_the_line(mesh: Mesh, points: Array, values: Array, axis: int) -> tuple[Mesh, Array, Array]:

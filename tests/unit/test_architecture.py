@@ -59,7 +59,7 @@ FLOORS = [
         "envelope",
     ],
     ["subsoil", "layout", "loading", "bearing", "discretise"],
-    ["statics", "solution", "checks", "recover", "analysis", "sections", "punching", "tilt"],
+    ["statics", "solution", "checks", "creases", "recover", "analysis", "sections", "punching", "tilt"],
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases"],
     ["views", "study"],
     ["cli", "__main__"],

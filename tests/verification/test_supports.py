@@ -126,9 +126,7 @@ def test_an_elastic_restraint_turns_by_its_moment() -> None:
     K, K_r = 1e8, 5e7
     support = pile(0.0, 0.0, stiffness=K, rotational_stiffness=K_r)
     load = [{"kind": "point", "P": 1e5, "M_x": 2e4, "M_y": -1e4, "x": 0.0, "y": 0.0}]
-    results = certified(
-        solve(raft(E=1e13, ground=AIR, loads=load, supports=[support], contact={"tensionless": False}))
-    )
+    results = certified(solve(raft(E=1e13, ground=AIR, loads=load, supports=[support], contact={"tensionless": False})))
     w = 1e5 / K + results.plate.nodes @ (np.array([2e4, -1e4]) / K_r)
     np.testing.assert_allclose(results.plate.settlement, w, rtol=1e-3, atol=1e-7)
     np.testing.assert_allclose(
