@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -60,6 +60,19 @@ class _Level:
     symbolic: Symbolic
 
 
+@dataclass(slots=True)
+class _Ladder:
+    """The nested meshes of a model up to one of them, kept while there are further combinations to solve."""
+
+    model: Model
+    solver: Solver
+    finest: int  # how often the mesh that is asked for is coarsened
+    margin: float  # by which the meshed strip of ground beyond is widened
+    keep: bool
+    levels: dict[int, _Level] = field(default_factory=dict)
+    last: Solution | None = None  # of the combination before
+
+
 class _Far(Exception):
     """The start is too far from the solution."""
 
@@ -101,8 +114,11 @@ def solve_combinations(model: Model, on_step: OnStep | None = None) -> Combined:
 def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -> Iterator[Results | GroundslabError]:
     """Yield for each combination its results, or why it has none."""
     name, solver = linear.choose(model.analysis.solver)
-    levels: dict[int, _Level] = {}
-    before: Solution | None = None
+    several = len(wanted) > 1
+    ladder = _Ladder(model, solver, 0, 1.0, several)
+    # the effect of the margin is judged on the next coarser mesh, where it costs little
+    level = min(1, coarsest(model))
+    margins = [_Ladder(model, solver, level, margin, several) for margin in (1.0, 2.0)]
     for combination in wanted:
         steps: list[Step] = []
 
@@ -113,11 +129,8 @@ def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -
 
         factors = _factors(model, combination)
         try:
-            solution = _from_before(model, levels, factors, before, report) if before is not None else None
-            if solution is None:
-                solution = _nested(model, solver, report, 0, 1.0, factors, levels if len(wanted) > 1 else None)
-            before = solution
-            effect = _margin_effect(model, solver, factors) if model.beyond.kind == "infinite" else None
+            solution = _climb(ladder, factors, report)
+            effect = _margin_effect(margins, factors) if model.beyond.kind == "infinite" else None
             results = recover(model, combination, solution, certificate(solution, effect), tuple(steps), name)
             yield results if results.certificate.holds else NotCertified(results)
         except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
@@ -131,48 +144,48 @@ def _factors(model: Model, combination: Combination) -> Array:
     return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])
 
 
-def _from_before(
-    model: Model, levels: dict[int, _Level], factors: Array, before: Solution, report: OnStep
-) -> Solution | None:
+def _climb(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
+    """Return the solution for factors of the load cases: from the last one, or from the coarsest mesh upwards."""
+    solution = None
+    if ladder.last is not None and ladder.model.analysis.increments == 1:
+        solution = _from_before(ladder, ladder.last, factors, report)
+    if solution is None:
+        solution = _nested(ladder, factors, report)
+    ladder.last = solution if ladder.keep else None
+    return solution
+
+
+def _from_before(ladder: _Ladder, before: Solution, factors: Array, report: OnStep) -> Solution | None:
     """Return the solution for other factors, started from one on the same mesh; None if that is too far away."""
-    if model.analysis.increments > 1:
-        return None
-    level = levels[0]
+    level = ladder.levels[ladder.finest]
     s = replace(level.system, problem=level.system.problem.under(factors))
     require_equilibrium(s.problem)
     try:
-        return _equilibrium(model, s, level.symbolic, 1.0, before, report, True, None, FAR)
+        return _equilibrium(ladder.model, s, level.symbolic, 1.0, before, report, ladder.finest == 0, None, FAR)
     except _Far:
         return None
 
 
-def _nested(
-    model: Model,
-    solver: Solver,
-    report: OnStep,
-    finest: int,
-    margin: float,
-    factors: Array,
-    levels: dict[int, _Level] | None = None,
-) -> Solution:
-    """Return the solution on the mesh coarsened `finest` times, reached from the coarsest mesh upwards.
-
-    What the combinations have in common on each mesh is kept in levels, if given, and taken from there.
-    """
-    before: list[Solution] = []
-    for coarsening in range(max(coarsest(model), finest), finest - 1, -1):
-        level = levels.get(coarsening) if levels is not None else None
-        if level is None:
-            problem = discretise(model, coarsening, margin)
-            require_equilibrium(problem.under(factors))
-            s = system(problem)
-            level = _Level(s, linear.Remembering(solver(s.pattern.indptr, s.pattern.indices)))
-            if levels is not None:
-                levels[coarsening] = level
+def _nested(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
+    """Return the solution on the ladder's finest mesh, reached from the coarsest one upwards."""
+    model, before = ladder.model, list[Solution]()
+    for coarsening in range(max(coarsest(model), ladder.finest), ladder.finest - 1, -1):
+        level = ladder.levels.get(coarsening) or _level(ladder, coarsening, factors)
         s = replace(level.system, problem=level.system.problem.under(factors))
         require_equilibrium(s.problem)
-        before = _increments(model, s, level.symbolic, before, report, coarsening == finest)
+        before = _increments(model, s, level.symbolic, before, report, coarsening == ladder.finest)
     return before[-1]
+
+
+def _level(ladder: _Ladder, coarsening: int, factors: Array) -> _Level:
+    """Return one of the ladder's meshes with its system, made now, once the load is known to have an equilibrium."""
+    problem = discretise(ladder.model, coarsening, ladder.margin)
+    require_equilibrium(problem.under(factors))
+    s = system(problem)
+    level = _Level(s, linear.Remembering(ladder.solver(s.pattern.indptr, s.pattern.indices)))
+    if ladder.keep:
+        ladder.levels[coarsening] = level
+    return level
 
 
 def _increments(
@@ -311,14 +324,8 @@ def _states(start: Solution | None, problem: Problem) -> Integers:
     return state
 
 
-def _margin_effect(model: Model, solver: Solver, factors: Array) -> float:
-    """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively.
-
-    Judged on the next coarser mesh, where it costs little.
-    """
-    level = min(1, coarsest(model))
-    largest, unheard = [], list[Step]()
-    for margin in (1.0, 2.0):
-        solution = _nested(model, solver, unheard.append, level, margin, factors)
-        largest.append(np.abs(solution.U[:, 0]).max())
+def _margin_effect(margins: list[_Ladder], factors: Array) -> float:
+    """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively."""
+    unheard = list[Step]()
+    largest = [np.abs(_climb(ladder, factors, unheard.append).U[:, W]).max() for ladder in margins]
     return float(abs(largest[1] - largest[0]) / max(largest)) if any(largest) else 0.0
