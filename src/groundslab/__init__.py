@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from groundslab.analysis import solve
+    from groundslab.analysis import solve, solve_combinations
     from groundslab.casefile import load
     from groundslab.errors import GroundslabError, InputError, NoEquilibrium, NotCertified, NotConverged
     from groundslab.model import (
@@ -43,7 +43,8 @@ if TYPE_CHECKING:
         Winkler,
         Zone,
     )
-    from groundslab.results import Results
+    from groundslab.results import Combined, Results
+    from groundslab.tables import tables_of
 
 __version__ = "0.1.0"
 
@@ -52,6 +53,7 @@ __all__ = [
     "AreaLoad",
     "Beyond",
     "Circle",
+    "Combined",
     "Contact",
     "Edges",
     "GroundslabError",
@@ -82,6 +84,8 @@ __all__ = [
     "__version__",
     "load",
     "solve",
+    "solve_combinations",
+    "tables_of",
 ]
 
 #: Where the public names live that are not in ``model``.
@@ -91,9 +95,12 @@ _HOME = {
     "NoEquilibrium": "errors",
     "NotCertified": "errors",
     "NotConverged": "errors",
+    "Combined": "results",
     "Results": "results",
     "load": "casefile",
     "solve": "analysis",
+    "solve_combinations": "analysis",
+    "tables_of": "tables",
 }
 
 

@@ -60,13 +60,13 @@ FLOORS = [
     ],
     ["subsoil", "layout", "loading", "bearing", "discretise"],
     ["statics", "solution", "checks", "creases", "recover", "analysis", "sections", "punching", "tilt"],
-    ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases"],
+    ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
     ["views", "study"],
     ["cli", "__main__"],
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 DESCRIPTION = {"model", "schema", "keys", "findings", "reference", "soil", "casefile", "results"}
-HEAVY = {"matplotlib", "meshio", "rich", "pint", "scipy", "pypardiso", "ezdxf", "gmsh", "netgen", "shapely"}
+HEAVY = {"matplotlib", "meshio", "rich", "pint", "scipy", "pypardiso", "ezdxf", "gmsh", "netgen", "shapely", "pandas"}
 
 
 def name_of(path: Path) -> str:

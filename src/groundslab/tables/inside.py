@@ -1,0 +1,111 @@
+"""The loads that act on a part of the plate, case by case."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab import loads
+from groundslab.actions import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
+from groundslab.mesh import Mesh
+from groundslab.model import Model
+from groundslab.results import PlateResult, Results
+from groundslab.shape import Array
+from groundslab.tables.thickness import of_elements
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+#: Arcs are replaced by chords at most this far off, relative to the plate.
+CHORD = 1e-6
+
+
+def of_column(model: Model, name: str) -> dict[str, float]:
+    """Return the sum of the point loads that name a column [N], by load case."""
+    force: dict[str, float] = defaultdict(float)
+    for load in model.loads:
+        if isinstance(load, PointLoad) and load.column == name:
+            force[load.case] += load.P
+    return force
+
+
+def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict[str, float]:
+    """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
+    mesh, chord = Mesh(plate.nodes, plate.elements), CHORD * max(model.plate.sides)
+    elements = np.arange(len(mesh.elements))
+    force: dict[str, float] = defaultdict(float)
+    for load in model.loads:
+        if isinstance(load, UniformLoad):
+            force[load.case] += float(loads.over_polygon(mesh, elements, part, _pressure(load)).sum())
+        elif isinstance(load, PatchLoad | AreaLoad):
+            for piece in _pieces(part, load.drawn(chord)):
+                force[load.case] += float(loads.over_polygon(mesh, elements, piece, _pressure(load)).sum())
+        elif isinstance(load, SelfWeight):
+            volume = loads.over_polygon(mesh, elements, part).sum(axis=1) @ of_elements(model, plate)
+            force[load.case] += float(load.unit_weight * volume)
+        elif isinstance(load, LineLoad):
+            force[load.case] += _on_line(load, part)
+        elif isinstance(load, PointLoad) and load.column != column:
+            force[load.case] += _on_footprint(load.on(model.columns), part, chord)
+    return force
+
+
+def under(results: Results, force: Mapping[str, float]) -> float:
+    """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
+    factors = dict(results.factors) if results.model.cases else {"": 1.0}
+    return sum(factors.get(case, 0.0) * each for case, each in force.items())
+
+
+def _pressure(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
+    """Return the pressure [Pa] of a load as a function of places (..., 2)."""
+    slope, about, (xx, xy, yy) = np.array(load.slope), np.array(load.about), load.bend
+
+    def pressure(places: Array) -> Array:
+        r = places - about
+        x, y = r[..., 0], r[..., 1]
+        q: Array = load.q + r @ slope + (xx * x * x + 2 * xy * x * y + yy * y * y) / 2
+        return q
+
+    return pressure
+
+
+def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
+    """Return the polygons that two areas have in common."""
+    from shapely import get_parts, intersection
+
+    return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
+
+
+def _on_line(load: LineLoad, part: Polygon) -> float:
+    """Return the force [N] of a line load, linear over its whole length, on a part of the plate."""
+    from shapely import LineString, get_parts, intersection
+
+    ends = load.q, load.q if load.q_end is None else load.q_end
+    total, force, start = LineString(load.points).length, 0.0, 0.0
+    for a, b in pairwise(load.points):
+        leg = LineString([a, b])
+        for piece in get_parts(intersection(leg, part)):
+            if piece.length > 0:
+                middle = start + leg.project(piece.centroid)
+                force += piece.length * (ends[0] + (ends[1] - ends[0]) * middle / total)
+        start += leg.length
+    return float(force)
+
+
+def _on_footprint(load: PointLoad, part: Polygon, chord: float) -> float:
+    """Return the force [N] of a point load on a part of the plate, by its pressure where it has a footprint."""
+    place = load.drawn(chord)
+    if place.geom_type == "Point":
+        return load.P if part.covers(place) else 0.0
+    centre, inertia = loads.inertia(place)
+    slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
+    force = 0.0
+    for piece in _pieces(part, place):
+        lever = np.array(piece.centroid.coords[0]) - centre
+        force += float((load.P / place.area + lever @ slope) * piece.area)
+    return force

@@ -1,0 +1,114 @@
+"""Tables of whole combinations: what was solved, extremes of all fields, tilt."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.loadcases import Combination
+from groundslab.results import Combined, Results
+from groundslab.tables.quantities import extreme, holds_line_force, nodal, place, ranged, solved
+from groundslab.tables.table import Cell, Table, table_of
+from groundslab.tilt import tilt
+
+EDGE_NOTE = (
+    "The ground's shear gathers in a line force along the plate's edge. At edge nodes the pressure also holds this "
+    "force, spread over the node's area; it grows as the mesh is refined."
+)
+
+
+def combinations(combined: Combined) -> Table:
+    """Return what each combination is made of, and its first figures, or why it has none."""
+    heads = [
+        ("combination", ""), ("limit state", ""), ("loads", ""), ("outcome", ""),
+        ("sum of loads", "kN"), ("reaction", "kN"), ("largest settlement", "mm"), ("largest uplift", "mm"),
+        ("area in contact", "%"), ("largest pressure", "kPa"), ("largest pressure at edge nodes", "kPa"),
+        ("worst figure of the certificate", ""), ("which figure", ""),
+    ]  # fmt: skip
+    rows = []
+    for each in combined.combinations:
+        words: list[Cell] = [each.name, each.limit_state, factors(combined, each)]
+        if each.name in combined.results:
+            rows.append([*words, "solved", *_figures(combined.results[each.name])])
+        else:
+            why = " ".join(str(combined.refused[each.name]).split())
+            rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 4)])
+    notes = ["The figures of the certificate are ratios; a result counts if none is above 1e-6."]
+    if any(holds_line_force(each) for each in combined.results.values()):
+        notes.append(EDGE_NOTE)
+    return table_of("combinations", "Combinations", heads, rows, notes)
+
+
+def factors(combined: Combined, combination: Combination) -> str:
+    """Return what a combination is made of, as in "1.35 G + 1.5 Q"."""
+    if not combined.model.cases:
+        return "all loads"
+    text = ""
+    for name, factor in combination.factors:
+        if factor != 0:
+            joint = (" - " if factor < 0 else " + ") if text else ("-" if factor < 0 else "")
+            text += f"{joint}{abs(factor):g} {name}"
+    return text
+
+
+def _figures(results: Results) -> list[Cell]:
+    """Return the figures of one combination, in the order of the table."""
+    plate, certificate = results.plate, results.certificate
+    edge = plate.on_edge if holds_line_force(results) else np.zeros_like(plate.on_edge)
+    inside = float(plate.pressure[~edge].max() / 1e3) if (~edge).any() else None
+    at_edge = float(plate.pressure[edge].max() / 1e3) if edge.any() else None
+    which, worst = max(certificate.must_vanish().items(), key=lambda figure: figure[1])
+    return [
+        certificate.load / 1e3,
+        certificate.reaction / 1e3,
+        float(plate.settlement.max() * 1e3),
+        max(0.0, float(-plate.settlement.min() * 1e3)),
+        float(plate.area[plate.in_contact].sum() / plate.area.sum() * 100),
+        inside,
+        at_edge,
+        worst,
+        which,
+    ]
+
+
+def extremes(combined: Combined) -> Table:
+    """Return the least and the greatest value of every quantity in each combination, with their places."""
+    heads = [
+        ("combination", ""), ("quantity", ""), ("unit", ""),
+        ("least", ""), ("x of the least", "m"), ("y of the least", "m"),
+        ("greatest", ""), ("x of the greatest", "m"), ("y of the greatest", "m"),
+    ]  # fmt: skip
+    rows = []
+    for results in solved(combined):
+        for about, name, where in ranged(results):
+            nodes, values = results.plate.nodes[where], nodal(results, name)[where]
+            row: list[Cell] = [results.combination, about.label, about.unit]
+            for sign in (-1, 1):
+                node = extreme(nodes, values, sign)
+                row += [float(values[node]), *place(nodes, node)]
+            rows.append(row)
+    notes = [
+        "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",
+        "Under a point load without a footprint, moments and shear forces grow as the mesh is refined.",
+    ]
+    if any(holds_line_force(each) for each in combined.results.values()):
+        notes.append(EDGE_NOTE)
+    return table_of("extremes", "Extremes of each combination", heads, rows, notes)
+
+
+def tilts(combined: Combined) -> Table:
+    """Return the plane that fits the settlement of each combination best, and how far the plate is off it."""
+    heads = [
+        ("combination", ""), ("mean settlement", "mm"), ("tilt along x", "mm/m"), ("tilt along y", "mm/m"),
+        ("tilt", "mm/m"), ("direction of the tilt from x", "deg"),
+        ("largest deflection", "mm"), ("x of the deflection", "m"), ("y of the deflection", "m"),
+    ]  # fmt: skip
+    rows = []
+    for results in solved(combined):
+        t = tilt(results.plate)
+        slopes = [t.tilt_x * 1e3, t.tilt_y * 1e3, t.tilt * 1e3, float(np.degrees(t.direction))]
+        rows.append([results.combination, t.settlement * 1e3, *slopes, t.deflection * 1e3, *t.place])
+    notes = [
+        "Of the plane that fits best, weighed by area. The plate goes down in the direction of the tilt.",
+        "Deflections are settlements less the plane's.",
+    ]
+    return table_of("tilt", "Tilt of the plate as a whole", heads, rows, notes)

@@ -1,0 +1,117 @@
+"""A light table: named columns with units, as CSV text and as a pandas.DataFrame."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from groundslab.errors import Fault, InputError
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: What a table holds: words, numbers, or None where there is nothing to say.
+Cell = str | float | int | None
+#: Name and unit of a column; no unit for words, counts and ratios.
+Head = tuple[str, str]
+
+#: Significant digits of numbers in CSV files.
+DIGITS = 7
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column of a table: its name, the unit of its values (may be empty), the values from the top downwards."""
+
+    name: str
+    unit: str
+    values: tuple[Cell, ...]
+
+    @property
+    def header(self) -> str:
+        """Return name and unit, as in "settlement w [mm]"."""
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Columns of one length under names of their own; the notes say what a reader must know about them."""
+
+    name: str
+    title: str
+    columns: tuple[Column, ...]
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Refuse columns of different lengths and names that stand twice."""
+        if len({len(column.values) for column in self.columns}) > 1:
+            raise ValueError(f"the columns of {self.name} differ in length")
+        if len({column.name for column in self.columns}) < len(self.columns):
+            raise ValueError(f"a column's name stands twice in {self.name}")
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self.columns[0].values) if self.columns else 0
+
+    def __getitem__(self, name: str) -> tuple[Cell, ...]:
+        """Return the values of a column by its name without unit; KeyError if there is none."""
+        for column in self.columns:
+            if column.name == name:
+                return column.values
+        raise KeyError(name)
+
+    def rows(self) -> list[tuple[Cell, ...]]:
+        """Return the values row by row."""
+        return list(zip(*(column.values for column in self.columns), strict=True))
+
+    def csv(self) -> str:
+        """Return the table as CSV: a header line with units, then one line a row, numbers with seven digits."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([column.header for column in self.columns])
+        writer.writerows([_written(value) for value in row] for row in self.rows())
+        return text.getvalue()
+
+    def frame(self) -> pd.DataFrame:
+        """Return the table as a pandas.DataFrame with all digits; its columns are called by name and unit."""
+        try:
+            import pandas as pd
+        except ImportError:
+            expected = "pandas, which makes a DataFrame of a table"
+            mend = "pip install groundslab[tables]; .csv() does without it"
+            raise InputError([Fault("pandas", "nothing that can be imported", expected, mend)]) from None
+        return pd.DataFrame({column.header: pd.Series(_alike(column.values)) for column in self.columns})
+
+
+def table_of(
+    name: str, title: str, heads: Sequence[Head], rows: Iterable[Sequence[Any]], notes: Sequence[str] = ()
+) -> Table:
+    """Return a table from its rows; NumPy's numbers become Python's."""
+    plain = [[_plain(value) for value in row] for row in rows]
+    columns = list(zip(*plain, strict=True)) if plain else [()] * len(heads)
+    made = (Column(name, unit, values) for (name, unit), values in zip(heads, columns, strict=True))
+    return Table(name, title, tuple(made), tuple(notes))
+
+
+def _plain(value: Any) -> Cell:
+    """Return a cell as one of Python's own types, no zero of it negative."""
+    found: Cell = value.item() if hasattr(value, "item") else value
+    return found + 0.0 if isinstance(found, float) else found
+
+
+def _written(value: Cell) -> str:
+    """Return a cell as text for a CSV file."""
+    if value is None:
+        return ""
+    return f"{value:.{DIGITS}g}" if isinstance(value, float) else str(value)
+
+
+def _alike(values: tuple[Cell, ...]) -> Any:
+    """Return values for pandas: numbers with gaps as floats, a gap being no number; all else as it is."""
+    gaps = any(value is None for value in values)
+    if gaps and not any(isinstance(value, str) for value in values):
+        return [float("nan") if value is None else value for value in values]
+    return list(values)
