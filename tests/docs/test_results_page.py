@@ -1,0 +1,49 @@
+"""docs/results.md is held to the tables: every column with its unit, no other."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from groundslab.loadcases import combinations_of
+from groundslab.model import Model
+from groundslab.results import Combined
+from groundslab.tables import tables_of
+from groundslab.tables.quantities import LISTED
+
+PAGE = (Path(__file__).resolve().parents[2] / "docs" / "results.md").read_text(encoding="utf-8")
+ROW = re.compile(r"^\| ([^|]+?) \|(?: ([^|]*?) ?)?\| ", re.MULTILINE)
+QUANTITIES = [about.head for about in LISTED.values()]
+
+
+def explained(heading: str) -> list[tuple[str, str]]:
+    """Return name and unit of each column that a section explains, in its order."""
+    (section,) = re.findall(rf"^## {heading}\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL)
+    rows = [(name, unit.strip()) for name, unit in ROW.findall(section)]
+    return [row for row in rows if row != ("column", "unit") and set(row[0]) != {"-"}]
+
+
+def test_every_column_is_explained() -> None:
+    """Each table's section lists its columns in order with their units; quantities have a section of their own."""
+    model = Model(
+        plate={"length_x": 4, "length_y": 4, "thickness": 0.3, "E": 30e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 20e6},
+        loads=[{"kind": "uniform", "q": 1e3}],
+        supports=[{"kind": "point", "x": 0, "y": 0}],
+        columns=[{"name": "A", "x": 0, "y": 0, "diameter": 0.4}],
+        output={
+            "points": [{"name": "P", "x": 0, "y": 0}],
+            "lines": [{"name": "L", "start": (0, 0), "end": (1, 0)}],
+            "strips": [{"name": "S", "start": (0, 0), "end": (1, 0), "width": 1}],
+        },
+        reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+    )
+    tables = tables_of(Combined(model, combinations_of(model), {}, {"all loads": Exception("not solved")}))
+    assert len(tables) == 10
+    assert explained("Quantities") == QUANTITIES
+    for table in tables:
+        columns = [(column.name, column.unit) for column in table.columns]
+        if table.name in ("points", "lines"):
+            assert columns[-len(QUANTITIES) :] == QUANTITIES
+            columns = columns[: -len(QUANTITIES)]
+        assert explained(table.name) == columns, table.name
