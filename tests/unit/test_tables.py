@@ -11,8 +11,9 @@ from shapely import box
 
 import groundslab
 from groundslab.errors import InputError, NoEquilibrium
+from groundslab.loadcases import combinations_of
 from groundslab.model import Model
-from groundslab.results import Combined, PlateResult, Results, SupportResult
+from groundslab.results import Combined, SupportResult
 from groundslab.tables import Table, fields_of_envelope, inside, tables_of, thickness
 from groundslab.tables.quantities import AMOUNTS, LISTED
 from groundslab.tables.table import table_of
@@ -22,9 +23,9 @@ from synthetic import LENGTH_X, LENGTH_Y, results
 
 CASES = [{"name": "G"}, {"name": "Q", "action": "variable"}]
 COMBINATIONS = [
+    {"name": "lifted", "factors": {"Q": -2.0}},
     {"name": "most", "factors": {"G": 1.35, "Q": 1.5}},
     {"name": "least", "factors": {"G": 1.0, "Q": -0.5}},
-    {"name": "lifted", "factors": {"Q": -2.0}},
     {"name": "in use", "limit_state": "characteristic", "factors": {"G": 1.0, "Q": 1.0}},
 ]
 STEEL = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ("40 mm", "50 mm"), "top": ("30 mm", "45 mm")}
@@ -78,8 +79,8 @@ def test_what_is_not_asked_for_has_no_table() -> None:
 def test_combinations() -> None:
     """Factors as text, the certificate's figures, settlement, uplift, share in contact; why one is refused."""
     found = table("combinations", combined())
-    assert found["combination"] == ("most", "least", "lifted", "in use")
-    assert found["loads"] == ("1.35 G + 1.5 Q", "1 G - 0.5 Q", "-2 Q", "1 G + 1 Q")
+    assert found["combination"] == ("lifted", "most", "least", "in use")
+    assert found["loads"] == ("-2 Q", "1.35 G + 1.5 Q", "1 G - 0.5 Q", "1 G + 1 Q")
     most, lifted = row(found, combination="most"), row(found, combination="lifted")
     assert most["outcome"] == "solved"
     assert (most["sum of loads"], most["reaction"]) == (5760, 5760)
@@ -98,11 +99,14 @@ def test_without_cases_all_loads_act() -> None:
     """A model without cases has one combination, whose factors are no cases' factors."""
     model = described(cases=[], combinations=[], loads=[{"kind": "uniform", "q": 1e3}])
     one = results(model=model)
-    from groundslab.loadcases import combinations_of
-
     found = table("combinations", Combined(model, combinations_of(model), {"all loads": one}, {}))
     assert found["loads"] == ("all loads",)
     assert found["outcome"] == ("solved",)
+
+
+def test_no_uplift() -> None:
+    """A plate that settles everywhere has no uplift, not a negative one."""
+    assert row(table("combinations", combined(lifts=False)), combination="most")["largest uplift"] == 0
 
 
 def test_edge_line_force_stands_apart() -> None:
@@ -192,11 +196,15 @@ def test_lines_and_strips() -> None:
 
 
 def test_lines_that_miss_the_plate_are_named() -> None:
-    """A line or strip that meets the outline but none of the plate has no rows, and a note says so once."""
+    """A line or strip that meets the outline but no element has no rows, a note says so once; a point has no values."""
     wide = {"length_x": 20, "length_y": LENGTH_Y, "thickness": 0.4, "E": 30e9, "nu": 0.2}
     off = {"start": (6, 0), "end": (9, 0)}
     output = {"lines": [{"name": "off", **off}], "strips": [{"name": "off", "width": 1.0, **off}]}
-    of = combined(described(plate=wide, output=output))
+    points = [{"name": "on", "x": 4, "y": 0}, {"name": "off", "x": 9, "y": 0}]
+    of = combined(described(plate=wide, output=output | {"points": points}))
+    settlements = [row(table("points", of), combination="most", point=name)["settlement w"] for name in ("on", "off")]
+    assert settlements[0] is not None
+    assert settlements[1] is None
     for name, kind in (("lines", "line"), ("strips", "strip")):
         found = table(name, of)
         assert len(found) == 0
@@ -305,7 +313,7 @@ def test_punching_that_cannot_be_looked_at() -> None:
 def test_loads_on_a_part() -> None:
     """Every kind of load counts with what lies on the part, by its case; loads on the column itself do not."""
     loads = [
-        {"kind": "uniform", "q": 1e3, "slope": (100, 0), "about": (0, 0), "case": "G"},
+        {"kind": "uniform", "q": 1e3, "slope": (100, 0), "bend": (600, 0, 0), "about": (0, 0), "case": "G"},
         {"kind": "patch", "q": 2e3, "x": (0.5, 3), "y": (-1, 1), "case": "Q"},
         {"kind": "self weight", "unit_weight": 25e3, "case": "G"},
         {"kind": "line", "q": 10e3, "q_end": 30e3, "points": [(-2, 0), (0, 0), (2, 0)], "case": "Q"},
@@ -317,7 +325,8 @@ def test_loads_on_a_part() -> None:
     ]
     model = described(loads=loads, columns=COLUMNS[:1])
     found = inside.others(model, results(n=6).plate, box(-1, -1, 1, 1), "A")
-    assert found["G"] == pytest.approx(1e3 * 4 + 25e3 * 0.4 * 4)
+    # q bends: int 300 x^2 dA = 400 N
+    assert found["G"] == pytest.approx(1e3 * 4 + 400 + 25e3 * 0.4 * 4)
     # half of the footprint: its half of P, and of the moment int_0^0.5 12 M x dx = 1.5 M, taken off on the left
     footprint = 8e3 / 2 - 1.5e3
     # the line's force per length is 15 kN/m at x = -1 and 25 kN/m at x = 1
@@ -332,6 +341,21 @@ def test_thickness_by_zone() -> None:
     plate = {"outline": outline, "thickness": 0.4, "E": 30e9, "nu": 0.2, "zones": [zone]}
     found = thickness.of_nodes(described(plate=plate), plate_of(mesh))
     assert found.tolist() == np.where(right, 0.7, 0.4).tolist()
+
+
+def test_columns_on_two_thicknesses() -> None:
+    """A column across the border of two sections is checked with the thinner one."""
+    mesh, _ = parted(straight(), 2.0)
+    zone = {"shape": {"kind": "rectangle", "x": (2, 6), "y": (0, 4)}, "thickness": 0.7}
+    outline = {"kind": "rectangle", "x": (0, 6), "y": (0, 4)}
+    plate = {"outline": outline, "thickness": 0.4, "E": 30e9, "nu": 0.2, "zones": [zone]}
+    column = {"name": "K", "x": 2.0, "y": 2.0, "diameter": 0.4}
+    loads = [{"kind": "point", "column": "K", "P": "1 MN", "case": "G"}]
+    model = described(plate=plate, columns=[column], loads=loads, reinforcement=STEEL)
+    one = results(model=model, plate=plate_of(mesh), combination="most", factors=model.combinations[1].factors)
+    found = table("columns", Combined(model, model.combinations[1:2], {"most": one}, {}))
+    assert found["d"] == pytest.approx((400 - 45,))
+    assert found["V_Ed"] == pytest.approx((1350,))
 
 
 def bent(m_x: float) -> dict[str, Any]:
@@ -389,8 +413,8 @@ def test_fields_of_the_envelope() -> None:
     assert fields["ultimate greatest moment m_x [kNm/m]"] == pytest.approx(plate.moment_x / 1e3)
     assert fields["ultimate least moment m_x [kNm/m]"] == pytest.approx(-plate.moment_x / 500)
     loaded = plate.moment_x > 0
-    assert set(fields["ultimate combination of least moment m_x"][loaded]) == {1}
-    assert set(fields["ultimate combination of greatest moment m_x"]) == {0}
+    assert set(fields["ultimate combination of least moment m_x"][loaded]) == {2}
+    assert set(fields["ultimate combination of greatest moment m_x"]) == {1}
     assert set(fields["characteristic combination of greatest moment m_x"]) == {3}
     assert not [name for name in fields if name.startswith(("frequent", "quasi"))]
     assert all(values.shape == (len(plate.nodes),) for values in fields.values())
@@ -418,9 +442,7 @@ def test_all_refused() -> None:
 
 def test_names_are_those_of_the_files_for_paraview() -> None:
     """Columns are called as the arrays of plate.vtu are."""
-    one: Results = results()
-    assert isinstance(one.plate, PlateResult)
-    there = set(plate_mesh(one).point_data)
+    there = set(plate_mesh(results()).point_data)
     assert {about.name for about in LISTED.values()} <= there
     assert LISTED["settlement"].name == array_name("settlement") == "settlement w [mm]"
 
