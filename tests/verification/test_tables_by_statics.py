@@ -107,8 +107,8 @@ def test_strips_are_cuts(combined: Combined, tables: dict[str, Table]) -> None:
     right = plate.elements[plate.nodes[plate.elements[:, 8], 0] > 1]
     p, x = 20e3 * plate.settlement[right] * share, plate.nodes[right][..., 0]
     by_statics = load - p.sum() - pile["force"], moment + (p * (x - 1)).sum() + pile["force"] * 2
-    assert one["shear"] == pytest.approx(by_statics[0], rel=1e-4)
-    assert one["moment"] == pytest.approx(by_statics[1], rel=1e-4)
+    assert one["shear"] == pytest.approx(by_statics[0], rel=1e-3)
+    assert one["moment"] == pytest.approx(by_statics[1], rel=1e-3)
 
 
 def test_points_and_lines(combined: Combined, tables: dict[str, Table]) -> None:

@@ -69,11 +69,8 @@ class Table:
 
     def csv(self) -> str:
         """Return the table as CSV: a header line with units, then one line a row, numbers with seven digits."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([column.header for column in self.columns])
-        writer.writerows([_written(value) for value in row] for row in self.rows())
-        return text.getvalue()
+        header = [column.header for column in self.columns]
+        return "".join(map(_line, [header, *([_written(value) for value in row] for row in self.rows())]))
 
     def frame(self) -> pd.DataFrame:
         """Return the table as a pandas.DataFrame with all digits; its columns are called by name and unit."""
@@ -107,6 +104,15 @@ def _written(value: Cell) -> str:
     if value is None:
         return ""
     return f"{value:.{DIGITS}g}" if isinstance(value, float) else str(value)
+
+
+def _line(cells: list[str]) -> str:
+    """Return a line of a CSV file."""
+    text = io.StringIO()
+    # with this end of lines the writer quotes both of its letters, of which readers take either for an end
+    end = "\r\n"
+    csv.writer(text, lineterminator=end).writerow(cells)
+    return text.getvalue().removesuffix(end) + "\n"
 
 
 def _alike(values: tuple[Cell, ...]) -> Any:
