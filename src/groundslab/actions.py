@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, Protocol
 
 from pydantic import Discriminator, Tag
 
 from groundslab.columns import Column, footprint, one_footprint
-from groundslab.findings import Finding, quote, suggestion
+from groundslab.findings import Finding, describe, one_of, suggestion
 from groundslab.keys import Quantity, Several, Text
 from groundslab.outline import CHORD, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema import Check, Part, Table, kind_of
@@ -19,6 +20,7 @@ from groundslab.soil import POSITIVE
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
+NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
 ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
 
 LoadName = Annotated[str, Text("name of the load, for people")]
@@ -102,7 +104,7 @@ def _no_standstill(points: tuple[tuple[float, float], ...]) -> Iterator[Finding]
     if len(points) < 2:
         yield Finding(("points",), f"{len(points)} point", "at least two")
     for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
-        if a == b:
+        if math.dist(a, b) < NO_LENGTH:
             yield Finding(("points", position), f"({b[0]!r}, {b[1]!r}) m twice", "another place than the one before")
 
 
@@ -313,7 +315,13 @@ def _has_footprint(part: Placed) -> bool:
 
 def _on_shape(plate: Plate, part: Placed, place: tuple[str | int, ...], near: float) -> Iterator[Finding]:
     """Find a part that does not lie on the plate, be it within the rectangle around it."""
-    chord = CHORD * max(plate.sides)
+    expected = "a place on the plate, not in an opening nor beside the outline"
+    chord, (x0, x1, y0, y1), far = CHORD * max(plate.sides), plate.bounds, max(plate.sides)
+    # arcs drawn roughly: chords so short would be too many for what is so large
+    left, low, right, high = part.drawn(math.inf).bounds
+    if not (x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far):
+        yield Finding(place, "a part that reaches far off the plate", expected)
+        return
     outline, openings, loaded = plate.ring(), [opening.ring() for opening in plate.openings], part.drawn(chord)
     covered = outline.polygon(chord)
     for opening in openings:
@@ -321,7 +329,6 @@ def _on_shape(plate: Plate, part: Placed, place: tuple[str | int, ...], near: fl
     curved = not all(ring.straight for ring in (outline, *openings))
     if not covered.buffer(2 * chord if curved else near).covers(loaded):
         off = loaded.difference(covered).representative_point()
-        expected = "a place on the plate, not in an opening nor beside the outline"
         yield Finding(place, f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", expected)
 
 
@@ -337,9 +344,9 @@ def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...])
     names = [column.name for column in columns]
     for position, load in enumerate(loads):
         if isinstance(load, PointLoad) and load.column and load.column not in names:
-            expected = f"one of {', '.join(names[:20])}" if names else "a column, and [[columns]] that says where it is"
+            expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
             place = ("loads", position, "column")
-            yield Finding(place, quote(load.column), expected, suggestion(load.column, names))
+            yield Finding(place, describe(load.column), expected, suggestion(load.column, names))
 
 
 def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[Finding]:

@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 
 from groundslab.errors import Fault
 
+MOST_NAMES = 10  # told of those that a file has chosen
+
 
 def describe(value: object) -> str:
     """Return what a value is in at most about fifty characters, for messages."""
@@ -48,6 +50,12 @@ def listed(words: Iterable[str], last: str = "or") -> str:
     """Return words as a list for people: ``a, b or c``."""
     *most, end = words
     return f"{', '.join(most)} {last} {end}" if most else end
+
+
+def one_of(names: Sequence[str]) -> str:
+    """Return names that a file has chosen as a list for people: of many the first ten, long ones cut."""
+    more = [f"{len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
+    return listed([*map(describe, names[:MOST_NAMES]), *more])
 
 
 @dataclass(frozen=True, slots=True)

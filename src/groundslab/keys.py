@@ -427,13 +427,16 @@ class Factors(Key):
 
     def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:  # noqa: ARG002
         """Return the pairs of name and number; a tuple of pairs is taken as well."""
-        table = value
-        if isinstance(value, tuple) and all(isinstance(pair, tuple) and len(pair) == 2 for pair in value):
-            table = dict(value)
-        if not isinstance(table, Mapping) or not table or not all(isinstance(name, str) for name in table):
+        pairs = tuple(value.items()) if isinstance(value, Mapping) else value
+        sound = isinstance(pairs, tuple) and bool(pairs)
+        if not sound or not all(isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str)
+                                for pair in pairs):  # fmt: skip
             raise wrong(value, self.expected())
-        kept, findings = [], []
-        for name, number in table.items():
+        kept, findings, seen = [], [], set[str]()
+        for name, number in pairs:
+            if name in seen:
+                findings.append(Finding((name,), "a second factor", "one factor for each name"))
+            seen.add(name)
             try:
                 kept.append((name, _number(number, "a number", "")))
             except Wrong as error:

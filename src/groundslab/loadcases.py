@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from groundslab.findings import Finding, describe, listed, quote, suggestion
+from groundslab.errors import InputError
+from groundslab.findings import Finding, describe, one_of, suggestion
 from groundslab.keys import Choice, Factors, Number, Range, Several, Text
 from groundslab.schema import Check, Part
 
@@ -18,8 +19,16 @@ LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"
 SHARE = Range(at_least=0, at_most=1)
 
 
+def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[Finding]:
+    if action == "variable" and psi_2 > psi_1:
+        mend = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990, 4.1.3)"
+        yield Finding(("psi_2",), repr(psi_2), f"at most psi_1, {psi_1!r}", mend)
+
+
 class LoadCase(Part):
     """Loads that always act together."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_shares_fall,)
 
     name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
     action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
@@ -48,8 +57,19 @@ class Combination(Part):
     ]
 
 
+def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[Finding]:
+    for name, (most, least) in (("permanent", permanent), ("variable", variable)):
+        if least > most:
+            yield Finding((name,), f"[{most!r}, {least!r}]", "the unfavourable factor first, the larger one")
+    if variable[1] != 0:
+        mend = "variable actions that are favourable are left out (EN 1990, Table A1.2(B))"
+        yield Finding(("variable", 1), repr(variable[1]), "0", mend)
+
+
 class Combine(Part):
     """Which combinations are made from the cases by themselves, by EN 1990."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_factors_fall,)
 
     sets: Annotated[
         tuple[LimitState, ...],
@@ -82,8 +102,8 @@ def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadC
         if name is None or (not name and not names):
             continue
         if name not in names:
-            expected = listed(map(quote, names[:20])) if names else "no case, as there are no [[cases]]"
-            got = quote(name) if name else "no case"
+            expected = one_of(names) if names else "no case, as there are no [[cases]]"
+            got = describe(name) if name else "no case"
             yield Finding((part, position, key), got, expected, suggestion(name, names))
 
 
@@ -97,9 +117,38 @@ def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
         for name, _ in combination.factors:
             if name not in names:
                 place = ("combinations", position, "factors", name)
-                yield Finding(
-                    place, "a case that is not there", listed(map(quote, names[:20])), suggestion(name, names)
-                )
+                yield Finding(place, "a case that is not there", one_of(names), suggestion(name, names))
+
+
+def combine_makes(
+    combine: Combine | None, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...]
+) -> Iterator[Finding]:
+    """Find automatic combinations that cannot be made, are too many or none, or have the name of another one."""
+    if combine is None:
+        return
+    if not cases:
+        yield Finding(("combine",), "automatic combinations", "[[cases]] to combine")
+        return
+    named_well = [bool(case.name) and case.name == " ".join(case.name.split()) and "+" not in case.name.split()
+                  for case in cases]  # fmt: skip
+    for position, case in enumerate(cases):
+        if case.name and not named_well[position]:
+            mend = "without outer or double blanks and without a + standing alone"
+            yield Finding(("cases", position, "name"), describe(case.name), "a name that can stand in a sum", mend)
+    if not all(named_well) or len({case.name for case in cases}) < len(cases):
+        return
+    try:
+        made = {each.name for each in _made(combine, cases)}
+    except InputError as error:
+        for fault in error.faults:
+            yield Finding(("combine",), fault.got, fault.expected, fault.mend)
+        return
+    if not made:
+        yield Finding(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
+    for position, combination in enumerate(combinations):
+        if combination.name in made:
+            got = f"{describe(combination.name)}, which combine makes as well"
+            yield Finding(("combinations", position, "name"), got, "a name of its own")
 
 
 def combinations_of(model: Model) -> tuple[Combination, ...]:
@@ -116,8 +165,7 @@ def combinations_of(model: Model) -> tuple[Combination, ...]:
         return tuple(
             Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
         )
-    taken = {combination.name for combination in model.combinations}
-    return (*model.combinations, *(each for each in made if each.name not in taken))
+    return (*model.combinations, *made)
 
 
 def _made(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:
@@ -125,7 +173,12 @@ def _made(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, .
     from groundslab.combine import Action, combinations
     from groundslab.combine import Factors as Partial
 
-    actions = [Action(case.name, case.action, case.psi_0, case.psi_1, case.psi_2, case.group) for case in cases]
+    actions = [
+        Action(case.name, case.action, case.psi_0, case.psi_1, case.psi_2, case.group)
+        if case.action == "variable"
+        else Action(case.name, case.action)
+        for case in cases
+    ]
     partial = Partial(combine.permanent, combine.variable)
     return tuple(
         Combination(name=each.name, limit_state=each.limit_state, factors=each.factors)

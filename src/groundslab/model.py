@@ -31,9 +31,9 @@ from groundslab.actions import (
     voids_on_plate,
 )  # fmt: skip
 from groundslab.columns import Column
-from groundslab.findings import Finding, describe, listed, quote, suggestion
+from groundslab.findings import Finding, describe, listed, one_of, quote, suggestion
 from groundslab.keys import Choice, Flag, Quantity, Range, Several, Text, Whole
-from groundslab.loadcases import Combination, Combine, LoadCase, known_cases, known_factors
+from groundslab.loadcases import Combination, Combine, LoadCase, combine_makes, known_cases, known_factors
 from groundslab.outline import Circle, Polygon, Rectangle
 from groundslab.schema import Check, Part, Table
 from groundslab.slab import Edges, Plate, Zone
@@ -49,8 +49,16 @@ from groundslab.soil import (
     Vlasov,
     Winkler,
 )
-from groundslab.strata import Borehole, GapPoint, SoilZone, boreholes_match, zones_match
-from groundslab.supports import AnySupport, LineSupport, PointSupport, Support, lines_run, named_once
+from groundslab.strata import Borehole, GapPoint, SoilZone, boreholes_match, gaps_apart, zones_match
+from groundslab.supports import (
+    AnySupport,
+    LineSupport,
+    PointSupport,
+    Support,
+    lines_run,
+    named_once,
+    supports_far_off,
+)
 from groundslab.wanted import (
     Output,
     OutputLine,
@@ -144,7 +152,13 @@ def _ground_may_yield(tensionless: bool, limit_pressure: float | None) -> Iterat
 class Contact(Part):
     """Contact between plate and ground."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_gap_may_open, _void_may_open, _gaps_may_open, _ground_may_yield)
+    checks: ClassVar[tuple[Check, ...]] = (
+        _gap_may_open,
+        _void_may_open,
+        _gaps_may_open,
+        gaps_apart,
+        _ground_may_yield,
+    )
 
     tensionless: Annotated[bool, Flag("whether the plate may lift off")] = True
     gap: Annotated[float, Quantity("length", "g_0", "initial gap everywhere under the plate", Range(at_least=0))] = 0.0
@@ -255,11 +269,6 @@ def _known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase,
     yield from known_factors(combinations, cases)
 
 
-def _cases_to_combine(combine: Combine | None, cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
-    if combine is not None and not cases:
-        yield Finding(("combine",), "automatic combinations", "[[cases]] to combine")
-
-
 def _columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[Finding]:
     yield from named_once("columns", [column.name for column in columns], needed=True)
     for position, column in enumerate(columns):
@@ -270,19 +279,25 @@ def _supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterat
     """Find supports that cannot be met by a mesh."""
     yield from lines_run(supports)
     yield from named_once("supports", [support.name for support in supports], needed=False)
-    if not supports or any(lines_run(supports)):
+    far = list(supports_far_off(plate, supports))
+    yield from far
+    if not supports or far or any(lines_run(supports)):
         return
     from groundslab.unmeshable import faults
 
-    plan = plan_of_plate(plate, supports)
-    numbers = {
-        "points": [n for n, support in enumerate(supports) if isinstance(support, PointSupport)],
-        "lines": [n for n, support in enumerate(supports) if isinstance(support, LineSupport)],
-    }
-    for fault in faults(plan):
-        name, _, number = fault.where.removeprefix("plate.").rstrip("]").partition("[")
-        if name in numbers:
-            yield Finding(("supports", numbers[name][int(number) - 1]), fault.got, fault.expected, fault.mend)
+    points = [n for n, support in enumerate(supports) if isinstance(support, PointSupport)]
+    lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
+    called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}
+    called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}
+    for fault in faults(plan_of_plate(plate, supports)):
+        met = next((name for name in called if name in fault.got), None)
+        got = fault.got if met is None else fault.got.replace(met, f"supports[{called[met] + 1}]")
+        if fault.where in called:
+            yield Finding(("supports", called[fault.where]), got, fault.expected, fault.mend)
+        elif met is not None:
+            # what comes near or grazes another is told of the one or of the other; a zone meets a support, too
+            got = fault.got.replace(met, fault.where)
+            yield Finding(("supports", called[met]), got, fault.expected, fault.mend)
 
 
 def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring | None = None) -> Plan:
@@ -303,9 +318,9 @@ def _settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnyS
     names = [support.name for support in supports if support.name]
     for position, load in enumerate(loads):
         if isinstance(load, SettlementLoad) and load.support not in names:
-            expected = listed(map(quote, names[:20])) if names else "a support, and [[supports]] that says where it is"
+            expected = one_of(names) if names else "a support, and [[supports]] that says where it is"
             place = ("loads", position, "support")
-            yield Finding(place, quote(load.support), expected, suggestion(load.support, names))
+            yield Finding(place, describe(load.support), expected, suggestion(load.support, names))
 
 
 class Model(Part):
@@ -321,7 +336,7 @@ class Model(Part):
         _counts_fit,
         _known_cases,
         _known_factors,
-        _cases_to_combine,
+        combine_makes,
         _columns_on_plate,
         loads_have_a_column,
         _supports_on_plate,

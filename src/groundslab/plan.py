@@ -97,7 +97,9 @@ class Segment:
         """Return into how many chords the edge must be cut for them to be at most a tolerance [m] off it."""
         if self.straight or tolerance >= self.radius:
             return 1 if self.straight else max(2, math.ceil(abs(self.sweep) / 2))
-        return max(1, math.ceil(abs(self.sweep) / (2 * math.acos(1 - tolerance / self.radius))))
+        # half the angle of a chord is acos(1 - tolerance / radius), here so that small ones keep their digits
+        half = 2 * math.asin(math.sqrt(tolerance / self.radius / 2))
+        return max(1, math.ceil(abs(self.sweep) / (2 * half)))
 
 
 def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:

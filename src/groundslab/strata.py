@@ -89,6 +89,15 @@ def boreholes_match(
                 yield Finding(("boreholes", position), f"the place of boreholes[{other}]", "a place of its own")
 
 
+def gaps_apart(gaps: tuple[GapPoint, ...]) -> Iterator[Finding]:
+    """Find gaps that are given twice at one place."""
+    seen: dict[tuple[float, float], int] = {}
+    for position, point in enumerate(gaps):
+        first = seen.setdefault((point.x, point.y), position)
+        if first != position:
+            yield Finding(("gaps", position), f"the place of gaps[{first + 1}]", "a place of its own")
+
+
 class GapPoint(Part):
     """A place where the gap under the plate has been measured; between such places it is interpolated."""
 

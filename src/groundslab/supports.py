@@ -7,10 +7,11 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
-from groundslab.findings import Finding
+from groundslab.findings import Finding, describe
 from groundslab.keys import Choice, Quantity, Range, Several, Text
 from groundslab.outline import Place
 from groundslab.schema import Check, Part, Table, kind_of
+from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
 
 Acts = Literal["both ways", "in compression", "in tension"]
@@ -99,10 +100,22 @@ def lines_run(supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
             yield Finding(("supports", position, "points"), f"{len(support.points)} point", "at least two")
 
 
+def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+    """Find supports further off the plate than it is long, which no drawing of a plan need hold."""
+    x0, x1, y0, y1 = plate.bounds
+    far = max(plate.sides)
+    for position, support in enumerate(supports):
+        places = support.points if isinstance(support, LineSupport) else ((support.x, support.y),)
+        for x, y in places:
+            if not (x0 - far <= x <= x1 + far and y0 - far <= y <= y1 + far):
+                yield Finding(("supports", position), f"a place far off the plate, ({x:.6g}, {y:.6g}) m", "one on it")
+                break
+
+
 def named_once(part: str, names: list[str], needed: bool) -> Iterator[Finding]:
     """Find names that are empty though needed, or given twice, among the parts of a list."""
     for position, name in enumerate(names):
         if not name and needed:
             yield Finding((part, position, "name"), "no name", "a name")
         if name and name in names[:position]:
-            yield Finding((part, position, "name"), f'"{name}" again', "a name of its own")
+            yield Finding((part, position, "name"), f"{describe(name)} again", "a name of its own")

@@ -12,6 +12,7 @@ from groundslab.outline import Place
 from groundslab.schema import Check, Part, Table
 from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
+from groundslab.supports import named_once
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -58,8 +59,22 @@ class OutputStrip(Part):
     stations: Annotated[int, Whole("number of cuts across it, evenly spaced from start to end", at_least=2)] = 21
 
 
+def _points_named(points: tuple[OutputPoint, ...]) -> Iterator[Finding]:
+    yield from named_once("points", [point.name for point in points], needed=True)
+
+
+def _lines_named(lines: tuple[OutputLine, ...]) -> Iterator[Finding]:
+    yield from named_once("lines", [line.name for line in lines], needed=True)
+
+
+def _strips_named(strips: tuple[OutputStrip, ...]) -> Iterator[Finding]:
+    yield from named_once("strips", [strip.name for strip in strips], needed=True)
+
+
 class Output(Part):
     """Where values are listed."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_points_named, _lines_named, _strips_named)
 
     points: Annotated[tuple[OutputPoint, ...], Table("points at which all fields are listed")] = ()
     lines: Annotated[tuple[OutputLine, ...], Table("section lines along which all fields are listed")] = ()
