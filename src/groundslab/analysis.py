@@ -35,6 +35,8 @@ from groundslab.statics import require_equilibrium
 
 #: gamma is iterated until one more step would change it by less than this share.
 GAMMA_TOLERANCE = 1e-6
+#: A contact force this small against the largest nodal load is rounding: the ground is not touched.
+NOTHING = 1e-9
 #: On the coarser meshes gamma need only be good enough to start the next mesh.
 GAMMA_TOLERANCE_COARSE = 1e-3
 #: Below this gamma, k0 and k1 hardly depend on it any more; its change is then taken relative to this value.
@@ -262,7 +264,8 @@ def _equilibrium(
         U, c = solved(column, gamma)
         state = c.state
         # a plate that its supports carry over the ground leaves nothing to find gamma from
-        touches = c.closed[s.problem.bearing.support < 0].any() or not s.problem.tensionless
+        pushed = c.force[s.problem.bearing.support < 0].max(initial=0.0)
+        touches = pushed > NOTHING * np.abs(factor * s.problem.load).max() or not s.problem.tensionless
         found = ground.gamma_of(decay_squared(s, U, column)) if touches else gamma
         history.append((gamma, found))
         change = abs(found - gamma) / max(found, GAMMA_SMALL)
@@ -281,7 +284,7 @@ def next_gamma(history: list[tuple[float, float]], slope: float) -> float:
     gamma, found = history[-1]
     slope = _slope(history, slope)
     # slopes near or above one would throw the secant far off; then one plain step is taken
-    trial = gamma + (found - gamma) / (1 - slope) if slope < 0.8 else found
+    trial = gamma + (found - gamma) / (1 - slope) if slope < 0.98 else found
     trial = min(max(trial, gamma / 4), 4 * gamma)
     low = max((a for a, b in history if b > a), default=0.0)
     high = min((a for a, b in history if b < a), default=np.inf)
