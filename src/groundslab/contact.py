@@ -24,6 +24,9 @@ from groundslab.shape import Array, Flags, Indices, Integers
 SLACK = 1e-10
 #: Share of an unknown's own stiffness that a spring on it gets while the closed bearings do not hold the plate.
 WEAK = 1e-5
+#: A way that is more than so many times what a force as large as the largest load gives on an unknown's own stiffness
+#: is that of a plate that floats.
+ADRIFT = 1e11
 
 #: States of a bearing: it touches nothing, it bears, it has reached its capacity.
 OPEN, CLOSED, YIELDING = range(3)
@@ -222,4 +225,7 @@ def _solution(
     matrix[diagonal] = data[diagonal]
     np.add.at(matrix, diagonal, stiffness)
     u: Array = symbolic.factor(matrix).solve(load * keep)
+    # rounding can make a matrix that is singular look positive: the plate then floats away all the same
+    if len(b) and not spring.any() and (np.abs(u[b.at]) * matrix[diagonal]).max() > ADRIFT * np.abs(load * keep).max():
+        raise SingularMatrix("the bearings that touch do not hold the plate")
     return u + held if held.any() else u
