@@ -140,7 +140,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     held = problem.unknown < 0
     borne = np.zeros_like(U)
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
-    scale = max(np.abs(inner).max(), np.abs(load).max())
+    scale = max(np.abs(inner).max(), np.abs(load).max()) or 1.0  # nothing may act at all
     residual = float(np.abs((rest - borne)[~held]).max() / scale)
 
     # what the ground and the supports push up on the plate, moments about the origin
@@ -154,7 +154,8 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     wanted = _resultant(nodes, load[:, :TOP])
     missing = np.abs(reaction - wanted)
     length = np.ptp(nodes[under], axis=0).max()
-    size = max(np.abs(part).sum() for part in (load[:, W], support[:, W], ground[:, 0], load[:, BETA_X:TOP] / length))
+    parts = load[:, W], support[:, W], ground[:, 0], load[:, BETA_X:TOP] / length
+    size = max(np.abs(part).sum() for part in parts) or 1.0
     moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
 
     settlement = max(np.abs(U[:, W]).max(), NOTHING * length)

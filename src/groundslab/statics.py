@@ -64,7 +64,8 @@ def _can_balance(problem: Problem, motions: Array, scale: Array, work: Array) ->
     use = np.flatnonzero(~law.both_ways & (law.capacity > 0))
     if not len(use):
         return False
-    size = max(np.abs(problem.load[:, W]).sum(), np.finfo(float).tiny)
+    length = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
+    size = (np.abs(problem.load[:, W]).sum() + np.abs(problem.load[:, BETA_X:TOP]).sum() / length) or 1.0
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
     places = problem.mesh.nodes[b.node[use]]
     generators = up[:, None] * (np.column_stack([np.ones(len(use)), places * scale[1:]]) @ motions)
