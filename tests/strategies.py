@@ -6,22 +6,44 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from groundslab.keys import Choice, Flag, Text
+from groundslab.keys import Choice, Flag, Several, Text
 from groundslab.model import (
     Analysis,
+    AreaLoad,
     Beyond,
+    Borehole,
+    Circle,
+    Column,
+    Combination,
+    Combine,
     Contact,
     Edges,
+    GapPoint,
     InterfaceLayer,
     Layered,
+    LineLoad,
+    LineSupport,
+    LoadCase,
     Mesh,
     Model,
+    Output,
+    OutputLine,
+    OutputPoint,
+    OutputStrip,
     Pasternak,
     PatchLoad,
     Plate,
     PointLoad,
+    PointSupport,
+    Polygon,
+    Rectangle,
+    Reinforcement,
+    SelfWeight,
     Selvadurai,
+    SettlementLoad,
     SoilLayer,
+    SoilZone,
+    TemperatureLoad,
     UniformLoad,
     Vlasov,
     Void,
@@ -205,4 +227,265 @@ def models(draw: st.DrawFn) -> Model:
         loads=draw(loads(plate)),
         mesh=draw(meshes(plate)),
         analysis=draw(analyses()),
+    )
+
+
+# --- everything else that a description may hold ---------------------------------------------------------------------
+
+NAMES = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=12)
+SHARES = st.integers(-100, 100).map(lambda number: number / 200)
+EIGHTHS = st.integers(-4, 4)  # of a side of the plate: places that a coarse mesh can meet
+
+
+def _unique_names(draw: st.DrawFn, count: int, letter: str, free: bool) -> list[str]:
+    """Return names of which none comes twice: of any letters, or plain ones where they are to be read."""
+    if free:
+        return draw(st.lists(NAMES, min_size=count, max_size=count, unique=True))
+    return [f"{letter}{number}" for number in range(1, count + 1)]
+
+
+@st.composite
+def point_supports(draw: st.DrawFn, plate: Plate, name: str) -> PointSupport:
+    """Return supports at points, of every kind, on the eighths of a plate's sides."""
+    acts = draw(any_of(PointSupport, "acts"))
+    keys: dict[str, Any] = {"x": draw(EIGHTHS) / 8 * plate.length_x, "y": draw(EIGHTHS) / 8 * plate.length_y}
+    if acts != "both ways":
+        keys |= {"gap": draw(st.just(0) | st.floats(1e-5, 5e-3)), "limit": draw(st.none() | st.floats(1e3, 1e6))}
+    turn: dict[str, Any] = draw(
+        st.sampled_from([{}, {}, {"rotation": "fixed"}])
+        | st.builds(lambda k: {"rotational_stiffness": k}, st.floats(1e5, 1e9))
+    )
+    return PointSupport(name=name, acts=acts, stiffness=draw(st.none() | st.floats(1e6, 1e9)), **keys, **turn)
+
+
+@st.composite
+def line_supports(draw: st.DrawFn, plate: Plate, name: str) -> LineSupport:
+    """Return supports along x, along y and round a corner, of every kind."""
+    x, y = sorted(draw(st.tuples(EIGHTHS, EIGHTHS))), sorted(draw(st.tuples(EIGHTHS, EIGHTHS)))
+    x[1] += (x[0] == x[1]) * (1 if x[1] < 4 else 0)
+    x[0] -= x[0] == x[1]
+    y[1] += (y[0] == y[1]) * (1 if y[1] < 4 else 0)
+    y[0] -= y[0] == y[1]
+    along = draw(st.sampled_from([[(x[0], y[0]), (x[1], y[0])], [(x[0], y[0]), (x[0], y[1])],
+                                  [(x[0], y[0]), (x[1], y[0]), (x[1], y[1])]]))  # fmt: skip
+    points = [(a / 8 * plate.length_x, b / 8 * plate.length_y) for a, b in along]
+    acts, stiffness = draw(any_of(LineSupport, "acts")), draw(st.none() | st.floats(1e6, 1e9))
+    keys: dict[str, Any] = {}
+    if acts != "both ways":
+        keys = {"gap": draw(st.just(0) | st.floats(1e-5, 5e-3)), "limit": draw(st.none() | st.floats(1e3, 1e6))}
+    elif stiffness is None:
+        keys = {"rotation": draw(any_of(LineSupport, "rotation"))}
+    return LineSupport(name=name, points=points, stiffness=stiffness, acts=acts, **keys)
+
+
+@st.composite
+def shapes(draw: st.DrawFn, plate: Plate) -> Rectangle | Circle | Polygon:
+    """Return shapes that lie on a plate."""
+    x, y = draw(extents(plate.length_x)), draw(extents(plate.length_y))
+    kind = draw(st.sampled_from(["rectangle", "circle", "polygon"]))
+    if kind == "rectangle":
+        return Rectangle(x=x, y=y)
+    if kind == "circle":
+        radius = min(x[1] - x[0], y[1] - y[0]) / 2
+        return Circle(centre=(sum(x) / 2, sum(y) / 2), radius=radius)
+    if draw(st.booleans()):
+        middle, radius = (sum(x) / 2, sum(y) / 2), min(x[1] - x[0], y[1] - y[0]) / 2
+        ends = [(middle[0] - radius, middle[1]), (middle[0] + radius, middle[1])]
+        return Polygon(points=ends, bulges=(1.0,))
+    return Polygon(points=[(x[0], y[0]), (x[1], y[0]), (x[0], y[1])])
+
+
+@st.composite
+def columns(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Column]:
+    """Return columns that stand on the plate, round and rectangular."""
+    made = []
+    for name in names:
+        x, y = draw(st.floats(-0.4, 0.4)) * plate.length_x, draw(st.floats(-0.4, 0.4)) * plate.length_y
+        size = st.floats(0.02, 0.19).map(lambda share: share * min(plate.sides))
+        keys = draw(st.builds(lambda d: {"diameter": d}, size)
+                    | st.builds(lambda a, b: {"width_x": a, "width_y": b}, size, size))  # fmt: skip
+        made.append(Column(name=name, x=x, y=y, **keys))
+    return made
+
+
+@st.composite
+def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], supports: list[Any]) -> Any:
+    """Return a load of any kind, of either sign."""
+    kinds = ["uniform", "patch", "area", "line", "point", "footprint", "self weight", "temperature"]
+    kinds += ["column"] * bool(columns) + ["settlement"] * bool(supports)
+    kind = draw(st.sampled_from(kinds))
+    size = min(plate.sides)
+    keys: dict[str, Any] = {"case": case, "name": draw(st.just("") | any_of(PointLoad, "name"))}
+    q = draw(st.floats(1e3, 2e5) | st.floats(-1e4, -1e2))
+    inside_x, inside_y = (0.8 * draw(SHARES) * side for side in plate.sides)
+    varying: dict[str, Any] = draw(st.just({}) | st.builds(
+        lambda a, b, c: {"slope": (a * q / size, b * q / size), "about": (c, 0.0),
+                         "bend": (c * q / size**2, 0.0, a * q / size**2)},
+        SHARES, SHARES, SHARES))  # fmt: skip
+    if kind == "uniform":
+        return UniformLoad(q=q, **varying, **keys)
+    if kind == "patch":
+        return PatchLoad(q=q, x=draw(extents(plate.length_x)), y=draw(extents(plate.length_y)), **varying, **keys)
+    if kind == "area":
+        return AreaLoad(q=q, shape=draw(shapes(plate)), **varying, **keys)
+    if kind == "line":
+        far = tuple(draw(SHARES) * side for side in plate.sides)
+        start = inside_x, inside_y
+        if start == far:
+            far = plate.length_x / 2, plate.length_y / 2
+        return LineLoad(q=q, q_end=draw(st.none() | st.sampled_from([0.0, 2e4, -5e3])), points=[start, far], **keys)
+    moments = {"M_x": draw(st.just(0) | SHARES) * q * size / 2,
+               "M_y": draw(st.just(0) | SHARES) * q * size / 2}  # fmt: skip
+    if kind == "column":
+        return PointLoad(P=q, column=draw(st.sampled_from(columns)).name, **moments, **keys)
+    if kind == "point":
+        return PointLoad(P=q, x=inside_x, y=inside_y, **moments, **keys)
+    if kind == "footprint":
+        width = draw(st.floats(0.02, 0.19)) * size
+        foot = draw(st.sampled_from([{"diameter": width}, {"width_x": width, "width_y": width / 2}]))
+        return PointLoad(P=q, x=inside_x, y=inside_y, **foot, **moments, **keys)
+    if kind == "temperature":
+        return TemperatureLoad(difference=60 * draw(SHARES), **keys)
+    if kind == "settlement":
+        return SettlementLoad(support=draw(st.sampled_from(supports)).name, w=draw(SHARES) / 100, **keys)
+    return SelfWeight(unit_weight=25e3, **keys)
+
+
+@st.composite
+def rich_contacts(draw: st.DrawFn, plate: Plate, whole: bool) -> Contact:
+    """Return contact with voids of any shape, cavities, a limit of the pressure and, if whole, measured gaps."""
+    if draw(st.integers(0, 5)) == 0:
+        return Contact(tensionless=False)
+    depth = st.none() | st.floats(1e-4, 1e-2)
+    void = st.builds(Void, depth=depth, x=extents(plate.length_x), y=extents(plate.length_y)) | st.builds(
+        Void, depth=depth, shape=shapes(plate)
+    )
+    gap_point = st.builds(GapPoint, x=st.floats(-5, 5), y=st.floats(-5, 5), gap=st.floats(-1e-3, 1e-2))
+    return Contact(
+        gap=draw(st.just(0) | st.floats(0.0, 1e-2)),
+        voids=draw(st.lists(void, max_size=2)),
+        gaps=draw(st.lists(gap_point, max_size=3, unique_by=lambda point: (point.x, point.y))) if whole else (),
+        limit_pressure=draw(st.none() | st.floats(2e4, 2e6)),
+    )
+
+
+@st.composite
+def combinations(draw: st.DrawFn, cases: list[LoadCase], free: bool) -> list[Combination]:
+    """Return combinations of cases, also such that take away from each other."""
+    made = []
+    for name in _unique_names(draw, draw(st.integers(0, 3)), "K", free):
+        factors = {case.name: draw(st.sampled_from([1.0, 1.35, 1.5, 0.0, -0.5, 0.123]))
+                   for case in cases if draw(st.booleans())}  # fmt: skip
+        if not any(factors.values()):
+            factors = {cases[0].name: 1.0}
+        made.append(Combination(name=name, limit_state=draw(any_of(Combination, "limit_state")), factors=factors))
+    return made
+
+
+@st.composite
+def load_cases(draw: st.DrawFn) -> list[LoadCase]:
+    """Return up to three cases."""
+    made = []
+    for name in _unique_names(draw, draw(st.integers(0, 3)), "case ", False):
+        shares = sorted((draw(st.floats(0.1, 1)), draw(st.floats(0.1, 1))))
+        variable = draw(st.booleans()) and bool(made)
+        keys = {"psi_0": draw(st.floats(0, 1)), "psi_1": shares[1], "psi_2": shares[0]} if variable else {}
+        group = draw(st.sampled_from(["", "wind"])) if variable else ""
+        made.append(LoadCase(name=name, action="variable" if variable else "permanent", group=group, **keys))
+    return made
+
+
+def combines() -> st.SearchStrategy[Combine]:
+    """Return automatic combinations of some limit states."""
+    sets = st.lists(any_of_each(Combine, "sets"), min_size=1, max_size=2, unique=True)
+    return st.builds(Combine, sets=sets, permanent=st.sampled_from([(1.35, 1.0), (1.1, 0.9)]))
+
+
+def any_of_each(part: type[Part], name: str) -> st.SearchStrategy[Any]:
+    """Return all words of which a key holds a list."""
+    key = key_of(part.model_fields[name])
+    assert isinstance(key, Several)
+    assert isinstance(key.each, Choice)
+    return st.sampled_from(key.each.words)
+
+
+@st.composite
+def outputs(draw: st.DrawFn, plate: Plate) -> Output:
+    """Return points, lines and strips on the plate."""
+    share = st.floats(-0.5, 0.5)
+
+    def place() -> tuple[float, float]:
+        return draw(share) * plate.length_x, draw(share) * plate.length_y
+
+    points = [OutputPoint(name=name, x=x, y=y) for name in _unique_names(draw, draw(st.integers(0, 2)), "", True)
+              for x, y in [place()]]  # fmt: skip
+    across = ((-plate.length_x / 2, 0.0), (plate.length_x, plate.length_y / 4))
+    lines = [OutputLine(name=name, start=across[0], end=across[1]) for name in draw(st.lists(NAMES, max_size=1))]
+    strips = [OutputStrip(name=name, start=across[0], end=across[1], width=draw(st.floats(0.1, 2.0)),
+                          stations=draw(st.integers(2, 30))) for name in draw(st.lists(NAMES, max_size=1))]  # fmt: skip
+    return Output(points=points, lines=lines, strips=strips)
+
+
+def reinforcements(plate: Plate) -> st.SearchStrategy[Reinforcement]:
+    """Return concrete, steel and bars that fit into the plate."""
+    cover = st.floats(0.05, 0.45).map(lambda share: share * plate.thickness)
+    pair = st.tuples(cover, cover)
+    return st.builds(
+        Reinforcement, f_ck=st.floats(12e6, 90e6), f_yk=st.floats(4e8, 6e8), gamma_c=st.floats(1.0, 2.0),
+        gamma_s=st.floats(1.0, 2.0), alpha_cc=st.floats(0.5, 1.0), bottom=pair, top=pair,
+    )  # fmt: skip
+
+
+@st.composite
+def varied_ground(draw: st.DrawFn, ground: Any, plate: Plate) -> dict[str, Any]:
+    """Return zones of soil, or boreholes, that go with a ground; none for many."""
+    if draw(st.booleans()):
+        return {}
+    soil = isinstance(ground, Vlasov | Layered) and all(isinstance(layer, SoilLayer) for layer in ground.layers)
+    if soil and draw(st.booleans()) and not (isinstance(ground, Vlasov) and ground.formulas == "as printed"):
+        places = st.tuples(st.floats(-20, 20), st.floats(-20, 20))
+        holes = []
+        for x, y in draw(st.lists(places, min_size=1, max_size=3, unique=True)):
+            layers = [layer.replace(E=draw(MODULI_OF_SOIL), thickness=draw(st.floats(0.1, 9.0)), nu=draw(POISSON))
+                      for layer in ground.layers]  # fmt: skip
+            holes.append(Borehole(name=draw(st.just("") | NAMES), x=x, y=y, layers=layers))
+        return {"boreholes": holes}
+    return {"soil_zones": [SoilZone(shape=draw(shapes(plate)), ground=ground)]}
+
+
+@st.composite
+def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
+    """Return descriptions with supports, columns, cases and every kind of load; if whole, with every key there is."""
+    plate, ground = draw(plates()), draw(grounds())
+    if not whole and getattr(ground, "formulas", "exact") == "as printed":
+        ground = ground.replace(formulas="exact")  # gamma need not converge with the misprints
+    plate = plate.replace(thermal_expansion=draw(st.sampled_from([1e-5, 1.2e-5])))
+    supports: list[Any] = [draw(point_supports(plate, name) | line_supports(plate, name))
+                           for name in _unique_names(draw, draw(st.integers(0, 3)), "S", whole)]  # fmt: skip
+    stand = draw(columns(plate, _unique_names(draw, draw(st.integers(0, 2)), "C", whole)))
+    cases = draw(load_cases())
+    loads = [draw(any_load(plate, case, stand, supports))
+             for case in [each.name for each in cases] or [""] for _ in range(draw(st.integers(1, 2)))]  # fmt: skip
+    # a weight, so that most of them can be balanced
+    loads.insert(0, UniformLoad(q=draw(st.floats(1e3, 1e5)), case=cases[0].name if cases else ""))
+    extra: dict[str, Any] = {}
+    if whole:
+        extra = {"output": draw(outputs(plate)), "reinforcement": draw(st.none() | reinforcements(plate))}
+        extra |= draw(varied_ground(ground, plate))
+    if cases:
+        extra |= {"combinations": draw(combinations(cases, whole)), "combine": draw(st.none() | combines())}
+    longer = max(plate.sides)
+    mesh = Mesh(size=draw(st.floats(longer / 6, longer / 2))) if supports else draw(meshes(plate))
+    return Model(
+        plate=plate,
+        ground=ground,
+        beyond=draw(beyonds(ground)),
+        contact=draw(rich_contacts(plate, whole)),
+        supports=supports,
+        columns=stand,
+        cases=cases,
+        loads=loads,
+        mesh=mesh,
+        analysis=draw(analyses()) if whole else draw(analyses()).replace(max_iterations=400),
+        **extra,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.assembly import scatter
-from groundslab.contact import YIELDING
+from groundslab.contact import SLACK, YIELDING
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.problem import (
     BETA_X,
@@ -26,6 +26,8 @@ from groundslab.solution import Solution
 _CHUNK = 4096
 #: A settlement this small against the plate, or a contact force this small against the load, counts as none.
 NOTHING = 1e-12
+#: Forces are exact to 1e-15 of stiffness times displacement: the share of it whose TOLERANCE that is.
+ROUNDING = 1e-15 / Certificate.TOLERANCE
 
 
 def decay_squared(s: System, U: Array, column: Column) -> float:
@@ -140,7 +142,9 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     held = problem.unknown < 0
     borne = np.zeros_like(U)
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
-    scale = max(np.abs(inner).max(), np.abs(load).max()) or 1.0  # nothing may act at all
+    # where next to nothing acts, rounding of the forces that stiffness times initial gaps would give is all there is
+    rounding = ROUNDING * np.abs(s.plate_data).max() * np.abs(U[:, : TOP + 1]).max()
+    scale = max(np.abs(inner).max(), np.abs(load).max(), rounding) or 1.0
     residual = float(np.abs((rest - borne)[~held]).max() / scale)
 
     # what the ground and the supports push up on the plate, moments about the origin
@@ -155,10 +159,10 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     missing = np.abs(reaction - wanted)
     length = np.ptp(nodes[under], axis=0).max()
     parts = load[:, W], support[:, W], ground[:, 0], load[:, BETA_X:TOP] / length
-    size = max(np.abs(part).sum() for part in parts) or 1.0
+    size = max(rounding, *(np.abs(part).sum() for part in parts)) or 1.0
     moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
 
-    settlement = max(np.abs(U[:, W]).max(), NOTHING * length)
+    settlement = max(np.abs(U[:, W]).max(), NOTHING * length, SLACK / Certificate.TOLERANCE * np.abs(U[:, TOP]).max())
     gap, force, product = _bearing_errors(solution, NOTHING * size)
     share = 2.0 ** sum(problem.symmetry)
     return Certificate(

@@ -1,17 +1,27 @@
-"""Whatever is asked for in sound words ends in a certified result or a clear error."""
+"""Whatever is asked for in sound words ends in a certified result or a clear and true refusal."""
 
 from __future__ import annotations
 
+import contextlib
+
+import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
+from scipy.optimize import linprog
 
-from groundslab.analysis import solve
+from groundslab.analysis import solve, solve_combinations
 from groundslab.discretise import discretise
-from groundslab.errors import GroundslabError
+from groundslab.errors import GroundslabError, InputError, NoEquilibrium
+from groundslab.loadcases import combinations_of
+from groundslab.model import Model, UniformLoad
+from groundslab.problem import BETA_X, TOP, Problem, W
 from groundslab.statics import require_equilibrium
-from strategies import models
+from strategies import models, rich_models
+
+FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 
 
-@settings(max_examples=250, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(FUZZ, max_examples=80)
 @given(models())
 def test_any_model_ends_in_a_certified_result_or_a_clear_error(model):
     """Of random models of all kinds none crashes, warns, or gives a result that does not fulfil the equations."""
@@ -27,7 +37,7 @@ def test_any_model_ends_in_a_certified_result_or_a_clear_error(model):
         assert all(abs(value) < float("inf") for value in results.plate.settlement)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(FUZZ, max_examples=40)
 @given(models())
 def test_most_models_have_a_result(model):
     """An ordinary model, without misprinted formulas and with a load that can be balanced, does give a result."""
@@ -38,3 +48,119 @@ def test_most_models_have_a_result(model):
     except GroundslabError:
         return
     assert solve(model).certificate.holds
+
+
+def room(problem: Problem) -> float:
+    """Return by how much bearings and held nodes can balance the loading, each away from its limits; below 0 if not.
+
+    An independent judge: the linear programme of all single forces and moments with the three equations of equilibrium,
+    in shares of the load, of which the least distance from both limits of every force, as a share of what it can bear,
+    is made as large as possible.
+    """
+    b, law, nodes = problem.bearing, problem.bearing.law, problem.mesh.nodes
+    size = np.ptp(nodes[problem.plate_nodes], axis=0).max()
+    F = problem.load[:, :TOP] * [1.0, 1 / size, 1 / size]
+    total = np.abs(F).sum()
+    if not problem.tensionless:
+        return 1.0
+    if total == 0:
+        return 0.0
+
+    def rows(node: np.ndarray, field: np.ndarray) -> np.ndarray:
+        x, y = (nodes[node] / size).T
+        force = field == W
+        return np.array([force * 1.0, force * x + (field == BETA_X), force * y + (field == BETA_X + 1)])
+
+    place, kind = np.nonzero(problem.unknown[:, :TOP] < 0)
+    free = np.isin(place, problem.plate_nodes)
+    if not problem.element.centre_w:
+        free &= ~(np.isin(place, problem.mesh.elements[problem.plate_elements, 8]) & (kind == W))
+    two_sided = np.hstack([rows(place[free], kind[free]), rows(b.node[law.both_ways], b.field[law.both_ways])])
+    use = ~law.both_ways & (law.capacity > 0)
+    up = np.where(b.support[use] < 0, 1.0, -law.sign[use])  # the ground pushes up whatever the sign of its gap
+    one_sided = rows(b.node[use], np.full(use.sum(), W)) * up
+    capacity = np.minimum(law.capacity[use] / total, 1e3)
+    wanted = rows(np.arange(len(nodes)), np.full(len(nodes), W)) @ F[:, 0] + [0.0, *F[:, 1:].sum(axis=0)]
+    # forces are r = t * share + s with s >= 0 and r <= capacity - t * share
+    share = np.minimum(capacity, 1 / max(use.sum(), 1))
+    A = np.hstack([two_sided, one_sided, (one_sided @ share)[:, None]])
+    m, n = two_sided.shape[1], one_sided.shape[1]
+    above = np.hstack([np.zeros((n, m)), np.eye(n), 2 * share[:, None]])
+    bounds = [(None, None)] * m + [(0, None)] * n + [(None, 1.0)]
+    cost = np.append(np.zeros(m + n), -1.0)
+    bounds[m : m + n] = [(0, None)] * n
+    found = linprog(cost, A_eq=A, b_eq=wanted / total, A_ub=above if n else None, b_ub=capacity if n else None,
+                    bounds=bounds, method="highs")  # fmt: skip
+    return float(-found.fun) if found.status == 0 else -1.0
+
+
+def judge(model: Model) -> tuple[int, int]:
+    """Solve all combinations, hold each to its promise and each refusal to the linear programme; return the counts."""
+    combined = solve_combinations(model)
+    problem = discretise(model)
+    wanted = combinations_of(model)
+    assert [each.name for each in combined.combinations] == [each.name for each in wanted]
+    for combination in wanted:
+        given_factors = dict(combination.factors)
+        factors = np.array([given_factors.get(case.name, 0.0) for case in model.cases] or [1.0])
+        under = problem.under(factors)
+        refusal = combined.refused.get(combination.name)
+        if refusal is None:
+            assert combined.results[combination.name].certificate.holds
+            assert room(under) > -1e-6
+        else:
+            assert isinstance(refusal, NoEquilibrium), repr(refusal)[:300]
+            assert room(under) < 1e-4, refusal
+            is_true(refusal, under)
+    return len(combined.results), len(combined.refused)
+
+
+def is_true(refusal: NoEquilibrium, problem: Problem) -> None:
+    """Hold what a refusal says of the loads to the loads."""
+    x, y = problem.mesh.nodes.T
+    F = problem.load[:, W]
+    moments = F @ x + problem.load[:, BETA_X].sum(), F @ y + problem.load[:, BETA_X + 1].sum()
+    size = np.abs(F).sum()
+    said = str(refusal)
+    if "do not press the plate down" in said:
+        assert F.sum() <= 1e-8 * size
+    elif "topple the plate" in said:
+        from shapely import MultiPoint, Point
+
+        hull = MultiPoint(problem.mesh.nodes[problem.plate_nodes]).convex_hull
+        place = [0.0 if mirrored else M / F.sum() for M, mirrored in zip(moments, problem.symmetry, strict=True)]
+        inside = hull.buffer(-1e-6 * np.sqrt(hull.area))
+        assert not inside.contains(Point(place)), said
+    elif "more than ground and supports can carry" in said:
+        law, b = problem.bearing.law, problem.bearing
+        assert law.capacity[~law.both_ways & ((b.support < 0) | (law.sign < 0))].sum() <= F.sum() * (1 + 1e-5)
+    else:
+        pytest.fail(said)
+
+
+@settings(FUZZ, max_examples=40)
+@given(rich_models())
+def test_supports_and_combinations_end_in_certified_results_or_true_refusals(model):
+    """With supports, limits, cavities and every kind of load, each combination is solved, or rightly refused."""
+    # refused as a whole: a void between the nodes, rigid supports that differ where they meet
+    with contextlib.suppress(InputError):
+        judge(model)
+
+
+@pytest.mark.parametrize("tensionless", [True, False])
+def test_a_case_without_loads(tensionless: bool) -> None:
+    """A case in which nothing acts is refused where nothing holds the plate, and else gives nothing, certified."""
+    data = {
+        "plate": {"length_x": 4, "length_y": 4, "thickness": 0.3, "E": 3e10, "nu": 0.2},
+        "ground": {"kind": "winkler", "k": 2e7},
+        "contact": {"tensionless": tensionless},
+        "cases": [{"name": "full"}, {"name": "empty"}],
+        "loads": [UniformLoad(q=1e4, case="full")],
+        "mesh": {"counts": (4, 4)},
+    }
+    combined = solve_combinations(Model(**data))
+    if tensionless:
+        assert isinstance(combined.refused["empty"], NoEquilibrium)
+    else:
+        assert combined.results["empty"].certificate.holds
+        assert not combined.results["empty"].plate.settlement.any()
