@@ -133,6 +133,17 @@ def _faces(generators: Array) -> list[Array]:
     return faces
 
 
+def _within(corners: Array, place: Array, symmetry: tuple[bool, bool]) -> bool:
+    """Return whether a place (2,) lies clear inside the hull of the corners (c, 2) and their images [m]."""
+    from shapely import MultiPoint, Point
+
+    for axis in (0, 1):
+        if symmetry[axis]:
+            corners = np.vstack([corners, corners * np.where(np.arange(2) == axis, -1.0, 1.0)])
+    hull = MultiPoint(corners).convex_hull
+    return bool(hull.contains(Point(place)) and hull.exterior.distance(Point(place)) > MARGIN * np.ptp(corners))
+
+
 def _reason(problem: Problem, corners: Array) -> str:
     """Return a sentence that says where the load goes and where it would have to go."""
     F, Fx, Fy = _resultant(problem)
@@ -153,6 +164,13 @@ def _reason(problem: Problem, corners: Array) -> str:
             "to the ground with contact.tensionless = false"
         )
     place = [0.0 if mirrored else value / F for value, mirrored in zip((Fx, Fy), problem.symmetry, strict=True)]
+    if _within(corners, np.array(place), problem.symmetry):
+        return (
+            f"the loads cannot be balanced: their resultant of {F * share / 1e3:.6g} kN acts on the plate, at "
+            f"x = {place[0]:.6g} m, y = {place[1]:.6g} m, but ground and supports cannot carry it there; move the load "
+            "inwards, enlarge the plate, or look at contact.limit_pressure, at voids without depth and at the limits "
+            "of the supports"
+        )
     (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
     x0, y0 = (-x1 if problem.symmetry[0] else x0), (-y1 if problem.symmetry[1] else y0)
     return (
