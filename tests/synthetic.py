@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from groundslab.model import Edges, Model, Pasternak, PatchLoad, Plate, PointLoad, UniformLoad, Winkler
-from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step
+from groundslab.results import Certificate, Constants, ElementResult, GroundResult, PlateResult, Results, Step
 
 LENGTH_X, LENGTH_Y = 9.6, 7.2
 K0, K1 = 20e6, 30e6
@@ -77,6 +77,7 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
     values: dict[str, Any] = {
         "model": model(shear=shear),
         "plate": plate,
+        "elements": elements_of(plate),
         "ground": GroundResult(ground_nodes, ground_elements, np.stack([top, top / 2]) if shear else top[None]),
         "constants": Constants((K0, 2 * K0), (K1, K1 / 2), 1.1316, 5) if shear else Constants((K0,), (0.0,), None, 0),
         "certificate": CERTIFICATE,
@@ -94,6 +95,17 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "supports": (),
     }
     return Results(**values | changes)
+
+
+def elements_of(plate: PlateResult) -> ElementResult:
+    """Return fields of elements that are a plate's nodal fields at the elements' centres."""
+    centre = plate.elements[:, 8]
+    names = ("pressure", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+    return ElementResult(
+        **{name: getattr(plate, name)[centre] for name in names},
+        thickness=np.full(len(centre), 0.2),
+        section=np.zeros(len(centre), dtype=np.int64),
+    )
 
 
 def model(*, shear: bool = False, title: str = "A slab of formulas") -> Model:
@@ -115,7 +127,7 @@ def assert_same(one: Any, other: Any) -> None:
     """Assert that two results agree in every bit."""
     for part in fields(one):
         a, b = getattr(one, part.name), getattr(other, part.name)
-        if part.name in ("plate", "ground"):
+        if part.name in ("plate", "elements", "ground"):
             for item in fields(a):
                 p, q = getattr(a, item.name), getattr(b, item.name)
                 assert p.dtype == q.dtype, item.name

@@ -201,13 +201,14 @@ def elimination_order(mesh: Mesh) -> Integers:
     return rank
 
 
-def row_by_row(mesh: Mesh) -> tuple[Mesh, Integers]:
-    """Return the mesh with nodes and elements numbered by y, then x, and the old number of each node (n,)."""
+def row_by_row(mesh: Mesh) -> tuple[Mesh, Integers, Integers]:
+    """Return the mesh with nodes and elements numbered by y, then x; old numbers of nodes (n,), elements (m,)."""
     old = np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1]))
     new = np.empty_like(old)
     new[old] = np.arange(len(old))
     centre = mesh.nodes[mesh.elements[:, 8]]
-    return Mesh(mesh.nodes[old], new[mesh.elements[np.lexsort((centre[:, 0], centre[:, 1]))]]), old
+    order = np.lexsort((centre[:, 0], centre[:, 1]))
+    return Mesh(mesh.nodes[old], new[mesh.elements[order]]), old, order
 
 
 def mirror(mesh: Mesh, axis: int) -> tuple[Mesh, Integers, Array]:

@@ -9,11 +9,21 @@ from groundslab.assembly import scatter
 from groundslab.checks import ground_forces, left_over
 from groundslab.creases import apart, loaded, walls
 from groundslab.loadcases import Combination
+from groundslab.loading import materials
 from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
-from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
-from groundslab.shape import Array, Integers, gauss, q9
+from groundslab.results import (
+    Certificate,
+    Constants,
+    ElementResult,
+    GroundResult,
+    PlateResult,
+    Results,
+    Step,
+    SupportResult,
+)
+from groundslab.shape import Array, Integers, gauss, jacobian, q9
 from groundslab.solution import Solution
 from groundslab.subsoil import constants_under
 from groundslab.vlasov import Soil
@@ -42,13 +52,16 @@ def recover(
     """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
     problem = solution.system.problem
     mesh, fields = _plate_fields(model, solution)
-    mesh, fields = _whole(mesh, fields, problem.symmetry)
+    at_centres = _element_fields(model, problem, solution.U, mesh, fields["pressure"])
+    mesh, fields, at_centres = _whole(mesh, fields, problem.symmetry, at_centres)
+    section = at_centres.pop("section").astype(np.int64)
     in_contact, on_edge = (fields.pop(name) > 0 for name in ("in_contact", "on_edge"))
     surfaces = surface_settlement(problem, solution.U)
-    ground, settlements = _whole(problem.mesh, {str(i): w for i, w in enumerate(surfaces)}, problem.symmetry)
+    ground, settlements, _ = _whole(problem.mesh, {str(i): w for i, w in enumerate(surfaces)}, problem.symmetry, {})
     return Results(
         model=model,
         plate=PlateResult(mesh.nodes, mesh.elements, in_contact=in_contact, on_edge=on_edge, **fields),
+        elements=ElementResult(section=section, **at_centres),
         ground=GroundResult(ground.nodes, ground.elements, np.vstack(list(settlements.values()))),
         constants=_constants(model, solution),
         certificate=proof,
@@ -96,8 +109,13 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     return tuple(found)
 
 
-def _whole(mesh: Mesh, fields: dict[str, Array], symmetry: tuple[bool, bool]) -> tuple[Mesh, dict[str, Array]]:
-    """Return mesh and nodal fields of the whole from those of the meshed part, numbered row by row."""
+def _whole(
+    mesh: Mesh, fields: dict[str, Array], symmetry: tuple[bool, bool], at_centres: dict[str, Array]
+) -> tuple[Mesh, dict[str, Array], dict[str, Array]]:
+    """Return mesh, nodal fields (n,) and fields of elements (m,) of the whole from those of the meshed part.
+
+    Nodes and elements are numbered row by row.
+    """
     for axis in (0, 1):
         if not symmetry[axis]:
             continue
@@ -107,8 +125,12 @@ def _whole(mesh: Mesh, fields: dict[str, Array], symmetry: tuple[bool, bool]) ->
         odd, shared = np.where(on_axis, 0.0, side), np.where(on_axis, 2.0, 1.0)
         factors = {**dict.fromkeys(ODD[axis], odd), "area": shared}
         fields = {name: field[source] * factors.get(name, 1.0) for name, field in fields.items()}
-    mesh, old = row_by_row(mesh)
-    return mesh, {name: field[old] for name, field in fields.items()}
+        at_centres = {
+            name: np.concatenate([field, -field if name in ODD[axis] else field]) for name, field in at_centres.items()
+        }
+    mesh, old, order = row_by_row(mesh)
+    nodal = {name: field[old] for name, field in fields.items()}
+    return mesh, nodal, {name: field[order] for name, field in at_centres.items()}
 
 
 def _plate_fields(model: Model, solution: Solution) -> tuple[Mesh, dict[str, Array]]:
@@ -148,6 +170,21 @@ def _plate_fields(model: Model, solution: Solution) -> tuple[Mesh, dict[str, Arr
     fields = {name: field[node] for name, field in fields.items()}
     fields["area"] = nodal_area(mesh, np.arange(len(mesh.elements)))
     return mesh, fields | _section_forces(problem, U, mesh, smooth)
+
+
+def _element_fields(model: Model, problem: Problem, U: Array, mesh: Mesh, pressure: Array) -> dict[str, Array]:
+    """Return the fields at the centres of the plate's elements (mp,), the number of the section as a float among them.
+
+    mesh and pressure (n,) are those of the plate by sections: the mean of an element's pressure is int N p dA over
+    its area, so that all of them together are the whole contact force.
+    """
+    points, weights = gauss(3)
+    N, dN = q9(points)
+    share = jacobian(dN, mesh.xy)[2] * weights
+    mean = np.einsum("eg,ga,ea->e", share, N, pressure[mesh.elements]) / share.sum(axis=1)
+    thickness = np.array([t for _, _, t in materials(model)])[problem.section]
+    forces = dict(zip(FORCES, centre_forces(problem, U).T, strict=True))
+    return {"pressure": mean, **forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
 
 
 def _by_section(problem: Problem, creases: Integers) -> tuple[Mesh, Integers]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,27 +23,42 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Field:
-    """How a result is called and shown: its symbol, the unit of display, the factor from SI to it, its meaning."""
+    """How a result is called and shown: symbol, unit of display, factor from SI to it, meaning, how it is averaged."""
 
     symbol: str
     unit: str
     scale: float
     meaning: str
+    averaged: str
 
+
+NOT, OVER_AREA = "not averaged", "force of a node over its area"
+PATCHES = "recovered by patches within a section"
+MEAN = "mean over the element"
 
 #: One definition of every field, used by tables, pictures and files. Signs as in ``docs/assumptions.md``.
 PLATE_FIELDS: dict[str, Field] = {
-    "settlement": Field("w", "mm", 1e3, "settlement of the plate, downwards positive"),
-    "rotation_x": Field("beta_x", "mrad", 1e3, "rotation of the normal in the x-z plane, u = -z beta_x"),
-    "rotation_y": Field("beta_y", "mrad", 1e3, "rotation of the normal in the y-z plane, v = -z beta_y"),
-    "gap": Field("g", "mm", 1e3, "distance between plate and ground"),
-    "penetration": Field("s", "mm", 1e3, "how far the plate has sunk into ground that yields"),
-    "pressure": Field("p", "kPa", 1e-3, "contact pressure: nodal contact force over the node's area"),
-    "moment_x": Field("m_x", "kNm/m", 1e-3, "bending moment of strips along x, sagging positive"),
-    "moment_y": Field("m_y", "kNm/m", 1e-3, "bending moment of strips along y, sagging positive"),
-    "moment_xy": Field("m_xy", "kNm/m", 1e-3, "twisting moment"),
-    "shear_x": Field("q_x", "kN/m", 1e-3, "transverse shear force on sections x = const"),
-    "shear_y": Field("q_y", "kN/m", 1e-3, "transverse shear force on sections y = const"),
+    "settlement": Field("w", "mm", 1e3, "settlement of the plate, downwards positive", NOT),
+    "rotation_x": Field("beta_x", "mrad", 1e3, "rotation of the normal in the x-z plane, u = -z beta_x", NOT),
+    "rotation_y": Field("beta_y", "mrad", 1e3, "rotation of the normal in the y-z plane, v = -z beta_y", NOT),
+    "gap": Field("g", "mm", 1e3, "distance between plate and ground", NOT),
+    "penetration": Field("s", "mm", 1e3, "how far the plate has sunk into ground that yields", NOT),
+    "pressure": Field("p", "kPa", 1e-3, "contact pressure under the plate", OVER_AREA),
+    "moment_x": Field("m_x", "kNm/m", 1e-3, "bending moment of strips along x, sagging positive", PATCHES),
+    "moment_y": Field("m_y", "kNm/m", 1e-3, "bending moment of strips along y, sagging positive", PATCHES),
+    "moment_xy": Field("m_xy", "kNm/m", 1e-3, "twisting moment", PATCHES),
+    "shear_x": Field("q_x", "kN/m", 1e-3, "transverse shear force on sections x = const", PATCHES),
+    "shear_y": Field("q_y", "kN/m", 1e-3, "transverse shear force on sections y = const", PATCHES),
+}
+
+#: The same of the fields at the centres of elements.
+ELEMENT_FIELDS: dict[str, Field] = {
+    "pressure": replace(PLATE_FIELDS["pressure"], averaged=MEAN),
+    **{
+        name: replace(PLATE_FIELDS[name], averaged=NOT)
+        for name in ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+    },
+    "thickness": Field("t", "mm", 1e3, "thickness of the plate", NOT),
 }
 
 
@@ -51,8 +66,8 @@ PLATE_FIELDS: dict[str, Field] = {
 class PlateResult:
     """The plate: nine-node mesh and nodal fields in SI units (see PLATE_FIELDS).
 
-    Moments and shear forces are averaged over the elements that meet at a node. A node on the border of two sections
-    (zones of the plate) stands once for each of them, so that nothing is averaged across a change of thickness.
+    Moments and shear forces are recovered by patches of elements. A node on the border of two sections (zones of the
+    plate) stands once for each of them, so that nothing is averaged across a change of thickness.
     """
 
     nodes: Array  # (n, 2)
@@ -75,6 +90,23 @@ class PlateResult:
     def value_at(self, field: str, x: float, y: float) -> float:
         """Return a field at a point of the plate, in SI units, by the elements' shape functions."""
         return _value_at(self.nodes, self.elements, getattr(self, field), x, y)
+
+
+@dataclass(frozen=True, slots=True)
+class ElementResult:
+    """The plate element by element, in the order of its elements: values at their centres in SI units.
+
+    See ELEMENT_FIELDS: moments and shear forces are the element's own, averaged with nobody else's.
+    """
+
+    pressure: Array  # (m,) [Pa]: contact force on the element over its area
+    moment_x: Array  # (m,) [N m/m]
+    moment_y: Array
+    moment_xy: Array
+    shear_x: Array  # (m,) [N/m]
+    shear_y: Array
+    thickness: Array  # (m,) [m]
+    section: Integers  # (m,): 0 outside all zones, else the number of the zone from 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +211,7 @@ class Results:
 
     model: Model
     plate: PlateResult
+    elements: ElementResult
     ground: GroundResult
     constants: Constants
     certificate: Certificate

@@ -10,7 +10,16 @@ import numpy as np
 
 from groundslab import __version__
 from groundslab.errors import Fault, InputError
-from groundslab.results import Certificate, Constants, GroundResult, PlateResult, Results, Step, SupportResult
+from groundslab.results import (
+    Certificate,
+    Constants,
+    ElementResult,
+    GroundResult,
+    PlateResult,
+    Results,
+    Step,
+    SupportResult,
+)
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -24,7 +33,7 @@ def write(results: Results, path: Path) -> None:
     from groundslab import casefile
 
     arrays: dict[str, Any] = {}
-    for part, values in (("plate", results.plate), ("ground", results.ground)):
+    for part, values in (("plate", results.plate), ("elements", results.elements), ("ground", results.ground)):
         arrays |= {f"{part}.{item.name}": getattr(values, item.name) for item in fields(values)}
     for number, support in enumerate(results.supports):
         names = (item.name for item in fields(support) if item.name != "name")
@@ -76,6 +85,7 @@ def _results(arrays: dict[str, Any]) -> Results:
     return Results(
         model=casefile.loads(str(arrays["model"])),
         plate=PlateResult(**{item.name: arrays[f"plate.{item.name}"] for item in fields(PlateResult)}),
+        elements=ElementResult(**{item.name: arrays[f"elements.{item.name}"] for item in fields(ElementResult)}),
         ground=GroundResult(**{item.name: arrays[f"ground.{item.name}"] for item in fields(GroundResult)}),
         constants=Constants(**constants | {"k0": tuple(constants["k0"]), "k1": tuple(constants["k1"])}),
         certificate=Certificate(**about["certificate"]),

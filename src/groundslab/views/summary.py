@@ -14,7 +14,16 @@ from groundslab.results import PLATE_FIELDS
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from groundslab.results import Array, Certificate, Constants, Flags, GroundResult, PlateResult, Results
+    from groundslab.results import (
+        Array,
+        Certificate,
+        Constants,
+        ElementResult,
+        Flags,
+        GroundResult,
+        PlateResult,
+        Results,
+    )
 
 #: The version of the JSON summary's layout; it grows when a key changes its name or meaning.
 FORMAT = 1
@@ -129,8 +138,9 @@ def json_text(results: Results, files: Sequence[str] = ()) -> str:
 
 def require_finite(results: Results) -> None:
     """Raise GroundslabError if any number of the results is infinite or not a number."""
-    parts: dict[str, PlateResult | GroundResult | Constants | Certificate] = {
+    parts: dict[str, PlateResult | ElementResult | GroundResult | Constants | Certificate] = {
         "plate": results.plate,
+        "elements": results.elements,
         "ground": results.ground,
         "constants": results.constants,
         "certificate": results.certificate,

@@ -8,9 +8,10 @@ import numpy as np
 
 from groundslab.design import principal_moments, wood_armer
 from groundslab.errors import GroundslabError
-from groundslab.results import PLATE_FIELDS
+from groundslab.results import ELEMENT_FIELDS, PLATE_FIELDS
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     import meshio
@@ -24,15 +25,22 @@ def array_name(field: str) -> str:
     return f"{field.split('_')[0]} {about.symbol} [{about.unit}]"
 
 
+def cell_name(field: str) -> str:
+    """Return the name of a field of elements, as in "moment m_x [kNm/m] (centre, not averaged)"."""
+    about = ELEMENT_FIELDS[field]
+    return f"{field.split('_')[0]} {about.symbol} [{about.unit}] (centre, {about.averaged})"
+
+
 def plate_mesh(results: Results) -> meshio.Mesh:
-    """Return the plate with its nodal fields in units of display, and flags (1 or 0) for contact and edge."""
+    """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
     data = {array_name(name): getattr(plate, name) * about.scale for name, about in PLATE_FIELDS.items()}
     data |= _design(results)
     data["in contact"] = plate.in_contact.astype(np.int8)
     data["edge node"] = plate.on_edge.astype(np.int8)
     data["area of the node [m2]"] = plate.area
-    return _mesh(plate.nodes, plate.elements, data)
+    cells = {cell_name(name): getattr(results.elements, name) * about.scale for name, about in ELEMENT_FIELDS.items()}
+    return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
 
 
 def _design(results: Results) -> dict[str, Array]:
@@ -71,7 +79,7 @@ def ground_mesh(results: Results) -> meshio.Mesh:
     settlement[below] = plate.settlement * unit.scale
     data[f"settlement of the plate [{unit.unit}]"] = settlement
     data["under the plate"] = under
-    return _mesh(ground.nodes, ground.elements, data)
+    return _mesh(ground.nodes, ground.elements, data, {})
 
 
 def write_plate(results: Results, path: Path) -> None:
@@ -106,9 +114,13 @@ def _ranks(values: Array, tolerance: float) -> Integers:
     return ranks
 
 
-def _mesh(nodes: Array, elements: Integers, data: dict[str, Array]) -> meshio.Mesh:
-    """Return a mesh of VTK's biquadratic quadrilaterals at z = 0, whose order of nodes is ours."""
+def _mesh(
+    nodes: Array, elements: Integers, data: dict[str, Array], cells: Mapping[str, Array | Integers]
+) -> meshio.Mesh:
+    """Return a mesh of VTK's biquadratic quadrilaterals at z = 0, whose order of nodes is ours, with data."""
     import meshio
 
     points = np.column_stack([nodes, np.zeros(len(nodes))])
-    return meshio.Mesh(points, [("quad9", elements)], point_data=data)
+    return meshio.Mesh(
+        points, [("quad9", elements)], point_data=data, cell_data={name: [values] for name, values in cells.items()}
+    )
