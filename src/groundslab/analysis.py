@@ -52,6 +52,7 @@ CLOSED_AT = -0.25
 FAR = 0.05
 
 OnStep = Callable[[Step], None]
+OnCombination = Callable[[Combination], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,16 +97,23 @@ def solve(model: Model, on_step: OnStep | None = None) -> Results:
     return found
 
 
-def solve_combinations(model: Model, on_step: OnStep | None = None) -> Combined:
+def solve_combinations(
+    model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
+) -> Combined:
     """Return the results of every combination of a model, each solved by itself, and why some have none.
 
+    on_combination is told each combination as it begins, on_step every step of the iteration as it ends.
     Each starts from the contact zone and the factor of the one before. One that has no equilibrium, or no certified
     result, is refused by itself; raises InputError as `solve` does.
     """
     wanted = combinations_of(model)
     results: dict[str, Results] = {}
     refused: dict[str, GroundslabError] = {}
-    for combination, found in zip(wanted, _each(model, wanted, on_step), strict=True):
+    each = _each(model, wanted, on_step)
+    for combination in wanted:
+        if on_combination is not None:
+            on_combination(combination)
+        found = next(each)
         if isinstance(found, GroundslabError):
             refused[combination.name] = found
         else:

@@ -1,7 +1,7 @@
 """The command line: groundslab solve, check, new, dxf, verify, schema.
 
-Exit codes: 0 fine; 1 no certified result, or a verification case that fails; 2 wrong input or usage;
-130 interrupted.
+Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
+2 wrong input or usage; 130 interrupted.
 What a command is asked for goes to standard output, everything else to standard error.
 """
 
@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from groundslab.dxf import Layers
-    from groundslab.results import Results, Step
+    from groundslab.results import Combined, Results
+    from groundslab.views.progress import Shown
 
 FINE, NO_RESULT, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 
@@ -73,10 +74,15 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
 
     solve = _command(commands, "solve", _solve, "analyse a case and keep the results")
+    solve.epilog = (
+        "Every combination of loads is solved: those that the case lists, those that it has made by EN 1990, or, with "
+        "neither, each load case by itself. If one of them, listed or not, has no certified result, it is told why, "
+        "the results of the others are kept, and the exit code is 1."
+    )
     solve.add_argument("case", help="case file (TOML)")
     solve.add_argument("--out", metavar="DIR", help="folder for the results (default: <case>-results beside the case)")
     solve.add_argument("--json", action="store_true", help="print the summary as JSON, and nothing else")
-    solve.add_argument("--plot", action="store_true", help="add picture.png to the results")
+    solve.add_argument("--plot", action="store_true", help="add picture.png to the results of each combination")
     solve.add_argument("--quiet", action="store_true", help="print neither summary nor progress")
 
     check = _command(commands, "check", _check, "read a case file and say everything that is wrong with it")
@@ -135,14 +141,15 @@ def _solve(options: argparse.Namespace) -> int:
         raise InputError(
             [Fault("--out", f"{folder}, which holds the case file", "another folder", "it would be replaced")]
         )
-    from groundslab.analysis import solve
+    from groundslab.analysis import solve_combinations
+    from groundslab.loadcases import combinations_of
 
-    try:
-        with _progress(options.quiet) as on_step:
-            results = solve(model, on_step=on_step)
-    except NotCertified as error:
-        # Kept and shown, to be looked at; the exit code says that it is no answer.
-        results = error.results
+    with _progress(options.quiet, len(combinations_of(model))) as shown:
+        combined = solve_combinations(model, shown, shown.begin if shown is not None else None)
+    results = _to_keep(combined)
+    if results is None:
+        _tell_refused(combined)
+        return NO_RESULT
     try:
         store.write(results, folder, plot=options.plot)
     except GroundslabError:
@@ -153,37 +160,70 @@ def _solve(options: argparse.Namespace) -> int:
     if not (options.quiet or options.json):
         names = ", ".join(sorted(path.name for path in folder.iterdir()))
         _say(f"results in {folder}: {names}")
-    if not results.certificate.holds:
+    if not combined.refused:
+        return FINE
+    if results is combined:
+        _tell_refused(combined)
+    else:
         _say("error: the result does not fulfil the equations (see its certificate); do not use it")
-        return NO_RESULT
-    return FINE
+    return NO_RESULT
 
 
-def _show(results: Results, options: argparse.Namespace) -> None:
+def _to_keep(combined: Combined) -> Results | Combined | None:
+    """Return what is kept and shown, None if no combination has results; raises what a single one is refused for.
+
+    Results that are not certified are among it, to be looked at; the exit code says that they are no answer.
+    """
+    if len(combined.combinations) > 1:
+        uncertified = any(isinstance(error, NotCertified) for error in combined.refused.values())
+        return combined if combined.results or uncertified else None
+    for error in combined.refused.values():
+        if not isinstance(error, NotCertified):
+            raise error
+        found: Results = error.results
+        return found
+    (only,) = combined.results.values()
+    return only
+
+
+def _tell_refused(combined: Combined) -> None:
+    """Print which combinations have no certified result, and why."""
+    for name, error in combined.refused.items():
+        _say(f'error: combination "{name}": {error}')
+    _say(f"error: {len(combined.refused)} of {len(combined.combinations)} combinations have no certified result")
+
+
+def _show(results: Results | Combined, options: argparse.Namespace) -> None:
     """Print the summary to standard output, as text or as JSON."""
-    if options.json:
-        from groundslab.views.summary import json_text
+    from groundslab.results import Combined
 
-        _print(json_text(results))
+    if options.json:
+        from groundslab.views import overview, summary
+
+        text = overview.json_text(results) if isinstance(results, Combined) else summary.json_text(results)
+        _print(text)
     elif not options.quiet:
         from rich.console import Console
 
-        from groundslab.views.table import print_summary
+        from groundslab.views.table import print_overview, print_summary
 
         console = Console()
         # Captured, since rich ends the program when a pipe breaks.
-        with console.capture() as text:
-            print_summary(results, console)
-        _print(text.get().rstrip("\n"))
+        with console.capture() as captured:
+            if isinstance(results, Combined):
+                print_overview(results, console)
+            else:
+                print_summary(results, console)
+        _print(captured.get().rstrip("\n"))
 
 
-def _progress(quiet: bool) -> AbstractContextManager[Callable[[Step], None] | None]:
+def _progress(quiet: bool, count: int) -> AbstractContextManager[Shown | None]:
     """Return a context whose value shows each step on a terminal; without a terminal it does nothing."""
     if quiet or not sys.stderr.isatty():
         return nullcontext()
     from groundslab.views.progress import progress
 
-    return progress()
+    return progress(count=count)
 
 
 def _check(options: argparse.Namespace) -> int:

@@ -17,8 +17,10 @@ import pytest
 import groundslab
 import synthetic
 from groundslab import casefile, cli
-from groundslab.errors import Fault, InputError, NoEquilibrium, NotConverged
-from groundslab.views import archive
+from groundslab.errors import Fault, GroundslabError, InputError, NoEquilibrium, NotConverged
+from groundslab.loadcases import combinations_of
+from groundslab.results import Combined
+from groundslab.views import archive, store
 
 
 def fake(monkeypatch: pytest.MonkeyPatch, name: str, **contents: Any) -> None:
@@ -32,12 +34,17 @@ def fake(monkeypatch: pytest.MonkeyPatch, name: str, **contents: Any) -> None:
 def solver(outcome: Any) -> Any:
     """Return a stand-in for the analysis, which reports one step and then returns or raises the outcome."""
 
-    def solve(model: Any, on_step: Any = None) -> Any:
+    def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
+        (combination,) = combinations_of(model)
+        if on_combination is not None:
+            on_combination(combination)
         if on_step is not None:
             on_step(synthetic.results().steps[0])
+        if isinstance(outcome, GroundslabError) and not isinstance(outcome, InputError):
+            return Combined(model, (combination,), {}, {combination.name: outcome})
         if isinstance(outcome, BaseException):
             raise outcome
-        return replace(outcome, model=model)
+        return store.alone(replace(outcome, model=model))
 
     return solve
 
@@ -53,7 +60,7 @@ def case(tmp_path: Path) -> Path:
 @pytest.fixture
 def solved(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the analysis return made-up results."""
-    fake(monkeypatch, "analysis", solve=solver(synthetic.results()))
+    fake(monkeypatch, "analysis", solve_combinations=solver(synthetic.results()))
 
 
 def run(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -93,7 +100,7 @@ class TestSolve:
     ) -> None:
         """A certificate that fails gives exit code 1, a message, and results that say so."""
         bad = replace(synthetic.CERTIFICATE, residual=1.0)
-        fake(monkeypatch, "analysis", solve=solver(synthetic.results(certificate=bad)))
+        fake(monkeypatch, "analysis", solve_combinations=solver(synthetic.results(certificate=bad)))
         assert cli.main(["solve", str(case)]) == 1
         out, err = capsys.readouterr()
         assert "FAILED" in out
@@ -122,7 +129,7 @@ class TestSolve:
         words: str,
     ) -> None:
         """Each failure has its exit code and a message on standard error; nothing is written."""
-        fake(monkeypatch, "analysis", solve=solver(outcome))
+        fake(monkeypatch, "analysis", solve_combinations=solver(outcome))
         assert cli.main(["solve", str(case)]) == code
         out, err = capsys.readouterr()
         assert out == ""
@@ -131,7 +138,7 @@ class TestSolve:
 
     def test_asks_for_the_folder_before_the_analysis(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """A folder with foreign files is refused before any time is spent."""
-        fake(monkeypatch, "analysis", solve=solver(AssertionError("solved in vain")))
+        fake(monkeypatch, "analysis", solve_combinations=solver(AssertionError("solved in vain")))
         (case.parent / "out").mkdir()
         (case.parent / "out" / "notes.txt").touch()
         assert cli.main(["solve", str(case), "--out", str(case.parent / "out")]) == 2
@@ -147,7 +154,6 @@ class TestSolve:
         self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
         """If the results cannot be written they are at least shown."""
-        from groundslab.views import store
 
         def full(*_: Any, **__: Any) -> None:
             raise InputError([Fault("disk", "no room", "room")])
@@ -162,11 +168,12 @@ class TestSolve:
         """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
         got = []
 
-        def solve(model: Any, on_step: Any = None) -> Any:
+        def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
+            assert (on_step is None) == (on_combination is None)
             got.append(on_step)
-            return replace(synthetic.results(), model=model)
+            return store.alone(replace(synthetic.results(), model=model))
 
-        fake(monkeypatch, "analysis", solve=solve)
+        fake(monkeypatch, "analysis", solve_combinations=solve)
         cli.main(["solve", str(case)])
         monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
         cli.main(["solve", str(case)])

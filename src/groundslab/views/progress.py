@@ -6,25 +6,49 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     from rich.console import Console
+    from rich.status import Status
 
+    from groundslab.loadcases import Combination
     from groundslab.results import Step
 
 
+class Shown:
+    """The line on the terminal: called with each step, and told which combination the steps belong to."""
+
+    def __init__(self, status: Status, count: int) -> None:
+        self._status = status
+        self._count = count
+        self._number = 0
+        self._name = ""
+
+    def begin(self, combination: Combination) -> None:
+        """Show that the next combination begins; where there is only one, it is not named."""
+        self._number += 1
+        self._name = combination.name
+        self._update("begins")
+
+    def __call__(self, step: Step) -> None:
+        """Show a step."""
+        self._update(line(step))
+
+    def _update(self, words: str) -> None:
+        from rich.text import Text
+
+        which = f"{self._number} of {self._count}, {self._name}: " if self._count > 1 else ""
+        self._status.update(Text(which + words))  # as text, since a name may hold what rich takes for markup
+
+
 @contextmanager
-def progress(console: Console | None = None) -> Iterator[Callable[[Step], None]]:
-    """Show a line on standard error (or the given console); the context's value is called with each step."""
+def progress(console: Console | None = None, count: int = 1) -> Iterator[Shown]:
+    """Show a line on standard error (or the given console) for an analysis of `count` combinations."""
     from rich.console import Console
 
     console = console or Console(stderr=True)
     with console.status("analysis begins") as status:
-
-        def show(step: Step) -> None:
-            status.update(line(step))
-
-        yield show
+        yield Shown(status, count)
 
 
 def line(step: Step) -> str:

@@ -8,6 +8,8 @@ Three folders stand side by side in one parent while results are written:
 
 A crash leaves NAME as it was, or complete and new, or absent with .NAME.previous beside it, which
 ``recover`` mends.
+
+One combination has its files in NAME itself; of several each has a folder in NAME, beside what tells of all of them.
 """
 
 from __future__ import annotations
@@ -19,15 +21,25 @@ import secrets
 import shutil
 import time
 from contextlib import suppress
-from pathlib import Path
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING, Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import (
+    Fault,
+    GroundslabError,
+    InputError,
+    NoEquilibrium,
+    NotCertified,
+    NotConverged,
+    SingularMatrix,
+)
+from groundslab.results import Combined, Results
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Iterator
 
-    from groundslab.results import Results
+    from groundslab.views.contents import Writer
 
 #: Files that file managers put into any folder that is looked at.
 LITTER = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})
@@ -35,9 +47,10 @@ LITTER = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})
 STALE = 3600.0
 
 
-def write(results: Results, folder: str | Path, *, plot: bool = False) -> Path:
+def write(results: Results | Combined, folder: str | Path, *, plot: bool = False) -> Path:
     """Write all files of the results into the folder, in place of earlier ones there, and return the folder.
 
+    Results that are not certified are written too, and called so; combinations without any are named with the reason.
     The folder may be missing, empty, or hold only what groundslab wrote; anything else raises InputError.
     """
     target = check(folder)
@@ -46,7 +59,7 @@ def write(results: Results, folder: str | Path, *, plot: bool = False) -> Path:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         staging.mkdir()
-        _fill(results, staging, plot)
+        _fill(results if isinstance(results, Combined) else alone(results), staging, plot)
         _sync(staging)
         _swap(staging, target)
     except OSError as error:
@@ -95,6 +108,73 @@ def recover(folder: str | Path) -> bool:
     return False
 
 
+def load(folder: str | Path) -> Combined:
+    """Return what ``write`` put into a folder, one combination or several; raises InputError if it is nothing of ours.
+
+    Of an iteration that did not converge only the history is there, not the last iterate.
+    """
+    from groundslab.views import archive
+
+    path = Path(folder)
+    if not _files(path):
+        raise _not_ours(path, "no summary.json that names its files")
+    document = json.loads((path / "summary.json").read_text(encoding="utf-8"))
+    if "combinations" not in document:
+        return alone(archive.load(path / "results.npz"))
+    try:
+        return _several(path, document["combinations"])
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
+
+
+def alone(results: Results) -> Combined:
+    """Return the results of one combination as those of all there are."""
+    from groundslab.loadcases import Combination
+
+    about = {"name": results.combination, "limit_state": results.limit_state}
+    combination = Combination(**about, factors=dict(results.factors) or {"": 1.0})
+    if results.certificate.holds:
+        return Combined(results.model, (combination,), {combination.name: results}, {})
+    return Combined(results.model, (combination,), {}, {combination.name: NotCertified(results)})
+
+
+def _several(path: Path, told: list[dict[str, Any]]) -> Combined:
+    """Return the combinations that a summary tells of, read from their folders."""
+    from groundslab import casefile
+    from groundslab.loadcases import Combination
+    from groundslab.views import archive
+
+    model = casefile.load(path / "case.toml")
+    combinations, results, refused = [], {}, dict[str, GroundslabError]()
+    for each in told:
+        name = each["name"]
+        combinations.append(Combination(name=name, limit_state=each["limit_state"], factors=each["factors"]))
+        if "folder" in each:
+            archived = path / each["folder"] / "results.npz"
+            found = archive.load(archived)
+            if found.model != model or found.combination != name:
+                raise _not_ours(archived, "results of another case or combination")
+            results[name] = replace(found, model=model)
+        if "refused" in each:
+            refused[name] = _refused(each["refused"], results.pop(name, None))
+    return Combined(model, tuple(combinations), results, refused)
+
+
+def _refused(told: dict[str, Any], results: Results | None) -> GroundslabError:
+    """Return the error that a summary tells of."""
+    if results is not None:
+        return NotCertified(results)
+    if told["error"] == "NotConverged":
+        return NotConverged(told["what"], told["history"], {})
+    kinds: dict[str, type[GroundslabError]] = {"NoEquilibrium": NoEquilibrium, "SingularMatrix": SingularMatrix}
+    return kinds.get(told["error"], GroundslabError)(told["reason"])
+
+
+def _not_ours(path: Path, got: str) -> InputError:
+    """Return the error for what is no folder of results."""
+    return InputError([Fault(str(path), got, "a folder of results that groundslab wrote")])
+
+
 def _in_the_way(target: Path) -> list[Fault]:
     """Return what speaks against writing results into the folder."""
     previous = _beside(target, "previous")
@@ -111,8 +191,11 @@ def _in_the_way(target: Path) -> list[Fault]:
         return [Fault(str(target), "a file", "a folder, or a name that is free", "choose another")]
     # Replacing it would leave the shell standing in a folder that is gone.
     with suppress(OSError):
-        if target.samefile(os.curdir):
+        here = Path.cwd()
+        if target.samefile(here):
             return [Fault(str(target), "the folder that you stand in", "another one", "name a folder inside it")]
+        if any(target.samefile(above) for above in here.parents):
+            return [Fault(str(target), "a folder above the one that you stand in", "another one", "leave it first")]
     expected = "a folder that is missing, empty, or holds only results of groundslab"
     mend = "move it away or choose another folder; nothing was changed"
     return [
@@ -121,29 +204,31 @@ def _in_the_way(target: Path) -> list[Fault]:
     ]
 
 
-def _fill(results: Results, folder: Path, plot: bool) -> None:
+def _fill(combined: Combined, folder: Path, plot: bool) -> None:
     """Write every file; the summary, which names them all, comes last."""
     from groundslab import casefile
-    from groundslab.views import archive, picture, summary, vtu
+    from groundslab.views import contents, overview, summary
 
-    writers: dict[str, Callable[[Results, Path], object]] = {
-        "plate.vtu": vtu.write_plate,
-        "ground.vtu": vtu.write_ground,
-        "results.npz": archive.write,
-        "case.toml": lambda results, path: _write_text(path, casefile.to_toml(results.model)),
-    }
-    if plot:
-        writers["picture.png"] = picture.write
+    found = overview.entries(combined)
+    folders: dict[str, str] = {}
+    writers: dict[str, Writer] = {}  # of each file, by its path below the folder
+    if len(found) == 1 and found[0].results is not None:
+        writers |= contents.of_one(found[0].results, "", plot)
+    else:
+        folders = contents.folders_of(found)
+        writers |= contents.of_several(found, folders, plot)
+    writers["case.toml"] = lambda path: contents.write_text(path, casefile.to_toml(combined.model))
+    # What is made of all combinations together joins here: writers |= {path below the folder: what writes it}.
+    files = [*writers, "summary.json"]
     # A summary that cannot be made stops everything before the large files are written.
-    text = summary.json_text(results, [*writers, "summary.json"])
+    if folders or found[0].results is None:
+        text = overview.json_text(combined, folders, files)
+    else:
+        text = summary.json_text(found[0].results, files)
     for name, writer in writers.items():
-        writer(results, folder / name)
-    _write_text(folder / "summary.json", text + "\n")
-
-
-def _write_text(path: Path, text: str) -> None:
-    """Write text as UTF-8 with plain line ends."""
-    path.write_text(text, encoding="utf-8", newline="\n")
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        writer(folder / name)
+    contents.write_text(folder / "summary.json", text + "\n")
 
 
 def _swap(staging: Path, target: Path) -> None:
@@ -183,8 +268,11 @@ def _discard(previous: Path, target: Path) -> None:
 
 
 def _sync(folder: Path) -> None:
-    """Make sure that the files of a folder and their names are on the disk."""
+    """Make sure that the files of a folder, those in folders within it too, and their names are on the disk."""
     for path in folder.iterdir():
+        if path.is_dir():
+            _sync(path)
+            continue
         with path.open("r+b") as file:
             os.fsync(file.fileno())
     _sync_entries(folder)
@@ -209,16 +297,26 @@ def _sweep(target: Path) -> None:
     with suppress(OSError):
         for path in target.parent.iterdir():
             if pattern.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
-                newest = max(entry.lstat().st_mtime for entry in (path, *path.iterdir()))
+                newest = max(entry.lstat().st_mtime for entry in (path, *path.rglob("*")))
                 if time.time() - newest > STALE:
                     shutil.rmtree(path, ignore_errors=True)
 
 
 def _foreign(folder: Path) -> list[str]:
-    """Return the names in a folder that groundslab did not write there."""
-    names = sorted(path.name for path in folder.iterdir())
-    ours = set(_files(folder)) | LITTER
-    return [name for name in names if name not in ours or not _plain(folder / name)]
+    """Return the paths in a folder, and in the folders within it, that groundslab did not write there."""
+    files = set(_files(folder))
+    rooms = {above.as_posix() for name in files for above in PurePosixPath(name).parents}
+    return sorted(_strange(folder, "", files, rooms))
+
+
+def _strange(folder: Path, below: str, files: set[str], rooms: set[str]) -> Iterator[str]:
+    """Yield the paths in a folder that are neither our files nor folders that hold some."""
+    for path in folder.iterdir():
+        name = below + path.name
+        if name in rooms and path.is_dir() and not path.is_symlink():
+            yield from _strange(path, f"{name}/", files, rooms)
+        elif not ((name in files or path.name in LITTER) and _plain(path)):
+            yield name
 
 
 def _files(folder: Path) -> list[str]:

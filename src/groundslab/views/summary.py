@@ -89,14 +89,17 @@ class Section:
 def summary(results: Results) -> list[Section]:
     """Return the sections of the summary, in the order in which they are shown."""
     require_finite(results)
-    return [
-        _plate(results),
-        _ground(results),
-        _settlement(results),
-        _contact(results),
-        _section_forces(results),
-        _certificate(results.certificate),
-    ]
+    return [*description(results), *figures(results), certificate_section(results.certificate)]
+
+
+def description(results: Results) -> list[Section]:
+    """Return what was analysed, plate and ground."""
+    return [_plate(results), description_of_ground(results)]
+
+
+def figures(results: Results) -> list[Section]:
+    """Return what came out: settlement, contact, section forces."""
+    return [_settlement(results), _contact(results), _section_forces(results)]
 
 
 def to_json(results: Results, files: Sequence[str] = ()) -> dict[str, Any]:
@@ -105,35 +108,59 @@ def to_json(results: Results, files: Sequence[str] = ()) -> dict[str, Any]:
     Every number with a dimension is an object {"value", "unit"} in SI units, with "place" = [x, y] in metres
     where it is an extreme; counts, ratios and words stand for themselves. Lists over layers run downwards.
     """
-    document: dict[str, Any] = {
-        "program": "groundslab",
-        "version": __version__,
-        "format": FORMAT,
-        "title": results.model.title,
-        "certified": results.certificate.holds,
-    }
-    for section in summary(results):
-        document[section.key] = {row.key: _json_row(row) for row in section.rows}
-        if section.notes:
-            document[section.key]["notes"] = list(section.notes)
-    constants = results.constants
-    document["constants"] = {
-        "k0": [_quantity(value, STIFFNESS) for value in constants.k0],
-        "k1": [_quantity(value, SHEAR_STIFFNESS) for value in constants.k1],
-        "gamma": constants.gamma,
-        "gamma_iterations": constants.gamma_iterations,
-    }
-    document["history"] = [asdict(step) for step in results.steps]
+    document = json_head(results.model.title, results.certificate.holds)
+    document |= json_sections(summary(results))
+    document |= json_analysis(results)
     document["files"] = list(files)
     return document
 
 
+def json_head(title: str, certified: bool) -> dict[str, Any]:
+    """Return how every summary in JSON begins."""
+    return {
+        "program": "groundslab",
+        "version": __version__,
+        "format": FORMAT,
+        "title": title,
+        "certified": certified,
+    }
+
+
+def json_sections(sections: Sequence[Section]) -> dict[str, Any]:
+    """Return sections of the summary as data for JSON, by their keys."""
+    document: dict[str, Any] = {}
+    for section in sections:
+        document[section.key] = {row.key: json_row(row) for row in section.rows}
+        if section.notes:
+            document[section.key]["notes"] = list(section.notes)
+    return document
+
+
+def json_analysis(results: Results) -> dict[str, Any]:
+    """Return the constants that an analysis ended with and its steps as data for JSON."""
+    constants = results.constants
+    return {
+        "constants": {
+            "k0": [_quantity(value, STIFFNESS) for value in constants.k0],
+            "k1": [_quantity(value, SHEAR_STIFFNESS) for value in constants.k1],
+            "gamma": constants.gamma,
+            "gamma_iterations": constants.gamma_iterations,
+        },
+        "history": [asdict(step) for step in results.steps],
+    }
+
+
 def json_text(results: Results, files: Sequence[str] = ()) -> str:
     """Return the JSON summary as text."""
+    return dumps(to_json(results, files))
+
+
+def dumps(document: dict[str, Any]) -> str:
+    """Return data as the text of a JSON file."""
     import json
 
     # Plain Python numbers and NumPy's look alike in a Results; JSON knows the plain ones only.
-    return json.dumps(to_json(results, files), indent=2, allow_nan=False, default=lambda number: number.item())
+    return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
 
 
 def require_finite(results: Results) -> None:
@@ -206,7 +233,7 @@ def _plate(results: Results) -> Section:
     return Section("plate", "Plate", rows)
 
 
-def _ground(results: Results) -> Section:
+def description_of_ground(results: Results) -> Section:
     """Return the kind of ground and the constants that the analysis ended with, layer by layer."""
     constants = results.constants
     several = len(constants.k0) > 1
@@ -288,7 +315,7 @@ def _section_forces(results: Results) -> Section:
     return Section("section_forces", "Moments and shear forces", tuple(rows), notes)
 
 
-def _certificate(certificate: Certificate) -> Section:
+def certificate_section(certificate: Certificate) -> Section:
     """Return the figures that say how well the result fulfils the equations, each with its verdict."""
     rows = [
         Row("load", "sum of the loads", certificate.load, FORCE),
@@ -313,7 +340,7 @@ def _quantity(value: float, unit: Unit) -> dict[str, Any]:
     return {"value": value, "unit": unit.si}
 
 
-def _json_row(row: Row) -> Any:
+def json_row(row: Row) -> Any:
     """Return the value of a row as JSON data."""
     if row.ok is not None:
         return {"value": row.value, "tolerance": row.tolerance, "ok": row.ok}

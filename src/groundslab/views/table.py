@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import math
 import textwrap
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from groundslab import __version__
-from groundslab.views.summary import Row, summary
+from groundslab.views import overview
+from groundslab.views.summary import Row, Section, summary
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from rich.console import Console
     from rich.text import Text
 
-    from groundslab.results import Results, Step
+    from groundslab.results import Combined, Results, Step
+    from groundslab.views.overview import Entry, Extreme
 
 #: Widths of the columns of words and of values; unit and place follow, 78 in all.
 LABEL, VALUE = 36, 12
@@ -23,19 +26,12 @@ LABEL, VALUE = 36, 12
 
 def print_summary(results: Results, console: Console) -> None:
     """Print everything that ``summary`` returns, the convergence history and the verdict."""
-    from rich.padding import Padding
     from rich.text import Text
 
     sections = summary(results)
-    console.print(Text(results.model.title or "(no title)", style="bold"))
-    console.print(Text(f"groundslab {__version__}", style="dim"))
+    _head(results.model.title, console)
     for section in sections:
-        console.print()
-        console.print(Text(section.title, style="bold cyan"))
-        for row in section.rows:
-            console.print(_line(row), soft_wrap=True)
-        for note in section.notes:
-            console.print(Padding(Text(note, style="dim"), (0, 2)))
+        _section(section, [_line(row) for row in section.rows], console)
     console.print()
     print_history(results.steps, console)
     console.print()
@@ -43,6 +39,84 @@ def print_summary(results: Results, console: Console) -> None:
         console.print(Text("The result fulfils the equations.", style="bold green"))
     else:
         console.print(Text("FAILED: the result does not fulfil the equations; do not use it.", style="bold red"))
+
+
+def print_overview(combined: Combined, console: Console) -> None:
+    """Print what all combinations have in common, each on its lines, the extremes over all, and the verdict."""
+    from rich.text import Text
+
+    _head(combined.model.title, console)
+    for section in overview.description(combined):
+        _section(section, [_line(row) for row in section.rows], console)
+    found = overview.entries(combined)
+    console.print()
+    console.print(Text("Combinations", style="bold cyan"))
+    for heading in (("load", "settlement", "uplift", "contact", "iteration"), ("kN", "mm", "mm", "%", "steps")):
+        console.print(Text("   " + "".join(f"{word:>12}" for word in heading), style="dim"))
+    for entry in found:
+        for line in _entry(entry):
+            console.print(line, soft_wrap=True)
+    for section, rows in overview.extremes(combined):
+        _section(replace(section, title=f"{section.title}: extremes"), [_extreme(row) for row in rows], console)
+    worst = Section("certificate", "Certificate: the worst of each figure", ())
+    _section(worst, [_extreme(row) for row in overview.worst(combined)], console)
+    console.print(Text("  The number before each line is that of the combination that governs.", style="dim"))
+    console.print()
+    if not combined.refused:
+        console.print(Text("The results of all combinations fulfil the equations.", style="bold green"))
+        return
+    numbers = ", ".join(str(entry.number) for entry in found if entry.refused is not None)
+    words = f"FAILED: {len(combined.refused)} of {len(found)} combinations have no certified result: {numbers}."
+    console.print(Text(words, style="bold red"), soft_wrap=True)
+
+
+def _entry(entry: Entry) -> Iterator[Text]:
+    """Yield the lines of one combination: name and factors, figures, and why it is refused."""
+    from rich.text import Text
+
+    about = f"{entry.combination.name} ({entry.combination.limit_state}): {overview.factors_text(entry.combination)}"
+    name, *more = textwrap.wrap(about, 74)
+    yield Text(f"{entry.number:>3} {name}", style="bold")
+    yield from (Text(f"    {line}", style="bold") for line in more)
+    if entry.results is not None:
+        f = overview.figures(entry.results)
+        values = [number(f.load / 1e3), number(f.settlement * 1e3), number(f.uplift * 1e3), number(f.contact * 100)]
+        line = Text("   " + "".join(f"{value:>12}" for value in (*values, f.iterations)))
+        if entry.refused is None:
+            line.append("  ok", style="green")
+        yield line
+    if entry.refused is not None:
+        reason = " ".join(str(entry.refused).split())
+        shown = textwrap.wrap(f"REFUSED: {reason}", 74, max_lines=6, placeholder=" ...")
+        yield from (Text(f"    {line}", style="bold red") for line in shown)
+
+
+def _extreme(extreme: Extreme) -> Text:
+    """Return a row as one line that begins with the number of its combination."""
+    from rich.text import Text
+
+    return Text(f"{extreme.number:>3} ") + _line(extreme.row, 2)
+
+
+def _head(title: str, console: Console) -> None:
+    """Print the title and who says it."""
+    from rich.text import Text
+
+    console.print(Text(title or "(no title)", style="bold"))
+    console.print(Text(f"groundslab {__version__}", style="dim"))
+
+
+def _section(section: Section, lines: Sequence[Text], console: Console) -> None:
+    """Print lines under their heading, and the notes below."""
+    from rich.padding import Padding
+    from rich.text import Text
+
+    console.print()
+    console.print(Text(section.title, style="bold cyan"))
+    for line in lines:
+        console.print(line, soft_wrap=True)
+    for note in section.notes:
+        console.print(Padding(Text(note, style="dim"), (0, 2)))
 
 
 def print_history(steps: Sequence[Step], console: Console) -> None:
@@ -89,12 +163,12 @@ def number(value: float) -> str:
     return f"{value:.{decimals}f}"
 
 
-def _line(row: Row) -> Text:
-    """Return a row of the summary as one line; long words wrap under themselves."""
+def _line(row: Row, taken: int = 0) -> Text:
+    """Return a row of the summary as one line; long words wrap under themselves. So many columns are taken before."""
     from rich.text import Text
 
     symbol = "" if row.symbol in row.label else f" {row.symbol}"
-    line = Text("  " + (row.label + symbol).ljust(LABEL))
+    line = Text(("" if taken else "  ") + (row.label + symbol).ljust(LABEL - taken))
     if row.ok is not None:
         line.append(f"{row.value:{VALUE}.1e} ")
         line.append("ok" if row.ok else "FAILED", style="green" if row.ok else "bold red")
