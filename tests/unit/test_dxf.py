@@ -819,3 +819,73 @@ class TestOutput:
             ("250 kN", 250e3, 6, 5),
             ("", 50e3, 7, 1),
         ]
+
+    def test_columns_become_columns(self, drawn: Any) -> None:
+        """Rectangles along x and y and circles are columns of the case; loads on them name them, moments kept."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(0, 0), (8, 0), (8, 6), (0, 6)])
+            square(space, 4, 4, 1, "OPENINGS")
+            square(space, 1.1, 1.1, 0.3, "COLUMNS")
+            space.add_circle((6, 2), 0.25, on("COLUMNS"))
+            turned = [(3, 1), (3.2, 1.2), (3, 1.4), (2.8, 1.2)]
+            space.add_lwpolyline(turned, close=True, dxfattribs=on("COLUMNS"))
+            space.add_arc((5, 1), 0.2, 0, 90, dxfattribs=on("COLUMNS"))
+            space.add_lwpolyline([(5.2, 1), (5, 1), (5, 1.2)], dxfattribs=on("COLUMNS"))
+            square(space, 4.3, 4.3, 0.2, "COLUMNS")
+            square(space, 9, 1, 0.2, "COLUMNS")
+            space.add_point((7, 5), on("COLUMNS"))
+            for x, y, text in (
+                (1.25, 1.25, "100 kN"),
+                (6.1, 1.95, "200 kN"),
+                (3, 1.2, "300 kN"),
+                (6.0, 2.3, "400 kN"),
+                (1.35, 1.25, ""),
+                (6.0, 2.0, ""),
+            ):
+                space.add_point((x, y), on("LOADS"))
+                if text:
+                    space.add_text(text, height=0.005, dxfattribs=on("LOADS", insert=(x, y)))
+
+        text = dxf.to_case(drawn(draw), "a slab")
+        model = casefile.loads(filled(text))
+        first, second = model.columns
+        assert (first.name, first.x, first.y, first.width_x, first.width_y) == ("C1", 1.25, 1.25, 0.3, 0.3)
+        assert (second.name, second.x, second.y, second.diameter) == ("C2", 6, 2, 0.5)
+        assert 'width_x = "0.3 m"' in text
+        loads = {load.P: load for load in model.loads if isinstance(load, PointLoad) and load.name}
+        assert (loads[100e3].column, loads[100e3].M_x, loads[100e3].M_y) == ("C1", 0, 0)
+        assert loads[200e3].column == "C2"
+        assert (loads[200e3].M_x, loads[200e3].M_y) == pytest.approx((20e3, -10e3))
+        assert (loads[300e3].column, loads[300e3].x, loads[300e3].y) == ("", 3, 1.2)
+        assert (loads[400e3].column, loads[400e3].x, loads[400e3].y) == ("", 6, 2.3)
+        unknown = [load for load in model.loads if isinstance(load, PointLoad) and not load.name]
+        assert [(load.column, load.x) for load in unknown] == [("", 1.35), ("C2", None)]
+        assert text.count("for information only: a column is a rectangle along x and y, or a circle.") == 2
+        assert text.count("for information only: it does not stand on the plate.") == 2
+        assert "# Column 7 of the drawing, for information only: a point says nothing of its size." in text
+
+    @given(turn=st.sampled_from([0, 1, 2, 3]), x=st.floats(-100, 100), y=st.floats(-100, 100))
+    @settings(max_examples=15, deadline=None)
+    def test_columns_of_a_drawing_turned_by_right_angles(self, turn: int, x: float, y: float) -> None:
+        """Rectangles stay rectangles and circles circles, wherever they are drawn; widths change places."""
+        moved = Matrix44.z_rotate(turn * math.pi / 2) @ Matrix44.translate(x, y, 0)
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(-5, -5), (5, -5), (5, 5), (-5, 5)])
+            corners = [(1, 1), (1.4, 1), (1.4, 1.2), (1, 1.2)]
+            space.add_lwpolyline(corners, close=True, dxfattribs=on("COLUMNS"))
+            space.add_circle((-1, 2), 0.3, on("COLUMNS"))
+            for entity in space:
+                entity.transform(moved)
+
+        with tempfile.TemporaryDirectory() as folder:
+            case = tomllib.loads(dxf.to_case(dxf.read(save(draw, Path(folder)))))
+        metres = [
+            {key: float(value.removesuffix(" m")) for key, value in each.items() if key != "name"}
+            for each in case["columns"]
+        ]
+        one, other = (moved.transform(place) for place in ((1.2, 1.1, 0), (-1, 2, 0)))
+        widths = (0.4, 0.2) if turn % 2 == 0 else (0.2, 0.4)
+        assert metres[0] == pytest.approx({"x": one.x, "y": one.y, "width_x": widths[0], "width_y": widths[1]})
+        assert metres[1] == pytest.approx({"x": other.x, "y": other.y, "diameter": 0.6})
