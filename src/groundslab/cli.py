@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from groundslab.dxf import Layers
+    from groundslab.model import Model
     from groundslab.results import Combined, Results
     from groundslab.views.progress import Shown
 
@@ -234,11 +235,46 @@ def _check(options: argparse.Namespace) -> int:
 
     model = casefile.load(Path(options.case))
     plate = model.plate
-    _print(
+    lines = [
         f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
-    )
+    ]
+    lines += _columns_and_supports(model) + _cases_and_combinations(model)
+    _print("\n".join(lines))
     return FINE
+
+
+def _columns_and_supports(model: Model) -> list[str]:
+    """Return the columns and supports of a model in words, a line each."""
+    lines = []
+    for column in model.columns:
+        if column.diameter is not None:
+            size = f"diameter {column.diameter:g} m"
+        else:
+            size = f"{column.width_x:g} m x {column.width_y:g} m"
+        lines.append(f"  column {column.name}: {size} at ({column.x:g}, {column.y:g}) m")
+    for number, support in enumerate(model.supports, 1):
+        places = [(support.x, support.y)] if support.kind == "point" else support.points
+        where = " to ".join(f"({x:g}, {y:g})" for x, y in places)
+        firm = "rigid" if support.stiffness is None else "elastic"
+        lines.append(f"  support {support.name or number}: {support.kind}, {firm}, acts {support.acts}, at {where} m")
+    return lines
+
+
+def _cases_and_combinations(model: Model) -> list[str]:
+    """Return the load cases of a model and what is solved of them in words, a line each."""
+    if not model.cases:
+        return []
+    from groundslab.loadcases import combinations_of
+    from groundslab.views.overview import factors_text
+
+    lines = []
+    for case in model.cases:
+        count = sum(load.case == case.name for load in model.loads)
+        lines.append(f"  case {case.name}: {case.action}, {count} load{'' if count == 1 else 's'}")
+    return lines + [
+        f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in combinations_of(model)
+    ]
 
 
 def _new(options: argparse.Namespace) -> int:

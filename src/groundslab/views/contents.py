@@ -62,7 +62,7 @@ def folder_name(number: int, name: str, count: int) -> str:
 
     It begins with a digit, so that it is none of the names that Windows keeps for itself.
     """
-    plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
+    plain = unicodedata.normalize("NFKD", name.casefold()).encode("ascii", "ignore").decode()
     slug = re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:LONGEST].rstrip("-")
     return f"{number:0{max(2, len(str(count)))}}{'-' if slug else ''}{slug}"
 

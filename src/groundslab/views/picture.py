@@ -1,4 +1,4 @@
-"""A picture of a result in plan: settlement and contact pressure, with contact boundary and loads."""
+"""A picture of a result in plan: settlement and contact pressure, with contact boundary, loads and what bears."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 TRIANGLES = np.array(
     [[0, 4, 8], [4, 1, 8], [1, 5, 8], [5, 2, 8], [2, 6, 8], [6, 3, 8], [3, 7, 8], [7, 0, 8]]
 )  # fmt: skip
-INK, LIFTED, OVER, LOAD = "black", "0.45", "#b30000", "#d81b60"
+INK, LIFTED, OVER, LOAD, SUPPORT = "black", "0.45", "#b30000", "#d81b60", "#1b7f3b"
 
 
 def write(results: Results, path: Path) -> None:
@@ -51,13 +51,16 @@ def draw(results: Results) -> Figure:
     for axes in panels:
         legend |= _contact_boundary(axes, triangles, results)
         legend |= _loads(axes, results)
+        legend |= _columns(axes, results)
+        legend |= _supports(axes, results)
         axes.set_aspect("equal")
         axes.set_xlabel("x [m]")
         axes.set_ylabel("y [m]")
     legend |= above
-    if results.model.title:
+    titles = [results.model.title, results.combination if results.model.cases else ""]
+    if any(titles):
         # A title is free text: a dollar sign in it is no formula.
-        figure.suptitle(results.model.title, parse_math=False, wrap=True)
+        figure.suptitle("\n".join(filter(None, titles)), parse_math=False, wrap=True)
     if legend:
         figure.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=5, frameon=False)
     return figure
@@ -182,13 +185,16 @@ def _contact_boundary(axes: Axes, triangles: Triangulation, results: Results) ->
 
 
 def _loads(axes: Axes, results: Results) -> dict[str, Any]:
-    """Outline the loaded areas and mark the point loads; return their entries in the legend."""
+    """Outline the loaded areas and mark the point loads that take part; return their entries in the legend."""
     from matplotlib.patches import Polygon
 
     entries: dict[str, Any] = {}
     plate = results.model.plate
     chord = 1e-3 * max(plate.sides)
+    factors = dict(results.factors)
     for given in results.model.loads:
+        if factors and not factors.get(given.case):
+            continue
         load = given.on(results.model.columns) if given.kind == "point" else given
         if load.kind == "point" and load.x is not None and load.y is not None:
             (mark,) = axes.plot(load.x, load.y, "v", color=LOAD, markeredgecolor="white", markersize=9, clip_on=False)
@@ -204,4 +210,36 @@ def _loads(axes: Axes, results: Results) -> dict[str, Any]:
             outline.set(linestyle=(0, (4, 2)), clip_on=False, zorder=3)
             axes.add_patch(outline)
             entries["loaded area"] = outline
+    return entries
+
+
+def _columns(axes: Axes, results: Results) -> dict[str, Any]:
+    """Outline the columns; return their entry in the legend."""
+    from matplotlib.patches import Polygon
+
+    entries: dict[str, Any] = {}
+    chord = 1e-3 * max(results.model.plate.sides)
+    for column in results.model.columns:
+        around = np.array(column.ring().flat(chord))
+        outline = Polygon(around, fill=False, edgecolor=INK, linewidth=1.2, zorder=3)
+        outline.set(clip_on=False)
+        axes.add_patch(outline)
+        entries["column"] = outline
+    return entries
+
+
+def _supports(axes: Axes, results: Results) -> dict[str, Any]:
+    """Mark supports at points by triangles and those along lines by thick lines; return their entries in the legend."""
+    from matplotlib.patheffects import withStroke
+
+    entries: dict[str, Any] = {}
+    for support in results.model.supports:
+        if support.kind == "point":
+            (mark,) = axes.plot(support.x, support.y, "^", color=SUPPORT, markeredgecolor="white", markersize=9)
+            mark.set(linestyle="none", clip_on=False)
+            entries["support"] = mark
+        else:
+            (line,) = axes.plot(*zip(*support.points, strict=True), color=SUPPORT, linewidth=4.0, clip_on=False)
+            line.set(path_effects=[withStroke(linewidth=6.0, foreground="white")])
+            entries["line support"] = line
     return entries

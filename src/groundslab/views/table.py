@@ -95,7 +95,7 @@ def _extreme(extreme: Extreme) -> Text:
     """Return a row as one line that begins with the number of its combination."""
     from rich.text import Text
 
-    return Text(f"{extreme.number:>3} ") + _line(extreme.row, 2)
+    return Text(f"{extreme.number:>2} ") + _line(extreme.row, 1)
 
 
 def _head(title: str, console: Console) -> None:
