@@ -171,6 +171,48 @@ thickness = "4 m"
 # thickness = "2 m"
 # sublayers = 4
 
+# Ground that varies over the plan: zones with ground of their own, of the same kind and with as many layers ...
+#
+# [[soil_zones]]
+# shape = {kind = "rectangle", x = ["1 m", "3 m"], y = ["-2 m", "2 m"]}
+# [soil_zones.ground]
+# kind = "vlasov"
+# [[soil_zones.ground.layers]]
+# E = "10 MPa"
+# nu = 0.3
+# thickness = "2 m"
+# [[soil_zones.ground.layers]]
+# E = "60 MPa"
+# nu = 0.3
+# thickness = "4 m"
+#
+# ... or boreholes, between which thickness, E and nu of each layer are interpolated.
+#
+# [[boreholes]]
+# name = "B1"
+# x = "-4 m"
+# y = "0 m"
+# [[boreholes.layers]]
+# E = "20 MPa"
+# nu = 0.3
+# thickness = "1.5 m"
+# [[boreholes.layers]]
+# E = "60 MPa"
+# nu = 0.3
+# thickness = "4 m"
+# [[boreholes]]
+# name = "B2"
+# x = "4 m"
+# y = "0 m"
+# [[boreholes.layers]]
+# E = "15 MPa"
+# nu = 0.3
+# thickness = "3 m"
+# [[boreholes.layers]]
+# E = "60 MPa"
+# nu = 0.3
+# thickness = "4 m"
+
 # The ground beyond the plate.
 [beyond]
 kind = "infinite"              # or "none" (default), or "margin"
@@ -182,20 +224,63 @@ kind = "infinite"              # or "none" (default), or "margin"
 [contact]
 tensionless = true             # the plate may lift off; false: it is held down
 # gap = "0 mm"                 # initial gap everywhere
+# limit_pressure = "300 kPa"   # pressure at which the ground yields
 # [[contact.voids]]            # a rectangle where the ground lies deeper
 # depth = "5 mm"
 # x = ["-3 m", "-2 m"]
 # y = ["-2 m", "-1 m"]
 
+# Columns on the plate, rectangles or circles. Loads name them, and punching is checked.
+# [[columns]]
+# name = "A1"
+# x = "-2 m"
+# y = "0 m"
+# width_x = "300 mm"
+# width_y = "400 mm"           # or, instead of both: diameter = "400 mm"
+
+# Supports beside the ground: at points, such as piles, and along lines, such as walls below.
+# [[supports]]
+# kind = "point"
+# name = "pile"
+# x = "-2.5 m"
+# y = "-1.5 m"
+# stiffness = "50 MN/m"        # rigid without it
+# acts = "in compression"      # or "both ways", "in tension"
+# [[supports]]
+# kind = "line"
+# name = "wall"
+# points = [["2 m", "-2 m"], ["2 m", "2 m"]]
+# stiffness = "100 MN/m^2"
+# acts = "in compression"
+
+# Load cases. Each load then names the case that it belongs to; each case is solved by itself ...
+# [[cases]]
+# name = "permanent"
+# [[cases]]
+# name = "imposed"
+# action = "variable"          # psi_0 = 0.7, psi_1 = 0.5, psi_2 = 0.3 by default
+
+# ... unless combinations are given, each solved by itself ...
+# [[combinations]]
+# name = "all"
+# limit_state = "ultimate"     # or "characteristic", "frequent", "quasi-permanent"
+# factors = {permanent = 1.35, imposed = 1.5}
+
+# ... or made by EN 1990.
+# [combine]
+# sets = ["ultimate", "characteristic"]
+
 # The loads, as many as there are.
 [[loads]]
 kind = "uniform"               # on the whole plate
 name = "own weight"
+# case = "permanent"
 q = "6.25 kPa"
 
 [[loads]]
 kind = "patch"                 # on a rectangle
 name = "machine"
+# case = "imposed"
 q = "200 kPa"
 x = ["1 m", "2.5 m"]
 y = ["-0.5 m", "1 m"]
@@ -205,6 +290,43 @@ y = ["-0.5 m", "1 m"]
 # P = "50 kN"
 # x = "0 m"
 # y = "0 m"
+
+# [[loads]]
+# kind = "point"               # on a column, with moments
+# P = "300 kN"
+# M_x = "20 kNm"
+# column = "A1"
+
+# [[loads]]
+# kind = "temperature"         # positive if the bottom is warmer
+# difference = "10 K"
+
+# [[loads]]
+# kind = "settlement"          # forced on a support
+# support = "pile"
+# w = "5 mm"
+
+# Where values are listed.
+# [[output.points]]
+# name = "middle"
+# x = "0 m"
+# y = "0 m"
+# [[output.lines]]
+# name = "axis"
+# start = ["-3 m", "0 m"]
+# end = ["3 m", "0 m"]
+# [[output.strips]]
+# name = "strip"
+# start = ["-3 m", "1 m"]
+# end = ["3 m", "1 m"]
+# width = "1 m"
+
+# Reinforcement by EN 1992-1-1.
+# [reinforcement]
+# f_ck = "30 MPa"
+# f_yk = "500 MPa"
+# bottom = ["40 mm", "50 mm"]  # from the face to the axis of the bars along x and along y
+# top = ["40 mm", "50 mm"]
 
 # The mesh of the plate. Without this section the shorter side has 24 elements.
 # [mesh]

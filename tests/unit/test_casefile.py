@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 
 from groundslab.casefile import LARGEST, load, loads, starter, to_toml
 from groundslab.errors import Fault, InputError
+from groundslab.loadcases import combinations_of
 from groundslab.model import (
     Analysis,
     Beyond,
@@ -76,6 +78,7 @@ def test_alternatives_of_the_starter_are_toml() -> None:
         ('kind = "infinite" ', 'kind = "margin"\nwidth = "5 m"\nedge = "fixed" '),
         ("tensionless = true ", "tensionless = false "),
         ("# gap", "gap"),
+        ("# limit_pressure", "limit_pressure"),
         ("# shear_factor", "shear_factor"),
         ("# element", "element"),
         ("# edges", "edges"),
@@ -99,6 +102,96 @@ def test_alternatives_of_the_starter(active: str, alternative: str) -> None:
     """What the starter offers in comments can be switched on."""
     assert active in starter()
     loads(starter().replace(active, alternative, 1))
+
+
+COMMENTED = re.compile(r"# (?=\[|\w+ = )")
+
+
+def blocks_of_the_starter() -> dict[str, list[int]]:
+    """Return the lines of each block of keys that is commented out whole, by its headings and kind."""
+    blocks: dict[str, list[int]] = {}
+    current: list[int] = []
+    lines = starter().splitlines()
+    for number, line in enumerate([*lines, ""]):
+        if COMMENTED.match(line) and (current or line.startswith("# [")):
+            current.append(number)
+        elif current:
+            words = [lines[n][2:].partition("#")[0].strip() for n in current]
+            headings = list(dict.fromkeys(word for word in words if word.startswith("[")))
+            kinds = [word for word in words if word.startswith("kind") and headings[0] in ("[[loads]]", "[ground]")]
+            blocks[" ".join(headings + kinds)] = current
+            current = []
+    return blocks
+
+
+def switched_on(*names: str) -> str:
+    """Return the starter with some of its blocks switched on, and the lines of cases where cases are among them."""
+    lines, blocks = starter().splitlines(), blocks_of_the_starter()
+    chosen = [number for name in names for number in blocks.pop(name)]
+    if "[[cases]]" in names:
+        chosen += [number for number, line in enumerate(lines) if line.startswith("# case = ")]
+    for number in chosen:
+        lines[number] = lines[number][2:]
+    return "\n".join(lines)
+
+
+COLUMN, SUPPORT, POINT = "[[columns]]", "[[supports]]", '[[loads]] kind = "point"'
+TOGETHER: list[tuple[str, ...]] = [
+    ("[[contact.voids]]",),
+    (COLUMN, POINT),
+    (SUPPORT, '[[loads]] kind = "settlement"'),
+    ('[[loads]] kind = "temperature"',),
+    ("[[cases]]",),
+    ("[[cases]]", "[[combinations]]"),
+    ("[[cases]]", "[combine]"),
+    ("[[cases]]", "[[combinations]]", "[combine]"),
+    ("[[soil_zones]] [soil_zones.ground] [[soil_zones.ground.layers]]",),
+    ("[[boreholes]] [[boreholes.layers]]",),
+    ("[[output.points]] [[output.lines]] [[output.strips]]",),
+    ("[reinforcement]",),
+    ("[mesh]",),
+    ("[analysis]",),
+]
+
+
+@pytest.mark.parametrize("names", TOGETHER, ids=" and ".join)
+def test_blocks_of_the_starter(names: tuple[str, ...]) -> None:
+    """Each block that the starter has in comments is a valid part of the file when switched on."""
+    model = loads(switched_on(*names))
+    assert model != loads(starter()) or set(names) <= {"[mesh]", "[analysis]"}
+
+
+def test_no_block_of_the_starter_is_forgotten() -> None:
+    """All blocks in comments are tried above, but for the other kinds of ground, which are tried below."""
+    tried = {name for names in TOGETHER for name in names}
+    assert {name for name in blocks_of_the_starter() if not name.startswith("[ground]")} == tried
+
+
+@pytest.mark.parametrize("kind", ["winkler", "pasternak", "layered"])
+def test_other_kinds_of_ground_of_the_starter(kind: str) -> None:
+    """Each other kind of ground in comments stands for all of the starter's ground."""
+    text = starter()
+    (name,) = (name for name in blocks_of_the_starter() if f'kind = "{kind}"' in name)
+    lines = [starter().splitlines()[number][2:] for number in blocks_of_the_starter()[name]]
+    start, end = text.index('[ground]\nkind = "vlasov"'), text.index("# Other kinds of ground")
+    text = text[:start] + "\n".join(lines) + "\n" + text[end:]
+    if kind == "winkler":
+        text = text.replace('kind = "infinite"', 'kind = "none"')
+    assert loads(text).ground.kind == kind
+
+
+def test_what_the_starter_says_when_switched_on() -> None:
+    """Values arrive where the comments say: columns, supports, combinations by EN 1990, soil that varies, output."""
+    model = loads(switched_on(COLUMN, POINT, SUPPORT, '[[loads]] kind = "settlement"'))
+    assert model.columns[0].width_y == 0.4
+    assert [support.kind for support in model.supports] == ["point", "line"]
+    assert [load.kind for load in model.loads][2:] == ["point", "settlement"]
+    made = combinations_of(loads(switched_on("[[cases]]", "[combine]")))
+    assert {each.limit_state for each in made} == {"ultimate", "characteristic"}
+    holes = loads(switched_on("[[boreholes]] [[boreholes.layers]]")).boreholes
+    assert [[layer.thickness for layer in hole.layers] for hole in holes] == [[1.5, 4], [3, 4]]
+    output = loads(switched_on("[[output.points]] [[output.lines]] [[output.strips]]")).output
+    assert [len(output.points), len(output.lines), len(output.strips)] == [1, 1, 1]
 
 
 def test_example_of_the_paper() -> None:
