@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
+from groundslab.errors import GroundslabError, NoEquilibrium, NotCertified
+from groundslab.loadcases import Combination, LoadCase
 from groundslab.model import Edges, Model, Pasternak, PatchLoad, Plate, PointLoad, UniformLoad, Winkler
-from groundslab.results import Certificate, Constants, ElementResult, GroundResult, PlateResult, Results, Step
+from groundslab.results import Certificate, Combined, Constants, ElementResult, GroundResult, PlateResult, Results, Step
 
 LENGTH_X, LENGTH_Y = 9.6, 7.2
 K0, K1 = 20e6, 30e6
@@ -95,6 +97,42 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "supports": (),
     }
     return Results(**values | changes)
+
+
+def combined() -> Combined:
+    """Return made-up results of four combinations: two certified, one that is not, and one without any.
+
+    The second has twice the settlements of the first and no uplift.
+    """
+    cases = [LoadCase(name="dead"), LoadCase(name="wind", action="variable")]
+    loads = [UniformLoad(q=1e3, case="dead"), PointLoad(P=-1e5, x=3.0, y=2.0, case="wind")]
+    names = ("Größe 1/2: dead + wind", "NUL", "uncertified", "wind alone")
+    given = tuple(
+        Combination(name=name, factors=factors)
+        for name, factors in zip(
+            names, ({"dead": 1.35, "wind": 1.5}, {"dead": 2.0}, {"dead": 1.0}, {"wind": 1.0}), strict=True
+        )
+    )
+    whole = model().replace(cases=cases, loads=loads, combinations=given)
+    certificates = (CERTIFICATE, replace(CERTIFICATE, load=1e7, residual=4e-9), replace(CERTIFICATE, residual=1.0))
+    found = {}
+    for each, certificate in zip(given, certificates, strict=False):
+        one = results(
+            lifts=each.name != "NUL",
+            model=whole,
+            combination=each.name,
+            limit_state=each.limit_state,
+            factors=each.factors,
+            certificate=certificate,
+        )
+        if each.name == "NUL":
+            one = replace(one, plate=replace(one.plate, settlement=2 * one.plate.settlement))
+        found[each.name] = one
+    refused: dict[str, GroundslabError] = {
+        "uncertified": NotCertified(found.pop("uncertified")),
+        "wind alone": NoEquilibrium("the loads pull the plate off"),
+    }
+    return Combined(whole, given, found, refused)
 
 
 def elements_of(plate: PlateResult) -> ElementResult:

@@ -19,6 +19,7 @@ import synthetic
 from groundslab import casefile, cli
 from groundslab.errors import Fault, GroundslabError, InputError, NoEquilibrium, NotConverged
 from groundslab.loadcases import combinations_of
+from groundslab.model import Column, LineSupport, Mesh, PointSupport
 from groundslab.results import Combined
 from groundslab.views import archive, store
 
@@ -181,6 +182,84 @@ class TestSolve:
         assert [callback is not None for callback in got] == [False, True, False]
 
 
+@pytest.fixture
+def cases(tmp_path: Path) -> Path:
+    """Return a case file of four combinations."""
+    path = tmp_path / "raft.toml"
+    path.write_text(casefile.to_toml(synthetic.combined().model), encoding="utf-8")
+    return path
+
+
+class TestSeveral:
+    """groundslab solve, with several combinations."""
+
+    def certified(self) -> Combined:
+        """Return the combinations that have certified results alone."""
+        combined = synthetic.combined()
+        return replace(combined, combinations=combined.combinations[:2], refused={})
+
+    def test_all_solved(self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+        """If all have certified results the exit code is 0, and a folder for each is kept."""
+        fake(monkeypatch, "analysis", solve_combinations=lambda *_: self.certified())
+        assert cli.main(["solve", str(cases)]) == 0
+        out, err = capsys.readouterr()
+        assert "1.35 dead + 1.5 wind" in out
+        assert "FAILED" not in out
+        assert "error" not in err
+        assert store.load(cases.with_name("raft-results")).results.keys() == self.certified().results.keys()
+
+    def test_refused_ones_are_told_and_the_others_kept(
+        self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A combination without certified results gives exit code 1 and its reason on both streams."""
+        fake(monkeypatch, "analysis", solve_combinations=lambda *_: synthetic.combined())
+        assert cli.main(["solve", str(cases)]) == 1
+        out, err = capsys.readouterr()
+        assert "REFUSED: the loads pull the plate off" in out
+        assert "FAILED: 2 of 4 combinations have no certified result: 3, 4." in out
+        assert 'error: combination "wind alone": the loads pull the plate off' in err
+        assert "error: 2 of 4 combinations have no certified result" in err
+        assert len(store.load(cases.with_name("raft-results")).results) == 2
+
+    def test_json_and_quiet(
+        self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """One JSON document holds all combinations; with --quiet only what was refused is told."""
+        fake(monkeypatch, "analysis", solve_combinations=lambda *_: synthetic.combined())
+        assert cli.main(["solve", str(cases), "--json"]) == 1
+        document = json.loads(capsys.readouterr().out)
+        assert document["certified"] is False
+        assert [each["certified"] for each in document["combinations"]] == [True, True, False, False]
+        assert cli.main(["solve", str(cases), "--quiet"]) == 1
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert err.count("error") == 3
+
+    def test_none_solved(
+        self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Without any results nothing is written, and earlier results stay."""
+        refused = {each.name: NoEquilibrium("up it goes") for each in synthetic.combined().combinations}
+        nothing = replace(synthetic.combined(), results={}, refused=refused)
+        fake(monkeypatch, "analysis", solve_combinations=lambda *_: nothing)
+        assert cli.main(["solve", str(cases)]) == 1
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert err.count("up it goes") == 4
+        assert not cases.with_name("raft-results").exists()
+
+    def test_a_real_one(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Cases by themselves: the one that lifts the plate off has no equilibrium, the other is solved and kept."""
+        model = synthetic.combined().model.replace(combinations=(), mesh=Mesh(counts=(4, 4)))
+        (tmp_path / "raft.toml").write_text(casefile.to_toml(model), encoding="utf-8")
+        assert cli.main(["solve", str(tmp_path / "raft.toml")]) == 1
+        assert 'combination "wind"' in capsys.readouterr().err
+        found = store.load(tmp_path / "raft-results")
+        assert list(found.results) == ["dead"]
+        assert isinstance(found.refused["wind"], NoEquilibrium)
+        assert found["dead"].certificate.load == pytest.approx(1e3 * 9.6 * 7.2)
+
+
 class TestInput:
     """Wrong input."""
 
@@ -234,6 +313,32 @@ class TestOthers:
         """A file without faults is called fine."""
         assert cli.main(["check", str(case)]) == 0
         assert "fine (9.6 m x 7.2 m plate, winkler ground, 3 loads)" in capsys.readouterr().out
+
+    def test_check_names_columns_supports_and_combinations(
+        self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Each column, support, case and combination has its line, with sizes, places and factors."""
+        model = synthetic.combined().model.replace(
+            columns=[Column(name="A1", x=1, y=2, width_x=0.3, width_y=0.4), Column(name="B", x=0, y=0, diameter=0.5)],
+            supports=[
+                PointSupport(name="pile", x=-2, y=-1, stiffness=5e7, acts="in compression"),
+                LineSupport(points=[(-3, 1), (-1, 1)]),
+            ],
+        )
+        (tmp_path / "raft.toml").write_text(casefile.to_toml(model), encoding="utf-8")
+        assert cli.main(["check", str(tmp_path / "raft.toml")]) == 0
+        assert capsys.readouterr().out.splitlines()[1:] == [
+            "  column A1: 0.3 m x 0.4 m at (1, 2) m",
+            "  column B: diameter 0.5 m at (0, 0) m",
+            "  support pile: point, elastic, acts in compression, at (-2, -1) m",
+            "  support 2: line, rigid, acts both ways, at (-3, 1) to (-1, 1) m",
+            "  case dead: permanent, 1 load",
+            "  case wind: variable, 1 load",
+            "  combination Größe 1/2: dead + wind (ultimate): 1.35 dead + 1.5 wind",
+            "  combination NUL (ultimate): 2 dead",
+            "  combination uncertified (ultimate): 1 dead",
+            "  combination wind alone (ultimate): 1 wind",
+        ]
 
     def test_new_prints_a_case_that_can_be_read(self, capsys: pytest.CaptureFixture[str]) -> None:
         """Without a file name the text goes to standard output, and it is a valid case."""

@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import time
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
 import synthetic
 from groundslab import casefile
-from groundslab.errors import GroundslabError, InputError
+from groundslab.errors import (
+    GroundslabError,
+    InputError,
+    NoEquilibrium,
+    NotCertified,
+    NotConverged,
+    SingularMatrix,
+)
 from groundslab.views import archive, store
+from groundslab.views.contents import folder_name
 
 OLD, NEW = synthetic.results(), synthetic.results(lifts=False)
 FILES = {"plate.vtu", "ground.vtu", "results.npz", "case.toml", "summary.json"}
@@ -25,6 +37,11 @@ FILES = {"plate.vtu", "ground.vtu", "results.npz", "case.toml", "summary.json"}
 def contents(folder: Path) -> dict[str, bytes]:
     """Return the files of a folder, byte by byte."""
     return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def tree(folder: Path) -> set[str]:
+    """Return the paths of all files below a folder."""
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir()}
 
 
 def debris(folder: Path) -> list[str]:
@@ -78,6 +95,167 @@ class TestWrite:
         plain = folder.parent / "plain"
         plain.mkdir()
         assert folder.stat().st_mode == plain.stat().st_mode
+
+
+class TestSeveral:
+    """Several combinations: a folder for each, beside what tells of all."""
+
+    EACH = ("01-grosse-1-2-dead-wind", "02-nul", "03-uncertified")
+
+    def test_a_folder_for_each_that_has_results(self, tmp_path: Path) -> None:
+        """The summary names every file, in folders too; a combination without results has none."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft", plot=True)
+        each = {"plate.vtu", "ground.vtu", "results.npz", "picture.png"}
+        shared = {"plate.pvd", "ground.pvd", "combinations.csv", "case.toml", "summary.json"}
+        files = shared | {f"{room}/{name}" for room in self.EACH for name in each}
+        assert tree(folder) == files == set(json.loads((folder / "summary.json").read_text())["files"])
+        assert debris(folder) == []
+
+    def test_comes_back(self, tmp_path: Path) -> None:
+        """Results, combinations, model and refusals are read back; what is not certified stays refused."""
+        wanted = synthetic.combined()
+        found = store.load(store.write(wanted, tmp_path / "raft"))
+        assert (found.model, found.combinations) == (wanted.model, wanted.combinations)
+        assert found.results.keys() == wanted.results.keys()
+        for name, results in wanted.results.items():
+            synthetic.assert_same(found[name], results)
+        uncertified = found.refused["uncertified"]
+        assert isinstance(uncertified, NotCertified)
+        synthetic.assert_same(uncertified.results, wanted.refused["uncertified"].results)  # type: ignore[attr-defined]
+        with pytest.raises(NoEquilibrium, match="pull the plate off"):
+            found["wind alone"]
+
+    def test_one_comes_back_as_all_there_are(self, folder: Path) -> None:
+        """A folder of one combination is read as the one of several, certified or not."""
+        found = store.load(folder)
+        (combination,) = found.combinations
+        assert (combination.name, dict(combination.factors), found.refused) == ("all loads", {"": 1.0}, {})
+        synthetic.assert_same(found["all loads"], OLD)
+        bad = synthetic.results(certificate=replace(synthetic.CERTIFICATE, residual=1.0))
+        store.write(bad, folder)
+        assert isinstance(store.load(folder).refused["all loads"], NotCertified)
+
+    def test_errors_come_back_with_their_history(self, tmp_path: Path) -> None:
+        """What did not converge keeps its name and steps, also such as JSON cannot hold; other errors their kind."""
+        combined = synthetic.combined()
+        history = [OLD.steps[0], {"gamma": float("nan")}, 1.5]
+        refused = {
+            "uncertified": NotConverged("contact", history, {"u": OLD.plate.settlement}),
+            "wind alone": SingularMatrix("no stiffness"),
+        }
+        found = store.load(store.write(replace(combined, refused=refused), tmp_path / "raft")).refused
+        one, other = found["uncertified"], found["wind alone"]
+        assert isinstance(one, NotConverged)
+        assert one.what == "contact"
+        assert list(one.history) == [asdict(OLD.steps[0]), {"gamma": "nan"}, 1.5]
+        assert isinstance(other, SingularMatrix)
+        assert str(other) == "no stiffness"
+
+    def test_collections_hold_what_is_certified(self, tmp_path: Path) -> None:
+        """The times of a ParaView collection are the numbers; its files are there; the uncertified one is left out."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        for name in ("plate", "ground"):
+            sets = ElementTree.parse(folder / f"{name}.pvd").getroot().findall("./Collection/DataSet")
+            assert [each.get("timestep") for each in sets] == ["1", "2"]
+            assert [each.get("file") for each in sets] == [f"{room}/{name}.vtu" for room in self.EACH[:2]]
+            assert all((folder / str(each.get("file"))).is_file() for each in sets)
+
+    def test_list_of_combinations(self, tmp_path: Path) -> None:
+        """The list has a row for each, solved or not, with its factors."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        with (folder / "combinations.csv").open(encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        assert [row["number"] for row in rows] == ["1", "2", "3", "4"]
+        assert [row["certified"] for row in rows] == ["yes", "yes", "no", "no"]
+        assert [row["folder"] for row in rows] == [*self.EACH, ""]
+        assert [row["factor of wind"] for row in rows] == ["1.5", "0.0", "0.0", "1.0"]
+        assert rows[3]["reason"] == "the loads pull the plate off"
+
+    @pytest.mark.parametrize("place", ["02-nul", "own", "01-grosse-1-2-dead-wind/deeper"])
+    def test_foreign_things_in_folders_within(self, tmp_path: Path, place: str) -> None:
+        """What somebody put into a folder below protects the whole; litter of file managers does not."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        (folder / "02-nul" / ".DS_Store").touch()
+        store.write(synthetic.combined(), folder)
+        (folder / place).mkdir(exist_ok=True)
+        (folder / place / "notes.txt").write_text("mine")
+        before = tree(folder)
+        with pytest.raises(InputError) as caught:
+            store.write(NEW, folder)
+        (fault,) = caught.value.faults
+        named = f"{place}/notes.txt" if place == "02-nul" else place
+        assert Path(fault.where) == folder / named
+        assert tree(folder) == before
+        assert debris(folder) == []
+
+    def test_a_folder_within_that_is_a_link_now(self, tmp_path: Path) -> None:
+        """A link in place of a combination's folder is not ours, and what it leads to stays."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        (folder / "02-nul").rename(tmp_path / "elsewhere")
+        _link(folder / "02-nul", tmp_path / "elsewhere")
+        with pytest.raises(InputError, match="02-nul"):
+            store.write(NEW, folder)
+        assert (tmp_path / "elsewhere" / "plate.vtu").is_file()
+
+    def test_the_user_stands_in_a_folder_within(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """Nor is the working directory pulled away if it lies deeper."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        monkeypatch.chdir(folder / "02-nul")
+        with pytest.raises(InputError, match="stand in"):
+            store.check(folder)
+
+    def test_one_replaces_several_and_the_reverse(self, tmp_path: Path) -> None:
+        """Nothing is left of what stood there before, in either direction."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        store.write(NEW, folder)
+        assert tree(folder) == FILES
+        store.write(synthetic.combined(), folder)
+        assert not FILES - {"case.toml", "summary.json"} & tree(folder)
+
+    def test_every_file_is_on_the_disk(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """Each file is flushed before the folder gets its name, those in folders within too."""
+        fsync, synced = os.fsync, []
+
+        def seen(handle: int) -> None:
+            synced.append(os.fstat(handle).st_ino)
+            fsync(handle)
+
+        monkeypatch.setattr(os, "fsync", seen)
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        assert {(folder / name).stat().st_ino for name in tree(folder)} <= set(synced)
+
+    @pytest.mark.parametrize(
+        ("name", "folder"),
+        [
+            ("dead", "07-dead"),
+            ("CON", "07-con"),
+            ("..", "07"),
+            ("a/b\\c: *?<>|", "07-a-b-c"),
+            ("Straße in Łódź", "07-strasse-in-odz"),
+            ("雪", "07"),
+            ("x" * 300, "07-" + "x" * 40),
+            ("trailing. ", "07-trailing"),
+        ],
+    )
+    def test_names_of_folders_that_every_system_can_hold(self, name: str, folder: str) -> None:
+        """A number, and of the name only small letters, digits and hyphens; numbers as long as the largest."""
+        assert folder_name(7, name, 12) == folder
+        assert folder_name(7, name, 1000).startswith("0007")
+
+    def test_what_is_no_folder_of_results(self, tmp_path: Path, folder: Path) -> None:
+        """Nothing, something else, a summary of something else and archives that do not belong are refused."""
+        for none in (tmp_path / "none", tmp_path):
+            with pytest.raises(InputError, match="summary"):
+                store.load(none)
+        several = store.write(synthetic.combined(), tmp_path / "several")
+        shutil.copy(folder / "results.npz", several / "02-nul" / "results.npz")
+        with pytest.raises(InputError, match="another case"):
+            store.load(several)
+        for wrong in ([{}], 3, [{"name": 3}]):
+            text = json.dumps({"program": "groundslab", "files": ["a"], "combinations": wrong})
+            (several / "summary.json").write_text(text)
+            with pytest.raises(InputError):
+                store.load(several)
 
 
 class TestRefuse:
@@ -281,7 +459,7 @@ def fatal(*arguments, **options):
         die()
     return value
 setattr(os, function, fatal)
-store.write(synthetic.results(lifts=False), folder)
+store.write(synthetic.combined() if "several" in sys.argv else synthetic.results(lifts=False), folder)
 """
 
 
@@ -321,6 +499,37 @@ def test_a_killed_run_leaves_whole_results(
     assert all(".partial-" in name for name in debris(folder))
     store.write(NEW, folder)
     synthetic.assert_same(archive.load(folder / "results.npz"), NEW)
+
+
+@pytest.mark.parametrize(
+    ("function", "number", "moment", "survives", "needs_recovery"),
+    [
+        ("mkdir", 3, "after", "old", False),  # in the first of the folders within
+        ("fsync", 9, "after", "old", False),
+        ("rename", 1, "after", "old", True),
+        ("rename", 2, "after", "new", False),
+    ],
+)
+@pytest.mark.parametrize("before", ["one", "several"])
+def test_a_killed_run_of_several_leaves_whole_results(
+    tmp_path: Path, before: str, function: str, number: int, moment: str, survives: str, needs_recovery: bool
+) -> None:
+    """The same where each combination has a folder, in place of one or of several."""
+    folder = store.write(OLD if before == "one" else synthetic.combined(), tmp_path / "raft")
+    (folder / ".DS_Store").touch()
+    old = tree(folder)
+    arguments = [function, str(number), moment, str(folder), "several"]
+    run = subprocess.run([sys.executable, "-c", DYING, *arguments], capture_output=True, check=False)
+    assert run.returncode == (-signal.SIGKILL if hasattr(signal, "SIGKILL") else 9), run.stderr.decode()
+    assert store.recover(folder) is needs_recovery
+    if survives == "old":
+        assert tree(folder) == old
+    assert store.load(folder).results.keys() == (
+        {"all loads"} if before == "one" and survives == "old" else synthetic.combined().results.keys()
+    )
+    assert all(".partial-" in name for name in debris(folder) if survives == "old")
+    store.write(NEW, folder)
+    assert tree(folder) == FILES
 
 
 def _link(link: Path, target: Path) -> None:

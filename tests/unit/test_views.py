@@ -18,8 +18,9 @@ from rich.console import Console
 
 import synthetic
 from groundslab.errors import GroundslabError, InputError
+from groundslab.model import Column, LineSupport, PointSupport
 from groundslab.results import PLATE_FIELDS
-from groundslab.views import archive, picture, progress, summary, table, vtu
+from groundslab.views import archive, overview, picture, progress, summary, table, vtu
 
 
 def rows(results: Any) -> dict[str, summary.Row]:
@@ -222,6 +223,99 @@ class TestTable:
         assert "17 nodes, 1 changed" in progress.line(step)
 
 
+class TestOverview:
+    """Several combinations side by side."""
+
+    def test_extremes_name_the_combination_that_governs(self) -> None:
+        """Of each figure the largest, of the smallest and of the share in contact the smallest; certified ones only."""
+        found = {
+            f"{section.key}.{each.row.key}": each
+            for section, rows in overview.extremes(synthetic.combined())
+            for each in rows
+        }
+        largest = found["settlement.largest"]
+        assert (largest.row.value, largest.number) == (pytest.approx(0.056), 2)
+        assert found["settlement.smallest"].row.value == pytest.approx(0.028)
+        assert found["settlement.largest_uplift"].number == 1
+        assert found["contact.largest_gap"].number == 1
+        share = found["contact.share"]
+        assert share.number == 1
+        assert share.row.value < 1
+        assert found["section_forces.largest_moment_x"].number == 1  # the first of equal ones
+
+    def test_worst_certificate(self) -> None:
+        """Each figure is the largest of the certified results; the uncertified one is none of them."""
+        found = {each.row.key: each for each in overview.worst(synthetic.combined())}
+        assert (found["residual"].row.value, found["residual"].number) == (4e-9, 2)
+        assert all(each.row.ok for each in found.values())
+        assert found.keys() == synthetic.CERTIFICATE.must_vanish().keys()
+
+    def test_json_holds_each_with_its_figures(self) -> None:
+        """Numbers as for one combination, extremes with the name of theirs; refused ones with their reason."""
+        combined = synthetic.combined()
+        document = json.loads(overview.json_text(combined, {"NUL": "02-nul"}, ["summary.json"]))
+        first, second, third, last = document["combinations"]
+        one = json.loads(summary.json_text(combined["NUL"]))
+        for key in ("settlement", "contact", "section_forces", "certificate", "constants", "history"):
+            assert second[key] == one[key]
+        assert second["folder"] == "02-nul"
+        assert first["factors"] == {"dead": 1.35, "wind": 1.5}
+        assert third["certified"] is False
+        assert third["certificate"]["residual"]["ok"] is False
+        assert last["refused"] == {"error": "NoEquilibrium", "reason": "the loads pull the plate off"}
+        assert "settlement" not in last
+        assert document["extremes"]["settlement"]["largest"]["combination"] == "NUL"
+        assert document["extremes"]["contact"]["share"]["combination"] == combined.combinations[0].name
+        assert document["plate"] == one["plate"]
+        assert document["files"] == ["summary.json"]
+
+    def test_table_fits_80_columns(self) -> None:
+        """No line is wider than 80 columns; load, settlement, uplift, share, steps and verdict of each are there."""
+        console = Console(file=io.StringIO(), width=80)
+        table.print_overview(synthetic.combined(), console)
+        text = console.file.getvalue()  # type: ignore[attr-defined]
+        lines = text.splitlines()
+        assert max(map(len, lines)) <= 80
+        place = next(n for n, line in enumerate(lines) if line.startswith("  2 NUL (ultimate): 2 dead"))
+        assert lines[place + 1].split() == ["10000", "56.000", "0", "100.00", "3", "ok"]
+        assert "REFUSED: the result does not fulfil the equations" in text
+        assert "FAILED: 2 of 4" in text
+
+    def test_constants_of_the_ground_that_differ_are_left_out(self) -> None:
+        """A row of the ground that is not the same in all is left out, and a note says so."""
+        combined = synthetic.combined()
+        assert [row.key for row in overview.description(combined)[1].rows] == ["kind", "k0", "k1"]
+        other = replace(combined["NUL"], constants=replace(combined["NUL"].constants, k0=(1e6,)))
+        changed = replace(combined, results=combined.results | {"NUL": other})
+        ground = overview.description(changed)[1]
+        assert [row.key for row in ground.rows] == ["kind", "k1"]
+        assert "depend on the combination" in ground.notes[-1]
+
+    def test_numbers_that_are_none_are_refused(self) -> None:
+        """NaN in one of the combinations is never shown or written."""
+        combined = synthetic.combined()
+        plate = combined["NUL"].plate
+        bad = replace(combined["NUL"], plate=replace(plate, gap=np.full_like(plate.gap, np.nan)))
+        for show in (
+            overview.json_text,
+            lambda each: table.print_overview(each, Console(file=io.StringIO())),
+        ):
+            with pytest.raises(GroundslabError, match="not finite"):
+                show(replace(combined, results=combined.results | {"NUL": bad}))
+
+    def test_progress_names_the_combination(self) -> None:
+        """With several combinations the line says which one it is; with one it does not."""
+        combination = synthetic.combined().combinations[0].replace(name="[bold]one")
+        for count in (1, 3):
+            console = Console(file=io.StringIO(), width=100, force_terminal=True)
+            with progress.progress(console, count) as shown:
+                shown.begin(combination)
+                shown(synthetic.results().steps[1])
+                text = str(shown._status.status)
+            assert text.startswith("1 of 3, [bold]one: 1234 unknowns") is (count == 3)
+            assert "1234 unknowns" in text
+
+
 class TestVtu:
     """Files for ParaView, read back by meshio."""
 
@@ -363,6 +457,30 @@ class TestPicture:
         plate = replace(results.plate, settlement=flat, pressure=flat * synthetic.K0)
         picture.write(replace(results, plate=plate), tmp_path / "picture.png")
 
+    def test_columns_and_supports_are_drawn(self) -> None:
+        """Columns, supports at points and along lines have their entries, and their marks lie where they are."""
+        model = synthetic.model().replace(
+            columns=[Column(name="A1", x=1, y=2, width_x=0.3, width_y=0.4)],
+            supports=[PointSupport(x=-2, y=-1), LineSupport(points=[(-3, 1), (-1, 1)])],
+        )
+        figure = picture.draw(synthetic.results(model=model))
+        entries = {text.get_text() for text in figure.legends[0].get_texts()}
+        assert {"column", "support", "line support"} <= entries
+        panel = figure.axes[0]
+        lines = {tuple(map(float, (*line.get_xdata(), *line.get_ydata()))) for line in panel.lines}
+        assert {(-2, -1), (-3, -1, 1, 1)} <= lines
+        corners = [patch.get_xy() for patch in panel.patches if len(patch.get_xy()) == 5]
+        assert any(np.allclose([each.min(axis=0), each.max(axis=0)], [[0.85, 1.8], [1.15, 2.2]]) for each in corners)
+
+    def test_only_loads_that_take_part_are_drawn(self) -> None:
+        """A load of a case that is not in the combination is left out; the combination is named above."""
+        combined = synthetic.combined()
+        for name, there in ((combined.combinations[0].name, True), ("NUL", False)):
+            figure = picture.draw(combined[name])
+            entries = {text.get_text() for text in figure.legends[0].get_texts()}
+            assert ("point load" in entries) is there
+            assert figure.get_suptitle().splitlines() == ["A slab of formulas", name]
+
     def test_triangles_cover_the_plate_once(self) -> None:
         """The triangles all turn the same way and their areas add up to the plate's."""
         nodes, elements = synthetic.grid(3, 2, 9.6, 7.2)
@@ -383,7 +501,7 @@ def test_heavy_libraries_wait_until_they_are_called() -> None:
     code = f"""
 import sys
 sys.path.insert(0, {str(Path(synthetic.__file__).parent)!r})
-from groundslab.views import archive, picture, progress, store, summary, table, vtu
+from groundslab.views import archive, contents, overview, picture, progress, store, summary, table, vtu
 assert not {{"matplotlib", "meshio", "rich", "scipy", "pint", "pydantic"}} & set(sys.modules)
 import synthetic
 picture.draw(synthetic.results())

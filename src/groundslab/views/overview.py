@@ -58,6 +58,13 @@ def entries(combined: Combined) -> list[Entry]:
     return found
 
 
+def require_finite(combined: Combined) -> None:
+    """Raise GroundslabError if any number of any combination's results is infinite or not a number."""
+    for entry in entries(combined):
+        if entry.results is not None:
+            summary.require_finite(entry.results)
+
+
 def figures(results: Results) -> Figures:
     """Return the figures of one combination; uplift is zero where none of the plate rises."""
     plate = results.plate
@@ -136,9 +143,7 @@ def to_json(combined: Combined, folders: Mapping[str, str], files: Sequence[str]
     """
     found = entries(combined)
     document = summary.json_head(combined.model.title, not combined.refused)
-    for entry in found:
-        if entry.results is not None:
-            summary.require_finite(entry.results)
+    require_finite(combined)
     if any(entry.results is not None for entry in found):
         document |= summary.json_sections(description(combined))
     names = {entry.number: entry.combination.name for entry in found}

@@ -45,6 +45,7 @@ def print_overview(combined: Combined, console: Console) -> None:
     """Print what all combinations have in common, each on its lines, the extremes over all, and the verdict."""
     from rich.text import Text
 
+    overview.require_finite(combined)
     _head(combined.model.title, console)
     for section in overview.description(combined):
         _section(section, [_line(row) for row in section.rows], console)
