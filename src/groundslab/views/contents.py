@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    from groundslab.results import Results
+    from groundslab.results import Combined, Results
     from groundslab.views.overview import Entry
 
     Writer = Callable[[Path], object]
@@ -48,6 +48,20 @@ def of_several(found: list[Entry], folders: dict[str, str], plot: bool) -> dict[
         text = collection({number: f"{folder}/{name}.vtu" for number, folder in certified.items()})
         writers[f"{name}.pvd"] = partial(write_text, text=text)
     writers["combinations.csv"] = partial(write_text, text=_list_of(found, folders))
+    return writers
+
+
+def of_all(combined: Combined) -> dict[str, Writer]:
+    """Return what writes the files of all combinations together: tables, and envelopes if there is more than one."""
+    from groundslab.tables import tables_of
+    from groundslab.views import vtu
+
+    def writer(text: str) -> Writer:
+        return lambda path: write_text(path, text)
+
+    writers = {f"tables/{table.name}.csv": writer(table.csv()) for table in tables_of(combined)}
+    if len(combined.results) > 1 or combined.model.reinforcement is not None:
+        writers["envelope.vtu"] = lambda path: vtu.write_envelope(combined, path)
     return writers
 
 

@@ -218,7 +218,8 @@ def _fill(combined: Combined, folder: Path, plot: bool) -> None:
         folders = contents.folders_of(found)
         writers |= contents.of_several(found, folders, plot)
     writers["case.toml"] = lambda path: contents.write_text(path, casefile.to_toml(combined.model))
-    # What is made of all combinations together joins here: writers |= {path below the folder: what writes it}.
+    if combined.results:
+        writers |= contents.of_all(combined)
     files = [*writers, "summary.json"]
     # A summary that cannot be made stops everything before the large files are written.
     if folders or found[0].results is None:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     import meshio
 
-    from groundslab.results import Array, Integers, Results
+    from groundslab.results import Array, Combined, Integers, Results
 
 
 def array_name(field: str) -> str:
@@ -90,6 +90,17 @@ def write_plate(results: Results, path: Path) -> None:
 def write_ground(results: Results, path: Path) -> None:
     """Write the ground as a VTU file."""
     ground_mesh(results).write(path, file_format="vtu")
+
+
+def write_envelope(combined: Combined, path: Path) -> None:
+    """Write the envelopes over all combinations at the plate's nodes; where no area of steel is enough it is NaN."""
+    from groundslab.tables import fields_of_envelope
+
+    plate = next(iter(combined.results.values())).plate
+    fields = {
+        name: np.where(np.isfinite(values), values, np.nan) for name, values in fields_of_envelope(combined).items()
+    }
+    _mesh(plate.nodes, plate.elements, fields, {}).write(path, file_format="vtu")
 
 
 def match(some: Array, among: Array) -> Integers:
