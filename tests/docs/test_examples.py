@@ -36,8 +36,9 @@ def test_the_raft_weighs_what_its_comment_says() -> None:
     }
     found = {name: results.certificate.load for name, results in coarse.results.items()}
     assert found == pytest.approx(wanted, rel=1e-12)
+    comment = (EXAMPLES[0].parent / "l_raft.toml").read_text(encoding="utf-8")
     for name, sum_of_loads in wanted.items():
-        assert f"{sum_of_loads / 1e3:g} kN".split(".")[0] in (EXAMPLES[0].parent / "l_raft.toml").read_text(), name
+        assert f"{sum_of_loads / 1e3:.1f}".removesuffix(".0") in comment, name
     assert coarse["ULS live"].plate.area.sum() == pytest.approx(414, rel=1e-12)
     lifted = {name for name, results in coarse.results.items() if not results.plate.in_contact.all()}
     assert lifted == {"ULS flood"}

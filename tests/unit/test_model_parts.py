@@ -1,4 +1,4 @@
-"""The rules of supports, columns, cases, combinations, ground that varies, and what is wanted: told with their place."""
+"""Rules of supports, columns, cases, combinations, varying ground, and what is wanted: told with their place."""
 
 from __future__ import annotations
 
@@ -287,7 +287,7 @@ def test_supports_at_a_hair(distance: float, place: str) -> None:
     ],
 )
 def test_supports_too_close(distance: float, support: Any, other: str) -> None:
-    """A support beside an edge or a corner, too close to be meshed, is told with its distance and what it is close to."""
+    """A support beside an edge or a corner, too close to be meshed, is told with its distance and what is there."""
     ((where, got, expected, _),) = faults(case({"zones": [ZONE]}, supports=[support(distance)]))
     assert where == "supports[1]"
     assert got.startswith(f"{distance:.3g} m between it and {other} at ")

@@ -313,8 +313,10 @@ def _section_forces(results: Results) -> Section:
     model = results.model
     loads = [load.on(model.columns) for load in model.loads if load.kind == "point"]
     if any(load.width_x is None and load.diameter is None for load in loads):
-        notes = ("Under a point load moments and shear forces grow without limit as the mesh is refined; on a thick plate "
-                 "they are singular. Give it a footprint (width_x and width_y, or diameter).",)  # fmt: skip
+        notes = (
+            "Under a point load moments and shear forces grow without limit as the mesh is refined: on a thick plate "
+            "they are singular. Give it a footprint (width_x and width_y, or diameter).",
+        )
     if any(support.kind == "point" for support in model.supports):
         notes += ("At a point support moments and shear forces grow without limit as the mesh is refined.",)
     return Section("section_forces", "Moments and shear forces", tuple(rows), notes)
