@@ -31,12 +31,13 @@ from groundslab.views import archive, store
 from groundslab.views.contents import folder_name
 
 OLD, NEW = synthetic.results(), synthetic.results(lifts=False)
-FILES = {"plate.vtu", "ground.vtu", "results.npz", "case.toml", "summary.json"}
+TABLES = {f"tables/{name}.csv" for name in ("combinations", "extremes", "envelope", "tilt")}
+FILES = {"plate.vtu", "ground.vtu", "results.npz", "case.toml", "summary.json"} | TABLES
 
 
 def contents(folder: Path) -> dict[str, bytes]:
     """Return the files of a folder, byte by byte."""
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
+    return {name: (folder / name).read_bytes() for name in tree(folder)}
 
 
 def tree(folder: Path) -> set[str]:
@@ -106,7 +107,7 @@ class TestSeveral:
         """The summary names every file, in folders too; a combination without results has none."""
         folder = store.write(synthetic.combined(), tmp_path / "raft", plot=True)
         each = {"plate.vtu", "ground.vtu", "results.npz", "picture.png"}
-        shared = {"plate.pvd", "ground.pvd", "combinations.csv", "case.toml", "summary.json"}
+        shared = {"plate.pvd", "ground.pvd", "combinations.csv", "envelope.vtu", "case.toml", "summary.json"} | TABLES
         files = shared | {f"{room}/{name}" for room in self.EACH for name in each}
         assert tree(folder) == files == set(json.loads((folder / "summary.json").read_text())["files"])
         assert debris(folder) == []
@@ -210,7 +211,7 @@ class TestSeveral:
         store.write(NEW, folder)
         assert tree(folder) == FILES
         store.write(synthetic.combined(), folder)
-        assert not FILES - {"case.toml", "summary.json"} & tree(folder)
+        assert not FILES - TABLES - {"case.toml", "summary.json"} & tree(folder)
 
     def test_every_file_is_on_the_disk(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """Each file is flushed before the folder gets its name, those in folders within too."""
@@ -270,7 +271,7 @@ class TestRefuse:
             (folder / "notes.txt").mkdir()
         else:
             _link(folder / "notes.txt", folder / "plate.vtu")
-        names = set(contents(folder) if kind != "folder" else [path.name for path in folder.iterdir()])
+        names = {path.name for path in folder.iterdir()}
         with pytest.raises(InputError, match=r"notes\.txt"):
             store.write(NEW, folder)
         assert {path.name for path in folder.iterdir()} == names
