@@ -178,7 +178,7 @@ class Quantity(Key):
         """Return a string with a number at its front; the unit's dimension is left to the program."""
         return {
             "type": "string",
-            "pattern": rf"^\s*{units.NUMBER}\s*[A-Za-zµμ]",
+            "pattern": rf"^\s*{units.NUMBER}\s*(?:1/)?[A-Za-zµμ]",
             "maxLength": units.LONGEST,
             "examples": [units.DIMENSIONS[self.dimension].example],
             "x-dimension": self.dimension,

@@ -1,4 +1,4 @@
-"""Rules of supports, columns, cases, combinations, varying ground, and what is wanted: told with their place."""
+"""The rules of supports, columns, cases, combinations, ground that varies, and what is wanted, told by place."""
 
 from __future__ import annotations
 
@@ -287,7 +287,7 @@ def test_supports_at_a_hair(distance: float, place: str) -> None:
     ],
 )
 def test_supports_too_close(distance: float, support: Any, other: str) -> None:
-    """A support beside an edge or a corner, too close to be meshed, is told with its distance and what is there."""
+    """A support beside an edge or a corner, too close to be meshed, is told with its distance and its neighbour."""
     ((where, got, expected, _),) = faults(case({"zones": [ZONE]}, supports=[support(distance)]))
     assert where == "supports[1]"
     assert got.startswith(f"{distance:.3g} m between it and {other} at ")
@@ -368,7 +368,7 @@ def test_nearly_straight_arcs() -> None:
 
 FULL = {
     **case(
-        {"thermal_expansion": "1.2e-5 1/K", "zones": [ZONE]},
+        {"thermal_expansion": "0.000012 1/K", "zones": [ZONE]},
         ground=VLASOV,
         contact={
             "voids": [{"shape": {"kind": "circle", "radius": "0.5 m"}}, {"depth": "1 mm", "shape": BOX}],
@@ -433,9 +433,9 @@ def _check(value: Any, schema: dict[str, Any], root: dict[str, Any]) -> bool:
 
     if "$ref" in schema:
         return _check(value, root["definitions"][schema["$ref"].rsplit("/", 1)[1]], root)
-    for words in ("anyOf", "oneOf"):
+    for words, how in (("anyOf", any), ("oneOf", any), ("allOf", all)):
         if words in schema:
-            return any(_check(value, each, root) for each in schema[words])
+            return how(_check(value, each, root) for each in schema[words])
     if "const" in schema or "enum" in schema:
         return value in schema.get("enum", [schema.get("const")])
     kind = schema.get("type")
