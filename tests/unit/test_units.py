@@ -58,6 +58,26 @@ FOOT = 0.3048
         ("1 kip", "force", KIP),
         ("1 tf", "force", 9806.65),
         (" +.5  MN ", "force", 0.5e6),
+        ("80 kNm", "moment", 80e3),
+        ("80 kN m", "moment", 80e3),
+        ("80 kN·m", "moment", 80e3),
+        ("-2 MNm", "moment", -2e6),
+        ("1 kip ft", "moment", KIP * FOOT),
+        ("50 MNm/rad", "moment per angle", 50e6),
+        ("50 kN m/rad", "moment per angle", 50e3),
+        ("50 kNm", "moment per angle", 50e3),
+        ("15 K", "temperature difference", 15.0),
+        ("-15 K", "temperature difference", -15.0),
+        ("18 delta_degF", "temperature difference", 10.0),
+        ("1e-5 1/K", "strain per temperature", 1e-5),
+        ("0.00001 1/K", "strain per temperature", 1e-5),
+        ("12e-6 K^-1", "strain per temperature", 12e-6),
+        ("200 MN/m", "stiffness", 200e6),
+        ("200 kN/mm", "stiffness", 200e6),
+        ("50 MN/m^2", "stiffness per length", 50e6),
+        ("50 MN/m/m", "stiffness per length", 50e6),
+        ("2 kPa/m^2", "pressure per area", 2e3),
+        ("25 kN/m^3", "weight per volume", 25e3),
     ],
 )
 def test_units_are_understood(text: str, dimension: str, value: float) -> None:
@@ -120,6 +140,37 @@ def test_nonsense_is_refused(text: str, reason: str) -> None:
     with pytest.raises(ValueError, match=r'expected a pressure such as "30 MPa"') as error:
         parse(text, "pressure")
     assert reason in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension"),
+    [
+        ("80 kN", "moment"),
+        ("80 kN/m", "moment"),
+        ("80", "moment"),
+        ("50 kNm/K", "moment per angle"),
+        ("0.1 rad", "moment per angle"),
+        ("15 degC", "temperature difference"),
+        ("15", "temperature difference"),
+        ("15 1/K", "temperature difference"),
+        ("1e-5 K", "strain per temperature"),
+        ("1e-5", "strain per temperature"),
+        ("1e-5 1/", "strain per temperature"),
+        ("1e-5 /K", "strain per temperature"),
+        ("1e-5 1/1/K", "strain per temperature"),
+        ("1e-5 1//K", "strain per temperature"),
+        ("200 MPa", "stiffness"),
+        ("200 MN/m", "stiffness per length"),
+        ("2 kPa/m", "pressure per area"),
+        ("1/m", "length"),
+        ("2 1/m", "length"),
+    ],
+)
+def test_nonsense_of_other_dimensions_is_refused(text: str, dimension: str) -> None:
+    """Moments are no forces, stiffnesses of points none of lines, degrees no differences, and 1/ stands once."""
+    with pytest.raises(QuantityError) as error:
+        parse(text, dimension)
+    assert error.value.expected == units.expectation(dimension)
 
 
 def test_error_can_be_pickled() -> None:
