@@ -26,7 +26,7 @@ SLACK = 1e-10
 WEAK = 1e-5
 #: A way that is more than so many times what a force as large as the largest load gives on an unknown's own stiffness
 #: is that of a plate that floats.
-ADRIFT = 1e11
+ADRIFT = 1e9
 
 #: States of a bearing: it touches nothing, it bears, it has reached its capacity.
 OPEN, CLOSED, YIELDING = range(3)
