@@ -369,10 +369,11 @@ class Several(Key):
     length: int | None = None
     rising: bool = False
     unique: bool = False
+    least: int = 1  # values, where no length is fixed
 
     def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
         """Return the values as a tuple."""
-        if not isinstance(value, list | tuple) or len(value) != (self.length or max(1, len(value))):
+        if not isinstance(value, list | tuple) or len(value) != (self.length or max(self.least, len(value))):
             raise wrong(value, self.expected())
         kept, findings = [], []
         for position, item in enumerate(value):
@@ -391,7 +392,7 @@ class Several(Key):
 
     def expected(self) -> str:
         """Return how many of what."""
-        count = "at least one" if self.length is None else str(self.length)
+        count = ("at least one" if self.least else "any number") if self.length is None else str(self.length)
         return f"a list of {count}, each {self.each.expected()}"
 
     def write(self, value: Sequence[Any]) -> str:
@@ -400,7 +401,7 @@ class Several(Key):
 
     def type_words(self) -> str:
         """Return how many of what."""
-        return f"list of {self.length or 'one or more'}: {self.each.type_words()}"
+        return f"list of {self.length or ('one or more' if self.least else 'any number')}: {self.each.type_words()}"
 
     def range_words(self) -> str:
         """Return each value's range and the order."""
@@ -409,7 +410,7 @@ class Several(Key):
 
     def json_schema(self) -> dict[str, Any]:
         """Return an array."""
-        count = {"minItems": self.length or 1} | ({"maxItems": self.length} if self.length else {})
+        count = {"minItems": self.length or self.least} | ({"maxItems": self.length} if self.length else {})
         return {
             "type": "array",
             "items": self.each.json_schema(),

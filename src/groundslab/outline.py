@@ -78,6 +78,7 @@ class Polygon(Part):
             Number("b", "", Range()),
             "b",
             "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
+            least=0,
         ),
     ] = ()
 

@@ -17,7 +17,7 @@ from groundslab.casefile import load, loads, starter, to_toml
 from groundslab.errors import InputError
 from groundslab.keys import FROM_FILE
 from groundslab.model import Model, docs_table
-from strategies import models
+from strategies import models, rich_models
 
 SECOND = """
 title = "everything at once"
@@ -48,7 +48,84 @@ y = "1 m"
 kind = "uniform"
 q = "100 psf"
 """
-FILES = {"starter": starter(), "second": SECOND}
+THIRD = """
+title = "supports, columns, cases"
+[plate]
+length_x = "9 m"
+length_y = "7 m"
+thickness = "20 cm"
+E = "23 GPa"
+nu = 0.2
+thermal_expansion = "1.2e-5 1/K"
+[ground]
+kind = "vlasov"
+layers = [{E = "20 MPa", nu = 0.3, thickness = "2 m"}]
+[contact]
+voids = [{shape = {kind = "circle", radius = "0.5 m"}}]
+gaps = [{x = "1 m", y = "0 m", gap = "-1 mm"}]
+limit_pressure = "300 kPa"
+[[boreholes]]
+x = "0 m"
+y = "20 m"
+layers = [{E = "10 MPa", nu = 0.3, thickness = "3 m"}]
+[[supports]]
+kind = "point"
+name = "pile"
+x = "4 m"
+y = "3 m"
+stiffness = "100 MN/m"
+acts = "in compression"
+limit = "500 kN"
+[[supports]]
+kind = "line"
+name = "wall"
+points = [["-4.5 m", "-3 m"], ["-4.5 m", "3 m"]]
+[[columns]]
+name = "A1"
+x = "2 m"
+y = "1 m"
+width_x = "0.4 m"
+width_y = "0.3 m"
+[[cases]]
+name = "dead"
+[[cases]]
+name = "live"
+action = "variable"
+psi_2 = 0.2
+[[loads]]
+kind = "point"
+case = "dead"
+P = "900 kN"
+M_x = "5 kNm"
+column = "A1"
+[[loads]]
+kind = "settlement"
+case = "live"
+support = "wall"
+w = "2 mm"
+[[loads]]
+kind = "line"
+case = "live"
+q = "5 kN/m"
+q_end = "0 kN/m"
+points = [["0 m", "0 m"], ["1 m", "2 m"]]
+[[combinations]]
+name = "mine"
+limit_state = "frequent"
+factors = {dead = 1.0, live = 0.5}
+[combine]
+sets = ["ultimate"]
+permanent = [1.35, 1.0]
+[output]
+points = [{name = "P", x = "0 m", y = "0 m"}]
+strips = [{name = "S", start = ["-4 m", "0 m"], end = ["4 m", "0 m"], width = "1 m"}]
+[reinforcement]
+f_ck = "30 MPa"
+f_yk = "500 MPa"
+bottom = ["40 mm", "50 mm"]
+top = ["40 mm", "50 mm"]
+"""
+FILES = {"starter": starter(), "second": SECOND, "third": THIRD}
 DATA = {name: tomllib.loads(text) for name, text in FILES.items()}
 
 #: Every word of the schema, so that a wrong value is often nearly right.
@@ -223,7 +300,7 @@ def test_damaged_bytes(tmp_path_factory: pytest.TempPathFactory, data: st.DataOb
 
 
 @settings(QUICK, max_examples=120)
-@given(models())
+@given(models() | rich_models(whole=True))
 def test_written_model_is_read_back(model: Model) -> None:
     """Every Model, written as a file and read, or dumped and rebuilt, or pickled, is the same to the last bit."""
     assert loads(to_toml(model)) == model

@@ -366,6 +366,13 @@ def test_nearly_straight_arcs() -> None:
     assert shape.ring().polygon(1e-4).area == pytest.approx(0.5, rel=1e-9)
 
 
+def test_polygon_is_rebuilt_from_its_dump() -> None:
+    """A polygon without arcs, dumped and rebuilt, is the same, as is one whose list of bulges is empty in a file."""
+    shape = Polygon(points=[(0, 0), (1, 0), (1, 1)])
+    assert Polygon(**shape.model_dump()) == shape
+    assert Polygon(points=[(0, 0), (1, 0), (1, 1)], bulges=[]) == shape
+
+
 FULL = {
     **case(
         {"thermal_expansion": "0.000012 1/K", "zones": [ZONE]},
