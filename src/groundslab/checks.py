@@ -142,8 +142,9 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     held = problem.unknown < 0
     borne = np.zeros_like(U)
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
-    # where next to nothing acts, rounding of the forces that stiffness times initial gaps would give is all there is
-    rounding = ROUNDING * np.abs(s.plate_data).max() * np.abs(U[:, : TOP + 1]).max()
+    # where gaps and settlements move the plate and next to nothing acts, rounding is all that is left over
+    way = max(np.abs(part).max(initial=0.0) for part in (problem.initial_gap, solution.law.level))
+    rounding = ROUNDING * np.abs(s.plate_data).max() * way
     scale = max(np.abs(inner).max(), np.abs(load).max(), rounding) or 1.0
     residual = float(np.abs((rest - borne)[~held]).max() / scale)
 
