@@ -52,9 +52,6 @@ def apart(elements: Integers, creases: Integers, n: int) -> Integers:
     Elements round such a node belong together if one comes from one to the other without crossing a crease; elsewhere
     the number is 0. n is the number of nodes.
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     on_crease = np.zeros(n, dtype=bool)
     on_crease[creases] = True
     meets = on_crease[elements]
@@ -75,8 +72,13 @@ def apart(elements: Integers, creases: Integers, n: int) -> Integers:
         )
         links.append(pair[:, pair[0] >= 0])
     row, column = np.concatenate(links, axis=1)
-    graph = coo_array((np.ones(len(row)), (row, column)), shape=(count, count))
-    _, label = connected_components(graph, directed=False)
+    # linked ones take the smallest of their numbers, until none changes; at a node there are but a few
+    label, before = np.arange(count), np.full(count, -1)
+    while (label != before).any():
+        before = label.copy()
+        least = np.minimum(label[row], label[column])
+        np.minimum.at(label, row, least)
+        np.minimum.at(label, column, least)
     result = np.zeros(elements.shape, dtype=np.int64)
     result[meets] = label
     return result
