@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_array
 
 from groundslab import subsoil as rooms
+from groundslab.analysis import solve
 from groundslab.discretise import discretise
 from groundslab.errors import InputError
 from groundslab.ground import Column, interface_stack, single
@@ -21,6 +22,7 @@ from groundslab.model import (
     Beyond,
     Contact,
     Edges,
+    GapPoint,
     InterfaceLayer,
     Layered,
     Mesh,
@@ -533,3 +535,19 @@ def test_nodes_on_the_edge_of_a_void_lie_in_it(symmetry: str) -> None:
             x, y = np.abs(problem.mesh.nodes).T
             inside = (x < edge + 1e-6) & (y < 1 + 1e-6)
             np.testing.assert_array_equal(problem.initial_gap > 0, inside)
+
+
+def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
+    """Between two measured gaps the initial gap grows linearly, beyond them it stays; the uniform gap is added."""
+    known = [GapPoint(x=-2.0, y=0.0, gap=1e-3), GapPoint(x=2.0, y=0.0, gap=5e-3)]
+    problem = discretise(model(gap=2e-3, gaps=known, counts=(6, 4)))
+    along = np.flatnonzero(np.abs(problem.mesh.nodes[:, 1]) < 1e-12)
+    x = problem.mesh.nodes[along, 0]
+    np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + np.interp(x, [-2.0, 2.0], [1e-3, 5e-3]), atol=1e-12)
+
+
+def test_a_rigid_plate_takes_up_a_measured_gap() -> None:
+    """One measured gap holds everywhere: the plate settles by it and by q / k."""
+    parts = {"gaps": [GapPoint(x=1.0, y=1.0, gap=3e-3)], "ground": Winkler(k=1e7), "counts": (4, 4)}
+    settlement = solve(model([UniformLoad(q=1e4)], **parts)).plate.settlement
+    np.testing.assert_allclose(settlement, 3e-3 + 1e-3, rtol=1e-9)
