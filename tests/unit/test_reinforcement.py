@@ -110,6 +110,18 @@ def test_minimum_of_weak_concrete() -> None:
     assert required(np.array([1.0]), 0.5, Concrete(20e6), B500).minimum[0] == pytest.approx(0.00065, rel=1e-14)
 
 
+def test_worked_example_of_a_textbook() -> None:
+    """Mosley, Bungey and Hulse 2007, example 4.1: 185 kNm on b = 260 mm, d = 440 mm, C25/30, f_yk = 500 MPa.
+
+    They print K = 0.147, z = 373 mm and A_s = 1140 mm2, to three digits and with 0.87 for 1 / 1.15.
+    """
+    b, d, m = 0.26, 0.44, 185e3 / 0.26
+    found = required(np.array([m]), d, Concrete(25e6, alpha_cc=0.85), B500, xi_lim=0.6)
+    assert m / (25e6 * d**2) == pytest.approx(0.147, abs=0.0005)
+    assert (1 - 0.4 * found.neutral_axis[0]) * d == pytest.approx(0.373, abs=0.0005)
+    assert found.tension[0] * b == pytest.approx(1140e-6, abs=5e-6)
+
+
 def test_compression_by_hand() -> None:
     """C30/37, B500, d = 0.5 m, d_2 = 0.05 m: 1000 mm2/m in compression carry 0.45 m * 434.8 MPa of moment more.
 
