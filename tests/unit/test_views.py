@@ -19,7 +19,7 @@ from rich.console import Console
 import synthetic
 from groundslab.errors import GroundslabError, InputError
 from groundslab.model import Column, LineSupport, PointSupport
-from groundslab.results import PLATE_FIELDS
+from groundslab.results import PLATE_FIELDS, SupportResult
 from groundslab.views import archive, overview, picture, progress, summary, table, vtu
 
 
@@ -509,3 +509,38 @@ assert "matplotlib.figure" in sys.modules
 assert "matplotlib.pyplot" not in sys.modules
 """
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+class TestSupports:
+    """What the supports carry, in the summary."""
+
+    @staticmethod
+    def support(name: str, *forces: float) -> SupportResult:
+        """Return a support whose nodes stand along x and carry so much."""
+        k = len(forces)
+        nodes = np.column_stack([np.arange(k, dtype=float), np.zeros(k)])
+        none = np.zeros(k)
+        return SupportResult(name, nodes, none, none, np.array(forces), none, none)
+
+    def test_each_of_a_few(self) -> None:
+        """Each support's force stands with its middle, and their sum."""
+        results = synthetic.results(supports=(self.support("pile", 5e4), self.support("wall", 1e4, 2e4, -4e3)))
+        section = next(each for each in summary.summary(results) if each.key == "supports")
+        found = {row.label: (row.value, row.place) for row in section.rows}
+        assert found == {
+            "force of pile": (5e4, (0.0, 0.0)),
+            "force of wall": (2.6e4, (1.0, 0.0)),
+            "all supports together": (7.6e4, None),
+        }
+
+    def test_of_many_the_extremes(self) -> None:
+        """Of more than a dozen only the largest and the smallest force and their sum are shown."""
+        piles = tuple(self.support(f"pile {n}", 1e3 * n) for n in range(-1, 19))
+        section = next(each for each in summary.summary(synthetic.results(supports=piles)) if each.key == "supports")
+        values = [row.value for row in section.rows]
+        assert [row.label for row in section.rows[:2]] == ["largest force, of pile 18", "smallest force, of pile -1"]
+        assert values == [18e3, -1e3, sum(range(-1, 19)) * 1e3]
+
+    def test_none_without_supports(self) -> None:
+        """A plate on the ground alone has no such section."""
+        assert "supports" not in [section.key for section in summary.summary(synthetic.results())]

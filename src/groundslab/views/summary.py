@@ -23,10 +23,13 @@ if TYPE_CHECKING:
         GroundResult,
         PlateResult,
         Results,
+        SupportResult,
     )
 
 #: The version of the JSON summary's layout; it grows when a key changes its name or meaning.
 FORMAT = 1
+#: Of more supports than these only the extremes are shown.
+MOST_SUPPORTS = 12
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,8 +101,9 @@ def description(results: Results) -> list[Section]:
 
 
 def figures(results: Results) -> list[Section]:
-    """Return what came out: settlement, contact, section forces."""
-    return [_settlement(results), _contact(results), _section_forces(results)]
+    """Return what came out: settlement, contact, what supports carry, section forces."""
+    supports = [_supports(results)] if results.supports else []
+    return [_settlement(results), _contact(results), *supports, _section_forces(results)]
 
 
 def to_json(results: Results, files: Sequence[str] = ()) -> dict[str, Any]:
@@ -320,6 +324,29 @@ def _section_forces(results: Results) -> Section:
     if any(support.kind == "point" for support in model.supports):
         notes += ("At a point support moments and shear forces grow without limit as the mesh is refined.",)
     return Section("section_forces", "Moments and shear forces", tuple(rows), notes)
+
+
+def _supports(results: Results) -> Section:
+    """Return what the supports carry: each of a few, else the largest and the smallest force and their sum."""
+    totals = [(support.total, support) for support in results.supports if len(support.nodes)]
+    rows = [
+        Row(f"force_{number}", f"force of {support.name}", total, FORCE, "", _middle(support))
+        for number, (total, support) in enumerate(totals, start=1)
+    ]
+    if len(totals) > MOST_SUPPORTS:
+        (low, least), (high, most) = min(totals, key=lambda each: each[0]), max(totals, key=lambda each: each[0])
+        rows = [
+            Row("largest_force", f"largest force, of {most.name}", high, FORCE, "", _middle(most)),
+            Row("smallest_force", f"smallest force, of {least.name}", low, FORCE, "", _middle(least)),
+        ]
+    rows.append(Row("sum_of_forces", "all supports together", sum(total for total, _ in totals), FORCE))
+    return Section("supports", "Supports: forces, upwards positive", tuple(rows))
+
+
+def _middle(support: SupportResult) -> tuple[float, float]:
+    """Return the middle of a support's nodes [m]."""
+    x, y = support.nodes.mean(axis=0)
+    return float(x), float(y)
 
 
 def certificate_section(certificate: Certificate) -> Section:
