@@ -179,12 +179,19 @@ def _from_before(ladder: _Ladder, before: Solution, factors: Array, report: OnSt
 def _nested(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
     """Return the solution on the ladder's finest mesh, reached from the coarsest one upwards."""
     model, before = ladder.model, list[Solution]()
-    for coarsening in range(max(coarsest(model), ladder.finest), ladder.finest - 1, -1):
+    for coarsening in range(max(_first(model), ladder.finest), ladder.finest - 1, -1):
         level = ladder.levels.get(coarsening) or _level(ladder, coarsening, factors)
         s = replace(level.system, problem=level.system.problem.under(factors))
         require_equilibrium(s.problem)
         before = _increments(model, s, level.symbolic, before, report, coarsening == ladder.finest)
     return before[-1]
+
+
+def _first(model: Model) -> int:
+    """Return how coarse the first mesh is: the finest where nothing is sought that a coarser one could tell."""
+    one_sided = model.contact.tensionless or any(support.acts != "both ways" for support in model.supports)
+    sought = getattr(model.ground, "gamma", None) == "iterate"
+    return coarsest(model) if one_sided or sought else 0
 
 
 def _level(ladder: _Ladder, coarsening: int, factors: Array) -> _Level:
