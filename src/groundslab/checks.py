@@ -57,10 +57,10 @@ def decay_squared(s: System, U: Array, column: Column) -> float:
 
 def _by_kind(matrices: Array, kind: Integers, u: Array, v: Array) -> float:
     """Return the sum over elements of u_e . M_kind(e) v_e."""
-    return float(np.einsum("ea,ea->", u, _apply(matrices, kind, v)))
+    return float(np.einsum("ea,ea->", u, apply(matrices, kind, v)))
 
 
-def _apply(matrices: Array, kind: Integers, v: Array) -> Array:
+def apply(matrices: Array, kind: Integers, v: Array) -> Array:
     """Return M_kind(e) v_e for every element, (m, rows), some thousand elements at a time to spare memory."""
     if len(matrices) == 1:
         only: Array = v @ matrices[0].T
@@ -77,7 +77,7 @@ def plate_forces(s: System, U: Array) -> Array:
     problem, b = s.problem, s.blocks
     elements = problem.mesh.elements[problem.plate_elements]
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
-    f = _apply(b.plate, b.plate_kind, u)
+    f = apply(b.plate, b.plate_kind, u)
     n = len(problem.mesh.nodes)
     return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
 
@@ -91,8 +91,8 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
     w = surface_settlement(problem, U)
     elements, n = problem.mesh.elements, len(problem.mesh.nodes)
     forces = np.zeros((n, 1 + column.surfaces))
-    mass = [_apply(b.mass, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
-    slope = [_apply(b.slope, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
+    mass = [apply(b.mass, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
+    slope = [apply(b.slope, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
     for i in range(column.surfaces):
         by_element = np.zeros_like(mass[0])
         for j in range(column.surfaces):

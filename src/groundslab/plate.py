@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.shape import SERENDIPITY_CENTRE, Array, gauss, jacobian, q9
+from groundslab.shape import SERENDIPITY_CENTRE, Array, Flags, gauss, jacobian, q9
 
 #: Where MITC9 takes the covariant shear strain along xi: at two points of each side, and all over for its mean.
 _SIDES = np.array([(r, s) for s in (-1.0, 1.0) for r in (-1 / np.sqrt(3.0), 1 / np.sqrt(3.0))])
@@ -101,16 +101,27 @@ def _centre_from_boundary(xy: Array) -> Array:
     that keeps 1, x, y, x^2, xy, y^2 exact (in the manner of Kikuchi, Okabe and Fujio 1999), without which no element
     with a serendipity w passes the constant-curvature patch test.
     """
-    centred = xy - xy[:, 8:]
-    size = np.abs(centred).max(axis=(1, 2), keepdims=True)
-    x, y = np.moveaxis(centred / size, -1, 0)
+    T = np.tile(np.eye(9), (len(xy), 1, 1))
+    T[:, 8] = np.append(SERENDIPITY_CENTRE, 0.0)
+    odd = np.flatnonzero(~_parallelograms(xy))
+    centred = xy[odd] - xy[odd, 8:]
+    x, y = np.moveaxis(centred / np.abs(centred).max(axis=(1, 2), keepdims=True), -1, 0)
     A = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=1)  # (m, 6, 9)
     wanted = A[:, :, 8] - A[:, :, :8] @ SERENDIPITY_CENTRE
     correction = np.linalg.pinv(A[:, :, :8], rcond=1e-10) @ wanted[..., None]
-    T = np.tile(np.eye(9), (len(xy), 1, 1))
-    T[:, 8, :8] = SERENDIPITY_CENTRE + correction[..., 0]
-    T[:, 8, 8] = 0.0
+    T[odd, 8, :8] += correction[..., 0]
     return T
+
+
+def _parallelograms(xy: Array) -> Flags:
+    """Return which elements (m, 9, 2) are parallelograms with their nodes halfway, (m,)."""
+    corners = xy[:, :4]
+    off = np.abs(corners[:, 0] - corners[:, 1] + corners[:, 2] - corners[:, 3]).max(axis=1)
+    middle = (corners + np.roll(corners, -1, axis=1)) / 2
+    off = np.maximum(off, np.abs(xy[:, 4:8] - middle).max(axis=(1, 2)))
+    off = np.maximum(off, np.abs(xy[:, 8] - corners.mean(axis=1)).max(axis=1))
+    flat: Flags = off <= 1e-13 * np.abs(xy).max(axis=(1, 2))
+    return flat
 
 
 #: The paper's element comes first; the default is "mitc9".
@@ -170,13 +181,19 @@ def _quadratic_form(B: Array, C: Array) -> Array:
     return K
 
 
-def section_forces(
-    element: PlateElement, points: Array, xy: Array, D: Array, S: Array, u: Array
-) -> tuple[Array, Array]:
-    """Return moments (m, p, 3) [N m/m] and shear forces (m, p, 2) [N/m] at points (p, 2) for unknowns u (m, 27).
+def section_matrices(element: PlateElement, points: Array, xy: Array, D: Array, S: Array) -> Array:
+    """Return the matrices (m, p, 5, 27) from unknowns to m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at points (p, 2).
 
     M = -D kappa: sagging positive; Q = S (grad w - beta), so that Q is the divergence of M.
     """
-    kappa = np.einsum("epcu,eu->epc", bending_strain(points, xy), u)
-    gamma = np.einsum("epcu,eu->epc", element.shear_strain(points, xy, element.w_functions(xy)), u)
-    return -np.einsum("eij,epj->epi", D, kappa), S[:, None, None] * gamma
+    bending = -np.einsum("eij,epju->epiu", D, bending_strain(points, xy))
+    shear = S[:, None, None, None] * element.shear_strain(points, xy, element.w_functions(xy))
+    return np.concatenate([bending, shear], axis=2)
+
+
+def section_forces(
+    element: PlateElement, points: Array, xy: Array, D: Array, S: Array, u: Array
+) -> tuple[Array, Array]:
+    """Return moments (m, p, 3) [N m/m] and shear forces (m, p, 2) [N/m] at points (p, 2) for unknowns u (m, 27)."""
+    forces = np.einsum("epcu,eu->epc", section_matrices(element, points, xy, D, S), u)
+    return forces[..., :3], forces[..., 3:]

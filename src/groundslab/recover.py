@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab import patches, plate
-from groundslab.assembly import scatter
-from groundslab.checks import ground_forces, left_over
+from groundslab.assembly import congruent, scatter
+from groundslab.checks import apply, ground_forces, left_over
 from groundslab.creases import apart, loaded, walls
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
@@ -215,11 +215,17 @@ def _on_edge(problem: Problem) -> Array:
 def gauss_forces(problem: Problem, U: Array) -> Array:
     """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5)."""
     elements = problem.mesh.elements[problem.plate_elements]
+    xy, sections = problem.mesh.nodes[elements], len(problem.bending)
+    shapes, shape = congruent(xy)
+    pairs, kind = np.unique(shape * sections + problem.section, return_inverse=True)
+    D, S = problem.bending[pairs % sections], problem.shear[pairs % sections]
+    matrices = plate.section_matrices(problem.element, gauss(2)[0], xy[shapes[pairs // sections]], D, S)
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
-    D, S = problem.bending[problem.section], problem.shear[problem.section]
-    M, Q = plate.section_forces(problem.element, gauss(2)[0], problem.mesh.nodes[elements], D, S, u)
-    M += (D[:, :, :2].sum(axis=2) * problem.loading.warp[:, None])[:, None]  # what bends freely carries nothing
-    forces: Array = np.concatenate([M, Q], axis=2)
+    forces = apply(matrices.reshape(len(pairs), 20, 27), kind, u).reshape(len(elements), 4, 5)
+    if problem.loading.warp.any():
+        # what bends freely carries nothing
+        free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.warp[:, None]
+        forces[..., :3] += free[:, None]
     return forces
 
 
