@@ -112,14 +112,14 @@ def solve(
     spring = rest = no_spring = np.zeros(len(b))
     for iteration in range(1, limit + 1):
         try:
-            u = _solution(p, data, row, f, symbolic, b, state, spring, rest)
+            u, refined = _solution(p, data, row, f, symbolic, b, state, spring, rest)
         except SingularMatrix:
             if spring.any():
                 raise
             # the plate floats: a proximal step, with springs that draw the bearings to where they are
             spring, rest = WEAK * data[p.indptr[b.at]], b.level + b.sign * np.maximum(-b.driven(u), 0.0)
             pivots = _Pivots(len(b))
-            u = _solution(p, data, row, f, symbolic, b, state, spring, rest)
+            u, refined = _solution(p, data, row, f, symbolic, b, state, spring, rest)
         left_over = multiply(p, data, u) - f
         force = _forces(b, state, u, left_over, spring * (u[b.at] - rest))
         slack = SLACK * np.abs(u).max()
@@ -135,7 +135,11 @@ def solve(
             spring, pivots = no_spring, _Pivots(len(b))
         else:
             # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held
-            return Contact(u, state, force)
+            borne = np.zeros(p.size)
+            np.add.at(borne, b.at, b.sign * force)
+            u = refined(u, borne - left_over)
+            left_over = multiply(p, data, u) - f
+            return Contact(u, state, _forces(b, state, u, left_over, 0.0 * spring))
     raise NotConverged("the contact zone", history, {"u": u, "closed": state != OPEN})
 
 
@@ -203,8 +207,12 @@ def _solution(
     state: Integers,
     spring: Array,
     rest: Array,
-) -> Array:
-    """Return the solution for given states, and springs (c,) that draw the bearings' unknowns to their rest (c,)."""
+) -> tuple[Array, Callable[[Array, Array], Array]]:
+    """Return the solution for given states, and springs (c,) that draw the bearings' unknowns to their rest (c,).
+
+    And what makes a solution better, given it and the forces that it leaves unbalanced (size,): a step of iterative
+    refinement, which takes off the rounding of the factorisation.
+    """
     rigid = (state == CLOSED) & np.isinf(b.stiffness)
     elastic = (state == CLOSED) & np.isfinite(b.stiffness)
     stiffness = spring + np.where(elastic, b.stiffness, 0.0)
@@ -224,8 +232,14 @@ def _solution(
     diagonal = p.indptr[b.at]
     matrix[diagonal] = data[diagonal]
     np.add.at(matrix, diagonal, stiffness)
-    u: Array = symbolic.factor(matrix).solve(load * keep)
+    factor = symbolic.factor(matrix)
+
+    def refined(u: Array, missing: Array) -> Array:
+        better: Array = u + factor.solve(missing * keep)
+        return better
+
+    u: Array = factor.solve(load * keep)
     # rounding can make a matrix that is singular look positive: the plate then floats away all the same
     if len(b) and not spring.any() and (np.abs(u[b.at]) * matrix[diagonal]).max() > ADRIFT * np.abs(load * keep).max():
         raise SingularMatrix("the bearings that touch do not hold the plate")
-    return u + held if held.any() else u
+    return (u + held if held.any() else u), refined

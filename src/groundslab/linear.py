@@ -46,8 +46,9 @@ class _Pardiso:
 
         self.handle = _pardiso_wrapper().PyPardisoSolver(mtype=2)
         self.handle.set_iparm(1, 1)  # no defaults: the entries below count
-        self.handle.set_iparm(2, 2)  # METIS on one thread
-        self.handle.set_iparm(8, 2)  # at most two steps of iterative refinement
+        self.handle.set_iparm(5, 1)  # the order of elimination is given: that of the numbers
+        self.handle.perm = np.arange(1, len(indptr), dtype=np.int32)
+        self.handle.set_iparm(8, 0)  # no iterative refinement: whoever knows what is left over can do it once
         self.handle.set_iparm(24, 1)  # two-level parallel factorisation
         n = len(indptr) - 1
         self.A = csr_array((np.zeros(len(indices)), indices, indptr), shape=(n, n))
