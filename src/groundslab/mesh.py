@@ -102,13 +102,16 @@ def place_in(xy: Array, points: Array) -> Array:
 
     Points far outside their element are only followed to its neighbourhood.
     """
-    local = np.zeros_like(points)
+    local, left = np.zeros_like(points), np.arange(len(points))
     for _ in range(20):
-        N, dN = q9(local)
-        J = np.einsum("cia,cax->cxi", dN, xy)
-        step = np.linalg.solve(J, (points - np.einsum("ca,cax->cx", N, xy))[..., None])[..., 0]
-        local = np.clip(local + step, -1.5, 1.5)
-        if np.abs(step).max(initial=0) < 1e-14:
+        N, dN = q9(local[left])
+        own = xy[left]
+        J = np.einsum("cia,cax->cxi", dN, own)
+        step = np.linalg.solve(J, (points[left] - np.einsum("ca,cax->cx", N, own))[..., None])[..., 0]
+        local[left] = np.clip(local[left] + step, -1.5, 1.5)
+        # Newton's steps shrink by their squares: after one so small nothing but rounding is left
+        left = left[np.abs(step).max(axis=1) > 1e-10]
+        if not len(left):
             break
     return local
 
