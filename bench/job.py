@@ -70,12 +70,12 @@ def bare(model: Model) -> Callable[[], float]:
     """Return what times PARDISO alone on the glued matrix of the finest mesh."""
     glued = model.replace(contact={"tensionless": False})
     s = problem.system(discretise(glued))
-    data = problem.stiffness(s, s.problem.ground)
-    f = problem.right_hand_side(s, data, 1.0)
+    upper = problem.stiffness(s, s.problem.ground)
+    f = problem.right_hand_side(s, upper, 1.0)
     from pypardiso import PyPardisoSolver
     from scipy.sparse import csr_array
 
-    A = csr_array((data, s.pattern.indices, s.pattern.indptr), shape=(s.pattern.size, s.pattern.size))
+    A = csr_array((upper.data, upper.indices, upper.indptr), shape=(upper.size, upper.size))
 
     def once() -> float:
         solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, its own METIS ordering

@@ -22,7 +22,7 @@ from groundslab.errors import (
 )
 from groundslab.ground import Column
 from groundslab.layout import coarsest
-from groundslab.linear import Solver, Symbolic
+from groundslab.linear import Latest, Solver
 from groundslab.loadcases import Combination, combinations_of
 from groundslab.mesh import Mesh, values_between
 from groundslab.model import Model
@@ -32,6 +32,7 @@ from groundslab.results import Combined, Results, Step
 from groundslab.shape import Array, Integers
 from groundslab.solution import Solution
 from groundslab.statics import require_equilibrium
+from groundslab.symmetric import Symmetric
 
 #: gamma is iterated until one more step would change it by less than this share.
 GAMMA_TOLERANCE = 1e-6
@@ -55,12 +56,19 @@ OnStep = Callable[[Step], None]
 OnCombination = Callable[[Combination], None]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class _Level:
     """One of the nested meshes with all that the combinations have in common on it."""
 
     system: System
-    symbolic: Symbolic
+    latest: Latest
+    matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
+
+    def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
+        """Return the matrix for the column that belongs to a gamma, the same one when asked for it again."""
+        if self.matrix is None or self.matrix[0] != gamma:
+            self.matrix = gamma, stiffness(self.system, column)
+        return self.matrix[1]
 
 
 @dataclass(slots=True)
@@ -171,7 +179,7 @@ def _from_before(ladder: _Ladder, before: Solution, factors: Array, report: OnSt
     s = replace(level.system, problem=level.system.problem.under(factors))
     require_equilibrium(s.problem)
     try:
-        return _equilibrium(ladder.model, s, level.symbolic, 1.0, before, report, ladder.finest == 0, None, FAR)
+        return _equilibrium(ladder.model, s, level, 1.0, before, report, ladder.finest == 0, None, FAR)
     except _Far:
         return None
 
@@ -183,7 +191,7 @@ def _nested(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
         level = ladder.levels.get(coarsening) or _level(ladder, coarsening, factors)
         s = replace(level.system, problem=level.system.problem.under(factors))
         require_equilibrium(s.problem)
-        before = _increments(model, s, level.symbolic, before, report, coarsening == ladder.finest)
+        before = _increments(model, s, level, before, report, coarsening == ladder.finest)
     return before[-1]
 
 
@@ -199,14 +207,14 @@ def _level(ladder: _Ladder, coarsening: int, factors: Array) -> _Level:
     problem = discretise(ladder.model, coarsening, ladder.margin)
     require_equilibrium(problem.under(factors))
     s = system(problem)
-    level = _Level(s, linear.Remembering(ladder.solver(s.pattern.indptr, s.pattern.indices)))
+    level = _Level(s, Latest(ladder.solver(s.pattern.indptr, s.pattern.indices)))
     if ladder.keep:
         ladder.levels[coarsening] = level
     return level
 
 
 def _increments(
-    model: Model, s: System, symbolic: Symbolic, coarser: list[Solution], report: OnStep, finest: bool
+    model: Model, s: System, level: _Level, coarser: list[Solution], report: OnStep, finest: bool
 ) -> list[Solution]:
     """Return a solution for each load increment, each started from the same increment on the coarser mesh."""
     done: list[Solution] = []
@@ -218,14 +226,14 @@ def _increments(
 
         factor = number / model.analysis.increments
         slip = done[-1].slip if done else None
-        done.append(_equilibrium(model, s, symbolic, factor, start, told, finest, slip))
+        done.append(_equilibrium(model, s, level, factor, start, told, finest, slip))
     return done
 
 
 def _equilibrium(
     model: Model,
     s: System,
-    symbolic: Symbolic,
+    level: _Level,
     factor: float,
     start: Solution | None,
     report: OnStep,
@@ -242,6 +250,7 @@ def _equilibrium(
     slip = np.zeros(len(state)) if slip is None else slip
     law = bearings(s.problem, factor, slip)
     fresh = True
+    near = start.contact.u if start is not None and start.system.problem.mesh is s.problem.mesh else None
 
     def solved(column: Column, gamma: float | None) -> tuple[Array, Contact]:
         def told(iteration: int, in_contact: int, changed: int) -> None:
@@ -251,9 +260,11 @@ def _equilibrium(
                 raise _Far
             fresh = False
 
-        data = stiffness(s, column)
-        f = right_hand_side(s, data, factor)
-        c = contact.solve(s.pattern, data, f, symbolic, law, state, model.analysis.max_iterations, told)
+        nonlocal near
+        A = level.stiffness(column, gamma)
+        f = right_hand_side(s, A, factor)
+        c = contact.solve(A, f, level.latest, law, state, model.analysis.max_iterations, told, near)
+        near = c.u
         return nodal(s.problem, c.u), c
 
     def ended(

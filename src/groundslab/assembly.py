@@ -1,35 +1,51 @@
 """Symmetric sparse matrices from element matrices, in blocks of the unknowns of two nodes.
 
 The upper half only. The pattern is made once for a mesh and its unknowns; any number of matrices are filled into it.
-No list of single entries is ever sorted: node pairs are, and an entry's place follows from its pair by counting.
+No list of single entries is ever sorted: what elements add to pairs of nodes is, by counting, and an entry's place
+follows from its pair.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from groundslab.shape import Array, Flags, Indices, Integers
+from groundslab.symmetric import Symmetric
 
 _A, _B = np.triu_indices(9)
+#: Entries whose places are found at a time: few enough to stay near the processor.
+_CHUNK = 2**18
 
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """Where everything goes: unknowns of nodes, pairs of nodes, and the upper CSR pattern that they span."""
+    """Where everything goes: unknowns of nodes, pairs of nodes, and the upper CSR pattern that they span.
+
+    Every two nodes of an element add to a pair of nodes; these contributions are listed pair by pair.
+    """
 
     unknown: Integers  # (n, F): number of each node's unknown in each field, -1 where there is none
-    size: int  # number of unknowns
-    pair_of: Integers  # (m, 45): the node pair of each pair of an element's nodes
-    flat: Integers  # (m, 45): its place in the element's 9 x 9 block, the node that is eliminated first as row
+    rank: Integers  # (n,): order of elimination
     first: Integers  # (pairs,): node eliminated first
     second: Integers  # (pairs,)
     keys: Integers  # (pairs,): ascending, rank of first * n + rank of second
-    rank: Integers  # (n,): order of elimination
-    base: Integers  # (pairs,): where the pair's entries begin, counted from the start of a row of its first node
-    indptr: Integers  # (size + 1,)
+    starts: Indices  # (pairs + 1,): where each pair's contributions begin
+    element: Indices  # (contributions,): which element adds it
+    place: Indices  # (contributions,): its place in the element's 9 x 9 block, the node eliminated first as row
+    indptr: Indices  # (size + 1,)
     indices: Indices  # (entries,)
+    cuts: Integers  # (chunks + 1,): pairs at which rows of pairs are cut into chunks
+    entries: Integers  # (chunks + 1,): entries at which these begin
+    taken: Indices  # (entries,): place of each entry in the blocks (pairs, F, F) of its chunk
+
+    @property
+    def size(self) -> int:
+        """Return the number of unknowns."""
+        return len(self.indptr) - 1
 
     def pairs(self, first: Integers, second: Integers) -> Integers:
         """Return the pair numbers of nodes that share an element."""
@@ -50,80 +66,110 @@ def number(rank: Integers, present: Flags) -> Integers:
 def pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:
     """Return the pattern of a mesh (m, 9) whose nodes, of the given rank (n,), carry the unknowns (n, F)."""
     n = len(rank)
-    r = rank[elements]
-    a, b = r[:, _A], r[:, _B]
-    flip = a > b
-    keys, pair_of = np.unique(np.where(flip, b * n + a, a * n + b), return_inverse=True)
-    pair_of = pair_of.reshape(a.shape)
-    flat = np.where(flip, _B * 9 + _A, _A * 9 + _B)
+    r = rank[elements].astype(np.int32)
+    a, b = r[:, _A].ravel(), r[:, _B].ravel()
+    low, high = np.minimum(a, b), np.maximum(a, b)
+    order = _counted(high, n)
+    order = order[_counted(low[order], n)]
+    low, high = low[order], high[order]
+    new = np.flatnonzero(np.concatenate([[True], (low[1:] != low[:-1]) | (high[1:] != high[:-1])]))
+    starts = np.append(new, len(order)).astype(np.int32)
+    places = np.stack([_A * 9 + _B, _B * 9 + _A]).astype(np.int32)
+    place = places[(a > b)[order].astype(np.int8), order % len(_A)]
+    element = order // np.int32(len(_A))
+
     at_rank = np.empty(n, dtype=np.int64)
     at_rank[rank] = np.arange(n)
-    first, second = at_rank[keys // n], at_rank[keys % n]
-
-    present = unknown >= 0
-    width = present.sum(axis=1)
-    ends = np.cumsum(width[second])
-    row_start = np.concatenate([[0], np.flatnonzero(np.diff(keys // n)) + 1])
-    before = np.concatenate([[0], ends])[row_start]
-    base = np.concatenate([[0], ends[:-1]]) - np.repeat(before, np.diff(np.append(row_start, len(keys))))
-    row_width = np.zeros(n, dtype=np.int64)
-    row_width[first[row_start]] = np.diff(np.append(before, ends[-1]))
-
-    earlier: Integers = np.cumsum(present, axis=1) - present  # unknowns of the node before this one
-    size = int(present.sum())
-    counts = np.zeros(size, dtype=np.int64)
-    counts[unknown[present]] = (row_width[:, None] - earlier)[present]
-    indptr = np.concatenate([[0], np.cumsum(counts)])
-    indices = np.empty(indptr[-1], np.int32)
-    result = Pattern(unknown, size, pair_of, flat, first, second, keys, rank, base, indptr, indices)
-    for i in range(unknown.shape[1]):
-        for j in range(unknown.shape[1]):
-            where, at = positions(result, i, j)
-            indices[at] = unknown[result.second[where], j]
-    return result
+    low, high = low[new].astype(np.int64), high[new].astype(np.int64)
+    first, second, keys = at_rank[low], at_rank[high], low * n + high
+    rows = np.concatenate([[0], np.flatnonzero(np.diff(low)) + 1, [len(low)]])
+    return Pattern(unknown, rank, first, second, keys, starts, element, place, *_entries(rows, first, second, unknown))
 
 
-def positions(p: Pattern, i: int, j: int) -> tuple[Integers, Integers]:
-    """Return the node pairs that have an entry in fields (i, j), and the entries' places in the data array."""
-    row, column = p.unknown[p.first, i], p.unknown[p.second, j]
-    exists = (row >= 0) & (column >= 0)
-    if i > j:
-        exists &= p.first != p.second
-    where = np.flatnonzero(exists)
-    present = p.unknown >= 0
-    earlier: Integers = np.cumsum(present, axis=1) - present
-    place = p.indptr[row[where]] + p.base[where] - earlier[p.first[where], i] + earlier[p.second[where], j]
-    return where, place
+def _counted(key: Indices, size: int) -> Indices:
+    """Return the order (k,) that sorts keys (k,) from 0 to size - 1, equal ones as they came: a sort by counting."""
+    from scipy.sparse import csr_array
+
+    k = len(key)
+    one_each = np.arange(k + 1, dtype=np.int32)
+    order: Indices = csr_array((one_each[:-1], key, one_each), shape=(k, size)).tocsc().data
+    return order
 
 
-def gather(p: Pattern, matrices: Array, kind: Integers, subset: Integers | slice = slice(None)) -> Array:
-    """Return element blocks summed over node pairs, (pairs,).
+def _entries(
+    rows: Integers, first: Integers, second: Integers, unknown: Integers
+) -> tuple[Indices, Indices, Integers, Integers, Indices]:
+    """Return indptr, indices, cuts, entries and taken of a pattern.
 
-    matrices (u, 9, 9) are the different blocks, kind (m',) says which one each element of the subset has. Rows belong
-    to the first field, columns to the second.
+    Pairs (pairs,) of nodes stand row by row, the second ones in order of elimination; rows (n + 1,) is where each row
+    begins.
     """
-    weights = matrices.reshape(-1, 81)[kind[:, None], p.flat[subset]]
-    return scatter(p.pair_of[subset], weights, len(p.keys))
+    F, present = unknown.shape[1], unknown >= 0
+    earlier: Integers = np.cumsum(present, axis=1) - present  # unknowns of the node before this one
+    ends = np.concatenate([[0], np.cumsum(present.sum(axis=1)[second])])  # of each pair's columns
+    node, row_width = first[rows[:-1]], np.diff(ends[rows])
+    counts = (row_width[:, None] - earlier[node])[present[node]]
+    indptr = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
+    indices, taken = (np.empty(indptr[-1], np.int32) for _ in range(2))
+
+    step = max(1, _CHUNK // (F * F))
+    cut_rows = np.unique(np.searchsorted(rows, np.append(np.arange(0, rows[-1], step), rows[-1])))
+    cuts = rows[cut_rows]
+    entries = indptr[np.concatenate([[0], np.cumsum(present[node].sum(axis=1))])[cut_rows]]
+    # where the entry of a pair's fields (i, j) goes is a part that the row knows and one that the column does
+    base = ends[:-1] - np.repeat(ends[rows[:-1]], np.diff(rows))
+    of_row = indptr[np.maximum(unknown, 0)] - earlier
+    upper = np.triu(np.ones((F, F), dtype=bool))
+    for (start, stop), begin in zip(pairwise(cuts), entries[:-1], strict=True):
+        one, other = first[start:stop], second[start:stop]
+        exists = present[one][:, :, None] & present[other][:, None, :]
+        exists[one == other] &= upper
+        where = np.flatnonzero(exists).astype(np.int32)
+        in_row = (of_row[one] + base[start:stop, None] - begin).astype(np.int32)
+        at = (in_row[:, :, None] + earlier[other].astype(np.int32)[:, None, :]).ravel()[where]
+        order = np.empty_like(where)
+        order[at] = where
+        here = slice(begin, begin + len(where))
+        taken[here] = order
+        indices[here] = unknown[other].astype(np.int32).ravel()[order // (F * F) * F + order % F]
+    return indptr, indices, cuts, entries, taken
+
+
+def assembled(
+    p: Pattern, kind: Integers, matrices: Callable[[Integers], Array], pairs: Integers, blocks: Array
+) -> Symmetric:
+    """Return the matrix that element matrices and further blocks of node pairs add up to.
+
+    kind (m,) says which matrix each element has; matrices gives those of some kinds (k,) as (k, 9, 9, F, F). Further
+    blocks (t, F, F) go to pairs (t,), ascending. Rows belong to the first node and field, columns to the second.
+    Some node pairs at a time, whose entries follow each other, so that next to nothing is stored but the result.
+    """
+    from scipy.sparse import csr_array
+
+    data = np.empty(len(p.indices))
+    number, F = np.zeros(int(kind.max()) + 1, dtype=np.int32), p.unknown.shape[1]
+    for (start, stop), entries in zip(pairwise(p.cuts), pairwise(p.entries), strict=True):
+        own = slice(p.starts[start], p.starts[stop])
+        which = kind[p.element[own]]
+        number[which] = 1
+        kinds = np.flatnonzero(number)
+        number[kinds] = np.arange(len(kinds))
+        column = number[which] * np.int32(81) + p.place[own]
+        added = csr_array(
+            (np.ones(len(column)), column, p.starts[start : stop + 1] - p.starts[start]),
+            shape=(stop - start, 81 * len(kinds)),
+        )
+        number[kinds] = 0
+        sums = added @ matrices(kinds).reshape(81 * len(kinds), F * F)
+        further = slice(*np.searchsorted(pairs, (start, stop)))
+        sums[pairs[further] - start] += blocks[further].reshape(-1, F * F)
+        data[slice(*entries)] = sums.ravel()[p.taken[slice(*entries)]]
+    return Symmetric(p.indptr, p.indices, data)
 
 
 def scatter(places: Integers, values: Array, size: int) -> Array:
     """Return an array (size,) with the sum of the values that fall on each place."""
     return np.bincount(places.ravel(), values.ravel(), size).astype(float, copy=False)
-
-
-def add(p: Pattern, data: Array, i: int, j: int, values: Array) -> None:
-    """Add values of node pairs (pairs,) to the entries of fields (i, j) in data."""
-    where, at = positions(p, i, j)
-    data[at] += values[where]
-
-
-def multiply(p: Pattern, data: Array, u: Array) -> Array:
-    """Return A u for the symmetric matrix whose upper half is data."""
-    from scipy.sparse import csr_array
-
-    upper = csr_array((data, p.indices, p.indptr), shape=(p.size, p.size))
-    result: Array = upper @ u + upper.T @ u - data[p.indptr[:-1]] * u
-    return result
 
 
 def congruent(xy: Array) -> tuple[Integers, Integers]:

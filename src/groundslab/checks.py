@@ -35,9 +35,9 @@ def decay_squared(s: System, U: Array, column: Column) -> float:
     problem, b = s.problem, s.blocks
     w = surface_settlement(problem, U)
     we = w[0][problem.mesh.elements]
-    squares = _by_kind(b.mass, b.ground_kind, we, we)
+    squares = _by_kind(b.mass, b.kind, we, we)
     varying = we - we[:, 8:]  # else rounding makes slopes of a settlement that is everywhere the same
-    slopes = _by_kind(b.slope, b.ground_kind, varying, varying)
+    slopes = _by_kind(b.slope, b.kind, varying, varying)
     if len(problem.edges):
         t, at_corners = tails(problem, column)
         X, Y, _, _ = t.square_integrals()
@@ -77,7 +77,7 @@ def plate_forces(s: System, U: Array) -> Array:
     problem, b = s.problem, s.blocks
     elements = problem.mesh.elements[problem.plate_elements]
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
-    f = apply(b.plate, b.plate_kind, u)
+    f = apply(b.plate, b.kind[problem.plate_elements], u)
     n = len(problem.mesh.nodes)
     return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
 
@@ -91,15 +91,15 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
     w = surface_settlement(problem, U)
     elements, n = problem.mesh.elements, len(problem.mesh.nodes)
     forces = np.zeros((n, 1 + column.surfaces))
-    mass = [apply(b.mass, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
-    slope = [apply(b.slope, b.ground_kind, w[j][elements]) for j in range(column.surfaces)]
+    mass = [apply(b.mass, b.kind, w[j][elements]) for j in range(column.surfaces)]
+    slope = [apply(b.slope, b.kind, w[j][elements]) for j in range(column.surfaces)]
     for i in range(column.surfaces):
         by_element = np.zeros_like(mass[0])
         for j in range(column.surfaces):
             by_element += column.A0[..., i, j, None] * mass[j] + column.A1[..., i, j, None] * slope[j]
         forces[:, 1 + i] = scatter(elements, by_element, n)
         if i == 0:
-            on_w = np.einsum("ea,eab->eb", by_element, b.T[b.ground_kind])
+            on_w = np.einsum("ea,eab->eb", by_element, b.T[b.kind])
             under = problem.plate_nodes
             forces[under, 0] = scatter(elements, on_w, n)[under]
     if len(problem.edges):
@@ -144,7 +144,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
     # where gaps and settlements move the plate and next to nothing acts, rounding is all that is left over
     way = max(np.abs(part).max(initial=0.0) for part in (problem.initial_gap, solution.law.level))
-    rounding = ROUNDING * np.abs(s.plate_data).max() * way
+    rounding = ROUNDING * np.abs(s.blocks.plate).max() * way
     scale = max(np.abs(inner).max(), np.abs(load).max(), rounding) or 1.0
     residual = float(np.abs((rest - borne)[~held]).max() / scale)
 
@@ -220,7 +220,7 @@ def _carried(s: System, U: Array, column: Column, inner: Array) -> float:
     """Return the force that leaves the ground: into the rigid base, into fixed outer edges and into infinite ground."""
     problem = s.problem
     w = surface_settlement(problem, U)
-    volume = s.blocks.mass.sum(axis=1)[s.blocks.ground_kind]  # int N over each element
+    volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
     beyond = np.setdiff1d(np.arange(len(w[0])), problem.plate_nodes)
     fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)

@@ -15,10 +15,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.assembly import Pattern, multiply
 from groundslab.errors import NotConverged, SingularMatrix
-from groundslab.linear import Symbolic
-from groundslab.shape import Array, Flags, Indices, Integers
+from groundslab.linear import Latest, Task
+from groundslab.shape import Array, Flags, Integers
+from groundslab.symmetric import Symmetric
 
 #: A way or force that is on the wrong side by less than this share of the largest one does not change a bearing.
 SLACK = 1e-10
@@ -27,6 +27,11 @@ WEAK = 1e-5
 #: A way that is more than so many times what a force as large as the largest load gives on an unknown's own stiffness
 #: is that of a plate that floats.
 ADRIFT = 1e9
+
+#: The latest factor may serve for so many steps of conjugate gradients: about what another factor costs.
+STEPS = 10
+#: If they lead to something so many times larger than where they began, the plate may float.
+FAR = 10.0
 
 #: States of a bearing: it touches nothing, it bears, it has reached its capacity.
 OPEN, CLOSED, YIELDING = range(3)
@@ -89,57 +94,60 @@ def slipped(b: Bearings, c: Contact) -> Array:
 
 
 def solve(
-    p: Pattern,
-    data: Array,
+    A: Symmetric,
     f: Array,
-    symbolic: Symbolic,
+    latest: Latest,
     bearings: Bearings,
     start: Integers,
     limit: int,
     report: Callable[[int, int, int], None],
+    near: Array | None = None,
 ) -> Contact:
     """Return the solution of A u - f = forces of the bearings.
 
-    start (c,) holds the states at first; report is told iteration, bearings that touch and changes. With no bearings
-    this is one linear solution. Raises NotConverged after `limit` iterations, SingularMatrix if A itself, held by all
-    bearings, is not positive.
+    start (c,) holds the states at first; near (size,) is what the solution is expected to be near; report is told
+    iteration, bearings that touch and changes. With no bearings this is one linear solution. Raises NotConverged after
+    `limit` iterations, SingularMatrix if A itself, held by all bearings, is not positive.
     """
     b = bearings
-    row: Indices = np.repeat(np.arange(p.size, dtype=np.int32), np.diff(p.indptr))
     history: list[dict[str, int]] = []
     state, pivots = np.where(b.both_ways, CLOSED, start), _Pivots(len(b))
-    u = np.zeros(p.size)
     spring = rest = no_spring = np.zeros(len(b))
+    u, fewest = near, len(b) + 1
     for iteration in range(1, limit + 1):
+        held = _arranged(A, f, b, state, spring, rest)
         try:
-            u, refined = _solution(p, data, row, f, symbolic, b, state, spring, rest)
+            u, left = _solution(held, b, latest, near, floats=bool(spring.any()))
         except SingularMatrix:
             if spring.any():
                 raise
             # the plate floats: a proximal step, with springs that draw the bearings to where they are
-            spring, rest = WEAK * data[p.indptr[b.at]], b.level + b.sign * np.maximum(-b.driven(u), 0.0)
+            u = np.zeros(A.size) if u is None else u
+            spring, rest = WEAK * A.diagonal[b.at], b.level + b.sign * np.maximum(-b.driven(u), 0.0)
             pivots = _Pivots(len(b))
-            u, refined = _solution(p, data, row, f, symbolic, b, state, spring, rest)
-        left_over = multiply(p, data, u) - f
-        force = _forces(b, state, u, left_over, spring * (u[b.at] - rest))
+            held = _arranged(A, f, b, state, spring, rest)
+            u, left = _solution(held, b, latest, None, floats=True)
+        force = _forces(b, state, u, held.load - f - left, spring * (u[b.at] - rest))
         slack = SLACK * np.abs(u).max()
         after = np.where(b.both_ways, CLOSED, _next(b, state, b.driven(u), force, slack))
         wrong: Flags = after != state
         touching = int((state != OPEN).sum())
         history.append({"iteration": iteration, "closed": touching, "changed": int(wrong.sum())})
         report(iteration, touching, int(wrong.sum()))
+        # close to a cycle, or to floating, decisions must not rest on what conjugate gradients leave over
+        near = u if wrong.sum() < fewest and not spring.any() else None
+        fewest = min(fewest, int(wrong.sum()))
         if wrong.any():
             state = pivots.change(state, after)
         elif (spring * (np.abs(u[b.at] - rest) > slack)).any():
             # enough bearings touch now, or the next proximal step starts from here
-            spring, pivots = no_spring, _Pivots(len(b))
+            spring, pivots, near = no_spring, _Pivots(len(b)), None
         else:
-            # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held
-            borne = np.zeros(p.size)
-            np.add.at(borne, b.at, b.sign * force)
-            u = refined(u, borne - left_over)
-            left_over = multiply(p, data, u) - f
-            return Contact(u, state, _forces(b, state, u, left_over, 0.0 * spring))
+            # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held.
+            # One step more takes off the rounding of the factorisation.
+            left = held.load - A @ u
+            latest.improve(held.task, held.load, u, left, 1)
+            return Contact(u, state, _forces(b, state, u, held.load - f - left, 0.0 * spring))
     raise NotConverged("the contact zone", history, {"u": u, "closed": state != OPEN})
 
 
@@ -197,49 +205,53 @@ class _Pivots:
         return after
 
 
-def _solution(
-    p: Pattern,
-    data: Array,
-    row: Indices,
-    f: Array,
-    symbolic: Symbolic,
-    b: Bearings,
-    state: Integers,
-    spring: Array,
-    rest: Array,
-) -> tuple[Array, Callable[[Array, Array], Array]]:
-    """Return the solution for given states, and springs (c,) that draw the bearings' unknowns to their rest (c,).
+@dataclass(frozen=True, slots=True)
+class _Held:
+    """What is to be solved for given states of the bearings."""
 
-    And what makes a solution better, given it and the forces that it leaves unbalanced (size,): a step of iterative
-    refinement, which takes off the rounding of the factorisation.
-    """
+    task: Task
+    level: Array  # (size,): the values of held unknowns, zero elsewhere
+    load: Array  # (size,): f, and what the bearings give that are not rigid
+
+
+def _arranged(A: Symmetric, f: Array, b: Bearings, state: Integers, spring: Array, rest: Array) -> _Held:
+    """Return what given states make of the problem, and springs (c,) that draw unknowns to their rest (c,)."""
     rigid = (state == CLOSED) & np.isinf(b.stiffness)
     elastic = (state == CLOSED) & np.isfinite(b.stiffness)
-    stiffness = spring + np.where(elastic, b.stiffness, 0.0)
-    load = f.copy()
+    added, load = np.zeros(A.size), f.copy()
+    np.add.at(added, b.at, spring)
     np.add.at(load, b.at, spring * rest)
+    np.add.at(added, b.at[elastic], b.stiffness[elastic])
     np.add.at(load, b.at[elastic], b.stiffness[elastic] * b.level[elastic])
     yielding = state == YIELDING
     np.add.at(load, b.at[yielding], b.sign[yielding] * b.capacity[yielding])
+    held, level = np.zeros(A.size, dtype=bool), np.zeros(A.size)
+    held[b.at[rigid]] = True
+    level[b.at[rigid]] = b.level[rigid]
+    return _Held(Task(A, held, added), level, load)
 
-    held = np.zeros(p.size)
-    held[b.at[rigid]] = b.level[rigid]
-    keep = np.ones(p.size)
-    keep[b.at[rigid]] = 0.0
-    if held.any():
-        load -= multiply(p, data, held)
-    matrix = data * keep[row] * keep[p.indices] if rigid.any() else data.copy()
-    diagonal = p.indptr[b.at]
-    matrix[diagonal] = data[diagonal]
-    np.add.at(matrix, diagonal, stiffness)
-    factor = symbolic.factor(matrix)
 
-    def refined(u: Array, missing: Array) -> Array:
-        better: Array = u + factor.solve(missing * keep)
-        return better
+def _solution(h: _Held, b: Bearings, latest: Latest, near: Array | None, floats: bool) -> tuple[Array, Array]:
+    """Return the solution u (size,) for given states, and load - A u (size,), what that leaves to rigid bearings.
 
-    u: Array = factor.solve(load * keep)
+    near (size,) is what the solution is expected to be near: the latest factor may then serve, if its task is near too.
+    Raises SingularMatrix if the plate floats, unless it may.
+    """
+    A, exact = h.task.A, latest.solves(h.task)
+    if near is not None and not exact and latest.near(h.task):
+        u = np.where(h.task.held, h.level, near)
+        left = h.load - A @ u
+        if latest.improve(h.task, h.load, u, left, STEPS) and np.abs(u).max() <= FAR * np.abs(near).max():
+            return u, left
+    if not exact:
+        latest.factor(h.task)
+    u = h.level.copy()
+    left = h.load - A @ u if u.any() else h.load.copy()
+    driving = np.abs(left[~h.task.held]).max(initial=0.0)
+    latest.improve(h.task, h.load, u, left, 1)
     # rounding can make a matrix that is singular look positive: the plate then floats away all the same
-    if len(b) and not spring.any() and (np.abs(u[b.at]) * matrix[diagonal]).max() > ADRIFT * np.abs(load * keep).max():
-        raise SingularMatrix("the bearings that touch do not hold the plate")
-    return (u + held if held.any() else u), refined
+    if len(b) and not floats:
+        free = ~h.task.held[b.at]
+        if (np.abs(u[b.at]) * (A.diagonal + h.task.added)[b.at])[free].max(initial=0.0) > ADRIFT * driving:
+            raise SingularMatrix("the bearings that touch do not hold the plate")
+    return u, left

@@ -5,17 +5,27 @@ Patterns are upper CSR, numbered in an order of elimination that is already good
 
 from __future__ import annotations
 
+import ctypes
 import os
 import platform
 import sys
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
 
 from groundslab.errors import Fault, InputError, SingularMatrix
-from groundslab.shape import Array, Indices, Integers
+from groundslab.shape import Array, Flags, Indices
+from groundslab.symmetric import Symmetric
+
+#: A factor helps with a task that differs from its own in at most so many unknowns.
+FEW = 8
+#: A matrix with fewer rows is factorised anew in less time than such steps take.
+SMALL = 30_000
+#: Conjugate gradients end when the error's energy is below this share of the solution's: 1e-10 of its displacements.
+TOLERANCE = 1e-20
 
 
 class Factor(Protocol):
@@ -35,46 +45,70 @@ class Symbolic(Protocol):
 
 
 #: From indptr and indices of the upper half to its analysis.
-Solver = Callable[[Integers, Indices], Symbolic]
+Solver = Callable[[Indices, Indices], Symbolic]
 
 
 class _Pardiso:
     """MKL PARDISO through pypardiso: analysis once, then numeric factorisations of the same pattern."""
 
-    def __init__(self, indptr: Integers, indices: Indices) -> None:
-        from scipy.sparse import csr_array
-
+    def __init__(self, indptr: Indices, indices: Indices) -> None:
         self.handle = _pardiso_wrapper().PyPardisoSolver(mtype=2)
         self.handle.set_iparm(1, 1)  # no defaults: the entries below count
         self.handle.set_iparm(5, 1)  # the order of elimination is given: that of the numbers
-        self.handle.perm = np.arange(1, len(indptr), dtype=np.int32)
         self.handle.set_iparm(8, 0)  # no iterative refinement: whoever knows what is left over can do it once
         self.handle.set_iparm(24, 1)  # two-level parallel factorisation
-        n = len(indptr) - 1
-        self.A = csr_array((np.zeros(len(indices)), indices, indptr), shape=(n, n))
+        self.handle.set_iparm(35, 1)  # numbers begin with 0
+        self.handle.perm = np.arange(len(indptr) - 1, dtype=np.int32)
+        self.indptr, self.indices = indptr.astype(np.int32), indices.astype(np.int32, copy=False)
+        self.data = np.zeros(0)
         self.analysed = False
         self.used = False  # whether PARDISO was ever called and may hold memory
 
     def factor(self, data: Array) -> Factor:
         if not np.isfinite(data).all():
             raise SingularMatrix("the matrix holds entries that are not finite numbers")
-        self.A.data = data
+        self.data = data
         phase, self.used = 22 if self.analysed else 12, True
-        self._call(phase, np.zeros(self.A.shape[0]))
+        self._call(phase, np.zeros(len(self.handle.perm)))
         self.analysed = True
         return self
 
     def solve(self, b: Array) -> Array:
-        return self._call(33, np.asfortranarray(b))
+        return np.ascontiguousarray(self._call(33, np.asfortranarray(b, dtype=np.float64)))
 
     def _call(self, phase: int, b: Array) -> Array:
-        self.handle.set_phase(phase)
-        try:
-            x: Array = self.handle._call_pardiso(self.A, b)
-        except _pardiso_wrapper().PyPardisoError as error:
-            if error.value == -4:
-                raise SingularMatrix("the stiffness matrix is not positive definite") from error
-            raise MemoryError(f"PARDISO stopped with error {error.value} on {self.A.shape[0]} unknowns") from error
+        """Return what a phase of PARDISO makes of b: pypardiso's own call copies the whole pattern every time."""
+        x, error = np.zeros_like(b), ctypes.c_int32(0)
+        handle = self.handle
+
+        def number(value: int) -> Any:
+            return ctypes.byref(ctypes.c_int32(value))
+
+        def of(array: Array | Indices) -> Any:
+            return array.ctypes.data_as(ctypes.POINTER(np.ctypeslib.as_ctypes_type(array.dtype)))
+
+        handle._mkl_pardiso(
+            of(handle.pt),
+            number(1),  # matrices held
+            number(1),  # which of them
+            number(handle.mtype),
+            number(phase),
+            number(len(b)),
+            of(self.data),
+            of(self.indptr),
+            of(self.indices),
+            of(handle.perm),
+            number(1 if b.ndim == 1 else b.shape[1]),
+            of(handle.iparm),
+            number(0),  # no messages
+            of(b),
+            of(x),
+            ctypes.byref(error),
+        )
+        if error.value == -4:
+            raise SingularMatrix("the stiffness matrix is not positive definite")
+        if error.value:
+            raise MemoryError(f"PARDISO stopped with error {error.value} on {len(b)} unknowns")
         return x
 
     def __del__(self) -> None:
@@ -98,7 +132,7 @@ def _pardiso_wrapper() -> Any:
 class _SuperLU:
     """SciPy's SuperLU in symmetric mode; takes the order of elimination as it is numbered."""
 
-    def __init__(self, indptr: Integers, indices: Indices) -> None:
+    def __init__(self, indptr: Indices, indices: Indices) -> None:
         n = len(indptr) - 1
         row = np.repeat(np.arange(n, dtype=np.int32), np.diff(indptr))
         off = row != indices
@@ -130,12 +164,12 @@ class _SuperLU:
         return factor
 
 
-def pardiso(indptr: Integers, indices: Indices) -> Symbolic:
+def pardiso(indptr: Indices, indices: Indices) -> Symbolic:
     """Return the pattern analysed by MKL PARDISO; raise ImportError where it is not installed."""
     return _Pardiso(indptr, indices)
 
 
-def superlu(indptr: Integers, indices: Indices) -> Symbolic:
+def superlu(indptr: Indices, indices: Indices) -> Symbolic:
     """Return the pattern prepared for SciPy's SuperLU."""
     return _SuperLU(indptr, indices)
 
@@ -163,17 +197,72 @@ def choose(name: str) -> tuple[str, Solver]:
     return "superlu", superlu
 
 
-class Remembering:
-    """A pattern that has been analysed, which gives back its latest factor when asked for the same matrix again."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Task:
+    """A matrix with unknowns held and something added to its diagonal: what is to be solved with."""
+
+    A: Symmetric
+    held: Flags  # (size,)
+    added: Array  # (size,), without meaning where held
+
+    def differs(self, other: Task) -> int:
+        """Return the number of unknowns that are held, or whose diagonal is added to, in one of two tasks alone."""
+        loose = ~(self.held & other.held)
+        return int((((self.held != other.held) | (self.added != other.added)) & loose).sum())
+
+
+class Latest:
+    """A pattern that has been analysed, with its latest factor, which also helps to solve tasks that are near its own.
+
+    Conjugate gradients that it preconditions need about as many steps as there are unknowns at which the tasks differ,
+    and few if the entries of the matrix have changed little.
+    """
 
     def __init__(self, symbolic: Symbolic) -> None:
         self.symbolic = symbolic
-        self.latest: tuple[Array, Factor] | None = None
+        self.task: Task | None = None
+        self._factor: Factor
 
-    def factor(self, data: Array) -> Factor:
-        """Return the factor of the matrix whose upper half has these entries, the latest one if they are the same."""
-        if self.latest is not None and np.array_equal(self.latest[0], data):
-            return self.latest[1]
-        self.latest = None  # what it holds is no longer valid once another matrix is factorised
-        self.latest = data, self.symbolic.factor(data)
-        return self.latest[1]
+    def solves(self, task: Task) -> bool:
+        """Return whether the latest factor is the one of this task."""
+        return self.task is not None and self.task.A is task.A and self.task.differs(task) == 0
+
+    def near(self, task: Task) -> bool:
+        """Return whether the latest factor can be expected to help with this task."""
+        return self.task is not None and len(task.held) >= SMALL and self.task.differs(task) <= FEW
+
+    def factor(self, task: Task) -> None:
+        """Take the factor of another task; raise SingularMatrix if it is not positive definite."""
+        self.task = None  # the factor that there is is no longer valid
+        self._factor = self.symbolic.factor(task.A.held(task.held, task.added))
+        self.task = task
+
+    def improve(self, task: Task, load: Array, u: Array, rest: Array, steps: int) -> bool:
+        """Bring u (size,) towards the solution under a load (size,) by steps of conjugate gradients.
+
+        u, which has its values where it is held, and rest = load - A u (size,) change in place. Returns whether the
+        energy of the error fell below TOLERANCE of that of the solution, which is not looked at after a single step.
+        """
+        free = np.where(task.held, 0.0, 1.0)
+        added = task.added * free
+        r = (rest - added * u) * free
+        q, rz, first = np.zeros_like(u), np.inf, 0.0
+        for step in range(steps + 1):
+            z = self._factor.solve(r) * free
+            last, rz = rz, float(r @ z)
+            first = rz if step == 0 else first
+            if step > 0 and rz <= TOLERANCE * max(first, abs(float(u @ load))):
+                return True
+            if step == steps:
+                break
+            q = z + rz / last * q
+            Aq = task.A @ q
+            along = float(q @ Aq + added @ (q * q))
+            if not along > 0:
+                return rz == 0.0
+            u += rz / along * q
+            rest -= rz / along * Aq
+            if steps == 1:
+                return True
+            r -= rz / along * (Aq + added * q) * free
+        return False

@@ -7,16 +7,19 @@ What bears on single unknowns (the ground where the plate may lift off, supports
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab import assembly, plate
-from groundslab.assembly import Pattern, add, congruent, gather, scatter
+from groundslab.assembly import Pattern, congruent, scatter
 from groundslab.contact import Bearings
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
 from groundslab.mesh import Mesh
 from groundslab.shape import Array, Integers, gauss, jacobian, q9
+from groundslab.symmetric import Symmetric
 from groundslab.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
@@ -115,21 +118,24 @@ def nodal_area(mesh: Mesh, elements: Integers) -> Array:
 
 @dataclass(frozen=True, slots=True)
 class Blocks:
-    """Element matrices of the different kinds of elements (shape, section), and the kind of each element.
+    """Element matrices of the different kinds of elements (shape, section or none), and the kind of each element.
 
     Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
     column; with a plate whose centre w hangs on its other nodes, T makes rows and columns of w from them.
     """
 
-    plate: Array  # (u, 27, 27)
-    plate_kind: Integers  # (mp,)
-    mass: Array  # (v, 9, 9)
-    slope: Array  # (v, 9, 9)
-    T: Array  # (v, 9, 9)
-    ground_kind: Integers  # (m,)
+    kind: Integers  # (m,)
+    plate: Array  # (u, 27, 27), zero beside the plate
+    mass: Array  # (u, 9, 9)
+    slope: Array  # (u, 9, 9)
+    T: Array  # (u, 9, 9)
+
+    def of(self, kinds: Integers) -> Blocks:
+        """Return the blocks of some kinds (k,), which are numbered anew."""
+        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T)))
 
     def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
-        """Return mass and slope (v, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
+        """Return mass and slope (u, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
         mass, slope = self.mass, self.slope
         if plate_rows:
             mass, slope = np.swapaxes(self.T, 1, 2) @ mass, np.swapaxes(self.T, 1, 2) @ slope
@@ -140,44 +146,33 @@ class Blocks:
 
 def blocks(problem: Problem) -> Blocks:
     """Return the element matrices of a problem, each computed once for all elements of its kind."""
-    xy = problem.mesh.xy
+    xy, sections = problem.mesh.xy, len(problem.bending)
     shapes, shape = congruent(xy)
-    sections = len(problem.bending)
-    plate_shape = shape[problem.plate_elements]
-    pairs, plate_kind = np.unique(plate_shape * sections + problem.section, return_inverse=True)
-    section = pairs % sections
-    plate_xy = xy[shapes[pairs // sections]]
-    K = plate.stiffness(problem.element, plate_xy, problem.bending[section], problem.shear[section])
-
-    under = np.zeros(len(xy), dtype=np.int64)
-    under[problem.plate_elements] = 1
-    kinds, ground_kind = np.unique(2 * shape + under, return_inverse=True)
-    ground_xy = xy[shapes[kinds // 2]]
-    mass, slope = mass_and_slope(ground_xy)
-    T = np.where((kinds % 2 == 1)[:, None, None], problem.element.w_functions(ground_xy), np.eye(9))
-    return Blocks(K, plate_kind, mass, slope, T, ground_kind)
+    section = np.full(len(xy), sections)  # none
+    section[problem.plate_elements] = problem.section
+    kinds, kind = np.unique(shape * (sections + 1) + section, return_inverse=True)
+    xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
+    under = np.flatnonzero(section < sections)
+    K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
+    section = section[under]
+    K[under] = plate.stiffness(problem.element, xy[under], problem.bending[section], problem.shear[section])
+    T[under] = problem.element.w_functions(xy[under])
+    return Blocks(kind, K, *mass_and_slope(xy), T)
 
 
 @dataclass(frozen=True, slots=True)
 class System:
-    """A problem with its pattern, its element matrices and the plate's part of the stiffness."""
+    """A problem with its pattern and its element matrices; both hold for every column of ground."""
 
     problem: Problem
     pattern: Pattern
     blocks: Blocks
-    plate_data: Array  # (entries,)
 
 
 def system(problem: Problem) -> System:
-    """Return the system of a problem; everything in it holds for every column of ground."""
+    """Return the system of a problem."""
     p = assembly.pattern(problem.mesh.elements, problem.rank, problem.unknown)
-    b = blocks(problem)
-    data = np.zeros(len(p.indices))
-    for i in (W, BETA_X, BETA_Y):
-        for j in (W, BETA_X, BETA_Y):
-            K = b.plate[:, 9 * i : 9 * i + 9, 9 * j : 9 * j + 9]
-            add(p, data, i, j, gather(p, K, b.plate_kind, problem.plate_elements))
-    return System(problem, p, b, data)
+    return System(problem, p, blocks(problem))
 
 
 def fields_of(surface: int) -> tuple[int, ...]:
@@ -185,32 +180,36 @@ def fields_of(surface: int) -> tuple[int, ...]:
     return (W, TOP) if surface == 0 else (TOP + surface,)
 
 
-def stiffness(s: System, column: Column) -> Array:
-    """Return the entries (entries,) of plate and ground together; the ground's column may differ between elements."""
-    p, data = s.pattern, s.plate_data.copy()
-    of_plate_w = {field: field == W and not s.problem.element.centre_w for field in range(p.unknown.shape[1])}
-    sums: dict[tuple[bool, bool], tuple[Array, Array]] = {}
+def stiffness(s: System, column: Column) -> Symmetric:
+    """Return the matrix of plate and ground together; the ground's column may differ between elements."""
+    b, F = s.blocks, s.pattern.unknown.shape[1]
+    kind = np.arange(len(b.kind)) if column.varies else b.kind
+
+    def matrices(kinds: Integers) -> Array:
+        own = b.of(b.kind[kinds] if column.varies else kinds)
+        K = np.zeros((len(kinds), 9, 9, F, F))
+        K[..., :TOP, :TOP] = own.plate.reshape(-1, TOP, 9, TOP, 9).transpose(0, 2, 4, 1, 3)
+        here = column.at(kinds)
+        for i, j, A0, A1, mass, slope in _ground(own, here, s.problem.element):
+            K[..., i, j] += A0 * mass + A1 * slope
+        return K
+
+    return assembly.assembled(s.pattern, kind, matrices, *_tail_blocks(s, column))
+
+
+def _ground(
+    b: Blocks, column: Column, element: plate.PlateElement
+) -> Iterator[tuple[int, int, Array, Array, Array, Array]]:
+    """Yield fields i, j that the ground couples, A0 and A1 for their blocks, (u, 1, 1) if they vary, mass and slope."""
+    between = functools.cache(b.ground)
     for a in range(column.surfaces):
-        for b in range(column.surfaces):
-            A0, A1 = column.A0[..., a, b], column.A1[..., a, b]
-            if not (A0.any() or A1.any()):
-                continue
-            for i in fields_of(a):
-                for j in fields_of(b):
-                    sides = of_plate_w[i], of_plate_w[j]
-                    mass, slope = s.blocks.ground(*sides)
-                    if A0.ndim == 0:
-                        if sides not in sums:
-                            sums[sides] = tuple(gather(p, M, s.blocks.ground_kind) for M in (mass, slope))  # type: ignore[assignment]
-                        values = A0 * sums[sides][0] + A1 * sums[sides][1]
-                    else:
-                        kind = s.blocks.ground_kind
-                        each = A0[:, None, None] * mass[kind] + A1[:, None, None] * slope[kind]
-                        values = gather(p, each, np.arange(len(kind)))
-                    add(p, data, i, j, values)
-    if len(s.problem.edges):
-        _add_tail(s, data, column)
-    return data
+        for c in range(column.surfaces):
+            A0, A1 = column.A0[..., a, c, None, None], column.A1[..., a, c, None, None]
+            if A0.any() or A1.any():
+                for i in fields_of(a):
+                    for j in fields_of(c):
+                        of_w = (field == W and not element.centre_w for field in (i, j))
+                        yield i, j, A0, A1, *between(*of_w)
 
 
 def tails(problem: Problem, column: Column) -> tuple[Tail, Tail]:
@@ -227,31 +226,32 @@ def tails(problem: Problem, column: Column) -> tuple[Tail, Tail]:
     return tail(column.at(inside[problem.edges[:, 2]])), tail(column.at(inside[problem.corners]))
 
 
-def _add_tail(s: System, data: Array, column: Column) -> None:
-    """Add the infinite ground's springs on the outer edges and corners (docs/theory.md, infinite ground)."""
+def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
+    """Return the infinite ground's springs on outer edges and corners (docs/theory.md, infinite ground).
+
+    Which node pairs (t,) they belong to, ascending, and their blocks (t, F, F).
+    """
     problem, p = s.problem, s.pattern
+    F = p.unknown.shape[1]
+    if not len(problem.edges):
+        return np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
     t, at_corners = tails(problem, column)
     length = edge_lengths(problem)
     a, b = np.triu_indices(3)
     pair = p.pairs(problem.edges[:, a], problem.edges[:, b])
     mass, slope = length[:, None] * EDGE_MASS[a, b], EDGE_SLOPE[a, b] / length[:, None]
     at_corner = p.pairs(problem.corners, problem.corners)
-    point = np.ones(len(at_corner))
     spring, along, corner = t.spring, t.slope, at_corners.corner
 
-    def spread(where: Integers, each: Array) -> Array:
-        return scatter(where, each, len(p.keys))
-
-    if not t.varies:
-        mass, slope, point = spread(pair, mass), spread(pair, slope), spread(at_corner, point)
+    pairs, number = np.unique(np.concatenate([pair.ravel(), at_corner]), return_inverse=True)
+    on_edges, on_corners = number[: pair.size].reshape(pair.shape), number[pair.size :]
+    blocks = np.zeros((len(pairs), F, F))
     for i in range(column.surfaces):
         for j in range(column.surfaces):
-            if t.varies:
-                values = spread(pair, spring[:, i, j, None] * mass + along[:, i, j, None] * slope)
-                values += spread(at_corner, corner[:, i, j] * point)
-            else:
-                values = spring[i, j] * mass + along[i, j] * slope + corner[i, j] * point
-            add(p, data, TOP + i, TOP + j, values)
+            own = blocks[:, TOP + i, TOP + j]
+            np.add.at(own, on_edges, spring[..., i, j, None] * mass + along[..., i, j, None] * slope)
+            np.add.at(own, on_corners, corner[..., i, j])
+    return pairs, blocks
 
 
 def edge_lengths(problem: Problem) -> Array:
@@ -261,7 +261,7 @@ def edge_lengths(problem: Problem) -> Array:
     return length
 
 
-def right_hand_side(s: System, data: Array, factor: float) -> Array:
+def right_hand_side(s: System, A: Symmetric, factor: float) -> Array:
     """Return f (size,): the loads times a factor, and what the initial gap takes off the ground."""
     p, problem = s.pattern, s.problem
     f = np.zeros(p.size)
@@ -270,7 +270,7 @@ def right_hand_side(s: System, data: Array, factor: float) -> Array:
     if problem.initial_gap.any():
         gap = np.zeros(p.size)
         gap[p.unknown[problem.plate_nodes, TOP]] = problem.initial_gap[problem.plate_nodes]
-        f += assembly.multiply(p, data, gap)
+        f += A @ gap
     return f
 
 

@@ -81,12 +81,12 @@ def solved(problem: Problem) -> Array:
     """Return the nodal unknowns (n, F) of a problem on a ground of constants, by the kernels alone."""
     assert isinstance(problem.ground, Column)
     s = system(problem)
-    data = stiffness(s, problem.ground)
+    A = stiffness(s, problem.ground)
     law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
-    symbolic = linear.choose("superlu")[1](s.pattern.indptr, s.pattern.indices)
+    latest = linear.Latest(linear.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), contact.CLOSED)
-    f = right_hand_side(s, data, 1.0)
-    return nodal(problem, contact.solve(s.pattern, data, f, symbolic, law, start, 400, lambda *_: None).u)
+    f = right_hand_side(s, A, 1.0)
+    return nodal(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
 
 
 def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:

@@ -46,6 +46,7 @@ FLOORS = [
         "ground",
         "vlasov",
         "between",
+        "symmetric",
         "assembly",
         "linear",
         "contact",

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.sparse import csr_array
 
-from groundslab.assembly import Pattern, add, congruent, gather, multiply, number, pattern, positions, scatter
+from groundslab import assembly
+from groundslab.assembly import Pattern, assembled, congruent, number, pattern, scatter
 from groundslab.mesh import elimination_order, grid
+from groundslab.symmetric import Symmetric
 from quads import quadrilateral
 
 
@@ -32,30 +36,34 @@ def by_loops(elements: np.ndarray, unknown: np.ndarray, size: int, matrices: np.
     return A
 
 
-def filled(p: Pattern, matrices: np.ndarray, kinds: np.ndarray) -> np.ndarray:
-    """Return the data of kinds of element matrices (k, F, F, 9, 9) put together by the module."""
-    data = np.zeros(len(p.indices))
-    for i in range(matrices.shape[1]):
-        for j in range(matrices.shape[1]):
-            add(p, data, i, j, gather(p, np.ascontiguousarray(matrices[:, i, j]), kinds))
-    return data
+NOTHING = np.zeros(0, dtype=int)
 
 
-def dense(p: Pattern, data: np.ndarray) -> np.ndarray:
-    """Return the full matrix whose upper half is data."""
-    upper = csr_array((data, p.indices, p.indptr), shape=(p.size, p.size)).toarray()
+def filled(p: Pattern, matrices: np.ndarray, kinds: np.ndarray) -> Symmetric:
+    """Return kinds of element matrices (k, F, F, 9, 9) put together by the module."""
+    F = matrices.shape[1]
+    by_nodes = matrices.transpose(0, 3, 4, 1, 2)
+    return assembled(p, kinds, lambda some: by_nodes[some], NOTHING, np.zeros((0, F, F)))
+
+
+def dense(A: Symmetric) -> np.ndarray:
+    """Return the full matrix."""
+    upper = csr_array((A.data, A.indices, A.indptr), shape=(A.size, A.size)).toarray()
     return upper + np.triu(upper, 1).T
 
 
 @settings(max_examples=12, derandomize=True, deadline=None)
 @given(
     shape=st.sampled_from([(1, 1), (2, 1), (2, 2), (3, 2)]),
+    chunk=st.sampled_from([1, 40, 2**18]),
     fields=st.integers(1, 4),
     density=st.sampled_from([0.3, 0.8, 1.0]),
     seed=st.integers(0, 1000),
 )
-def test_assembly_equals_dense_loops(shape: tuple[int, int], fields: int, density: float, seed: int) -> None:
-    """Any table of unknowns, any order of elimination, several fields: the same matrix, its sorted upper half."""
+def test_assembly_equals_dense_loops(
+    shape: tuple[int, int], chunk: int, fields: int, density: float, seed: int
+) -> None:
+    """Any table of unknowns, any order of elimination, few or many entries at a time: the same sorted upper half."""
     rng = np.random.default_rng(seed)
     elements = table(*shape)
     n = elements.max() + 1
@@ -63,17 +71,16 @@ def test_assembly_equals_dense_loops(shape: tuple[int, int], fields: int, densit
     present[0, 0] = True
     rank = rng.permutation(n)
     unknown = number(rank, present)
-    p = pattern(elements, rank, unknown)
+    with patch.object(assembly, "_CHUNK", chunk):
+        p = pattern(elements, rank, unknown)
 
     kinds = rng.integers(0, 2, len(elements))
     matrices = rng.standard_normal((2, fields, fields, 9, 9))
     matrices = matrices + matrices.transpose(0, 2, 1, 4, 3)
-    data = filled(p, matrices, kinds)
+    A = filled(p, matrices, kinds)
 
     wanted = by_loops(elements, unknown, p.size, matrices[kinds])
-    np.testing.assert_allclose(dense(p, data), wanted, atol=1e-12)
-    u = rng.standard_normal(p.size)
-    np.testing.assert_allclose(multiply(p, data, u), wanted @ u, atol=1e-10)
+    np.testing.assert_allclose(dense(A), wanted, atol=1e-12)
 
     assert p.size == present.sum()
     for row in range(p.size):
@@ -100,52 +107,25 @@ def test_unknowns_are_numbered_in_the_order_of_elimination(seed: int) -> None:
     np.testing.assert_array_equal(unknown, wanted)
 
 
-def test_gather_of_a_subset_counts_its_elements_alone() -> None:
-    """Elements left out of the subset add nothing; those in it go where they belong."""
-    rng = np.random.default_rng(4)
-    elements = table(3, 2)
-    n = elements.max() + 1
-    unknown = np.arange(n)[:, None]
-    rank = np.arange(n)
-    p = pattern(elements, rank, unknown)
-    subset = np.array([1, 3, 5])
-    K = rng.standard_normal((3, 9, 9))
-    K = K + K.transpose(0, 2, 1)
-    data = np.zeros(len(p.indices))
-    add(p, data, 0, 0, gather(p, K, np.arange(3), subset))
-    wanted = by_loops(elements[subset], unknown, n, K[:, None, None])
-    np.testing.assert_allclose(dense(p, data), wanted, atol=1e-13)
-
-
-def test_pairs_finds_node_pairs_in_either_order() -> None:
-    """The pair of two nodes of an element is the same both ways and holds the entry of exactly these two."""
+@pytest.mark.parametrize("chunk", [1, 2**18])
+def test_further_blocks_go_to_their_pair_of_nodes_in_either_order(chunk: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The pair of two nodes of an element is the same both ways; a block for it makes just these nodes' entries."""
+    monkeypatch.setattr(assembly, "_CHUNK", chunk)
     elements = table(2, 2)
     mesh = grid(np.arange(3.0), np.arange(3.0))
     rank = elimination_order(mesh)
-    unknown = number(rank, np.ones((len(rank), 1), dtype=bool))
+    unknown = number(rank, np.ones((len(rank), 2), dtype=bool))
     p = pattern(elements, rank, unknown)
+    one = np.array([[1.0, 2.0], [3.0, 4.0]])
     for a, b in [(0, 0), (0, 6), (12, 6), (24, 18)]:
-        there, back = p.pairs(np.array([a]), np.array([b]))[0], p.pairs(np.array([b]), np.array([a]))[0]
-        assert there == back
-        values = np.zeros(len(p.keys))
-        values[there] = 1.0
-        data = np.zeros(len(p.indices))
-        add(p, data, 0, 0, values)
-        A = dense(p, data)
-        assert A[unknown[a, 0], unknown[b, 0]] == 1.0
-        assert np.count_nonzero(A) == (1 if a == b else 2)
-
-
-def test_positions_of_a_diagonal_pair_are_not_counted_twice() -> None:
-    """Of the two blocks (i, j) and (j, i) of one node only the upper one has entries."""
-    elements = table(1, 1)
-    unknown = np.arange(18).reshape(9, 2)
-    p = pattern(elements, np.arange(9), unknown)
-    upper, _ = positions(p, 0, 1)
-    lower, _ = positions(p, 1, 0)
-    assert len(upper) == 45
-    assert len(lower) == 36
-    assert (p.first[lower] != p.second[lower]).all()
+        pair = p.pairs(np.array([a]), np.array([b]))
+        assert pair == p.pairs(np.array([b]), np.array([a]))
+        none = np.zeros((1, 9, 9, 2, 2))
+        A = dense(assembled(p, np.zeros(len(elements), dtype=int), lambda some, none=none: none[some], pair, one[None]))
+        first, second = (a, b) if rank[a] < rank[b] else (b, a)
+        wanted = np.zeros_like(A)
+        wanted[np.ix_(unknown[first], unknown[second])] = one if a != b else [[1, 2], [0, 4]]
+        np.testing.assert_array_equal(A, wanted + np.triu(wanted, 1).T + np.tril(wanted, -1).T)
 
 
 def test_scatter_sums_what_falls_together() -> None:

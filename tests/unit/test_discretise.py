@@ -453,7 +453,7 @@ def test_sublayers_are_the_parts_of_their_layer() -> None:
 def dense(problem: Problem, column: Column) -> np.ndarray:
     """Return the full stiffness matrix of a problem on a column."""
     s = system(problem)
-    data = stiffness(s, column)
+    data = stiffness(s, column).data
     upper = csr_array((data, s.pattern.indices, s.pattern.indptr), shape=(s.pattern.size, s.pattern.size)).toarray()
     return upper + np.triu(upper, 1).T
 

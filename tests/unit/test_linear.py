@@ -11,6 +11,7 @@ from scipy.sparse import csr_array, triu
 
 from groundslab import linear
 from groundslab.errors import InputError, SingularMatrix
+from groundslab.symmetric import Symmetric
 
 SOLVERS = ["pardiso", "superlu"]
 
@@ -19,7 +20,7 @@ def upper_half(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return indptr, indices, data of the upper half of A, with every entry of the band stored."""
     half = csr_array(triu(csr_array(A)))
     half.sort_indices()
-    return half.indptr.astype(np.int64), half.indices.astype(np.int32), half.data.copy()
+    return half.indptr.astype(np.int32), half.indices.astype(np.int32), half.data.copy()
 
 
 def random_positive(n: int, seed: int) -> np.ndarray:
@@ -169,3 +170,71 @@ def test_solver_by_name(name: str) -> None:
     """A solver asked for by name is the one that comes back."""
     solver(name)
     assert linear.choose(name)[0] == name
+
+
+def _task(A: np.ndarray, held: np.ndarray, added: np.ndarray, seed_of: linear.Task | None = None) -> linear.Task:
+    """Return a task; its matrix is the very one of another task if that is given."""
+    if seed_of is not None:
+        return linear.Task(seed_of.A, held, added)
+    indptr, indices, data = upper_half(A)
+    return linear.Task(Symmetric(indptr, indices, data), held, added)
+
+
+@pytest.mark.parametrize("name", SOLVERS)
+@pytest.mark.parametrize("changes", [0, 1, 3, 8])
+def test_a_factor_solves_tasks_that_are_near_its_own(name: str, changes: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Unknowns newly held, newly free or with another diagonal: the old factor leads to the new solution."""
+    monkeypatch.setattr(linear, "SMALL", 0)
+    n, rng = 60, np.random.default_rng(changes)
+    A = random_positive(n, 7)
+    held, added = rng.random(n) < 0.4, np.where(rng.random(n) < 0.3, 5.0, 0.0)
+    own = _task(A, held, added)
+    latest = linear.Latest(solver(name)(own.A.indptr, own.A.indices))
+    assert not latest.near(own)
+    latest.factor(own)
+    which = rng.choice(n, changes, replace=False)
+    other_held, other_added = held.copy(), added.copy()
+    other_held[which[::2]] ^= True
+    other_added[which[1::2]] += 3.0
+    task = _task(A, other_held, other_added, own)
+    assert latest.near(task)
+    assert latest.solves(task) == (task.differs(own) == 0)
+
+    load, u = rng.standard_normal(n), np.where(other_held, rng.standard_normal(n), 0.0)
+    rest = load - A @ u
+    assert latest.improve(task, load, u, rest, 2 * changes + 3)
+    free = ~other_held
+    wanted = u.copy()
+    K = A + np.diag(other_added)
+    wanted[free] = np.linalg.solve(K[np.ix_(free, free)], (load - K @ np.where(other_held, u, 0.0))[free])
+    np.testing.assert_allclose(u, wanted, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(rest, load - A @ u, atol=1e-11)
+
+
+def test_too_few_steps_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A task far from the factor's own is not said to be solved when the steps run out."""
+    monkeypatch.setattr(linear, "SMALL", 0)
+    A = random_positive(60, 3)
+    own = _task(A, np.ones(60, dtype=bool), np.zeros(60))
+    latest = linear.Latest(linear.superlu(own.A.indptr, own.A.indices))
+    latest.factor(own)
+    task = _task(A, np.zeros(60, dtype=bool), np.zeros(60), own)
+    assert not latest.near(task)
+    load, u = np.ones(60), np.zeros(60)
+    rest = load.copy()
+    assert not latest.improve(task, load, u, rest, 2)
+    assert np.abs(A @ u - load).max() > 1e-3
+
+
+def test_a_refused_task_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> None:
+    """After a matrix that is not positive nothing counts as near."""
+    monkeypatch.setattr(linear, "SMALL", 0)
+    A = random_positive(20, 3)
+    none = np.zeros(20, dtype=bool)
+    own = _task(A, none, np.zeros(20))
+    latest = linear.Latest(linear.superlu(own.A.indptr, own.A.indices))
+    latest.factor(own)
+    with pytest.raises(SingularMatrix):
+        latest.factor(_task(-A, none, np.zeros(20)))
+    assert not latest.near(own)
+    assert not latest.solves(own)
