@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from groundslab import contact, linear
+from groundslab import contact, forecast, linear
 from groundslab.checks import certificate, decay_squared
 from groundslab.contact import Contact, slipped
 from groundslab.discretise import discretise
@@ -24,12 +24,11 @@ from groundslab.ground import Column
 from groundslab.layout import coarsest
 from groundslab.linear import Latest, Solver
 from groundslab.loadcases import Combination, combinations_of
-from groundslab.mesh import Mesh, values_between
 from groundslab.model import Model
-from groundslab.problem import Problem, System, W, bearings, nodal, right_hand_side, stiffness, system
+from groundslab.problem import System, W, bearings, nodal, right_hand_side, stiffness, system
 from groundslab.recover import recover
 from groundslab.results import Combined, Results, Step
-from groundslab.shape import Array, Integers
+from groundslab.shape import Array
 from groundslab.solution import Solution
 from groundslab.statics import require_equilibrium
 from groundslab.symmetric import Symmetric
@@ -44,9 +43,8 @@ GAMMA_TOLERANCE_COARSE = 1e-3
 GAMMA_SMALL = 0.01
 GAMMA_LIMIT = 60
 GAMMA_START = 1.0
-#: A node starts closed where the coarser mesh's contact (-1 closed, 1 open, linear between) is below this: the value
-#: for which the zone then changes least; it costs a step or two if it is off, never the result.
-CLOSED_AT = -0.25
+#: From one of the nested meshes to the next the elements' size is halved so many times: the forecast is good enough.
+STEP = 2
 
 #: A combination starts from the contact zone of the one before, unless more than this share of the bearings would
 #: change at once; then it is solved from the coarsest mesh upwards, as the first one is.
@@ -61,6 +59,7 @@ class _Level:
     """One of the nested meshes with all that the combinations have in common on it."""
 
     system: System
+    solver: Solver
     latest: Latest
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
 
@@ -187,12 +186,20 @@ def _from_before(ladder: _Ladder, before: Solution, factors: Array, report: OnSt
 def _nested(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
     """Return the solution on the ladder's finest mesh, reached from the coarsest one upwards."""
     model, before = ladder.model, list[Solution]()
-    for coarsening in range(max(_first(model), ladder.finest), ladder.finest - 1, -1):
-        level = ladder.levels.get(coarsening) or _level(ladder, coarsening, factors)
+    for coarsening in _coarsenings(max(_first(model), ladder.finest), ladder.finest):
+        level = ladder.levels.get(coarsening)
+        if level is None:
+            level = _level(ladder, coarsening, factors)
+        else:
+            require_equilibrium(level.system.problem.under(factors))
         s = replace(level.system, problem=level.system.problem.under(factors))
-        require_equilibrium(s.problem)
         before = _increments(model, s, level, before, report, coarsening == ladder.finest)
     return before[-1]
+
+
+def _coarsenings(first: int, last: int) -> list[int]:
+    """Return how often the mesh is coarsened, from first to last: STEP halvings at a time."""
+    return list(range(last, first + 1, STEP))[::-1]
 
 
 def _first(model: Model) -> int:
@@ -207,7 +214,7 @@ def _level(ladder: _Ladder, coarsening: int, factors: Array) -> _Level:
     problem = discretise(ladder.model, coarsening, ladder.margin)
     require_equilibrium(problem.under(factors))
     s = system(problem)
-    level = _Level(s, Latest(ladder.solver(s.pattern.indptr, s.pattern.indices)))
+    level = _Level(s, ladder.solver, Latest(ladder.solver(s.pattern.indptr, s.pattern.indices)))
     if ladder.keep:
         ladder.levels[coarsening] = level
     return level
@@ -246,11 +253,18 @@ def _equilibrium(
     slip (c,) is what the bearings have slipped before. Raises _Far if more than a share `far` of the bearings are not
     in the state in which they start.
     """
-    ground, state = s.problem.ground, _states(start, s.problem)
-    slip = np.zeros(len(state)) if slip is None else slip
+    ground = s.problem.ground
+    slip = np.zeros(len(s.problem.bearing.law)) if slip is None else slip
     law = bearings(s.problem, factor, slip)
     fresh = True
-    near = start.contact.u if start is not None and start.system.problem.mesh is s.problem.mesh else None
+    expected: Array | None = None  # from a coarser mesh
+    near: Array | None = None  # from another solution on this one
+    if start is None:
+        state = np.full(len(s.problem.bearing.law), contact.CLOSED)
+    elif start.system.problem.mesh is s.problem.mesh:
+        state, near = start.contact.state, start.contact.u
+    else:
+        state, expected = forecast.from_coarser(start, s.problem)
 
     def solved(column: Column, gamma: float | None) -> tuple[Array, Contact]:
         def told(iteration: int, in_contact: int, changed: int) -> None:
@@ -260,9 +274,11 @@ def _equilibrium(
                 raise _Far
             fresh = False
 
-        nonlocal near
+        nonlocal near, state
         A = level.stiffness(column, gamma)
         f = right_hand_side(s, A, factor)
+        if expected is not None and near is None:
+            state = forecast.along_the_border(s, A, f, law, state, expected, level.solver)
         c = contact.solve(A, f, level.latest, law, state, model.analysis.max_iterations, told, near)
         near = c.u
         return nodal(s.problem, c.u), c
@@ -325,32 +341,6 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
         return otherwise
     (g0, f0), (g1, f1) = history[-2:]
     return (f1 - f0) / (g1 - g0)
-
-
-def _states(start: Solution | None, problem: Problem) -> Integers:
-    """Return the states in which the bearings start: all closed, or as in a solution on the same or a coarser mesh."""
-    b = problem.bearing
-    if start is None:
-        return np.full(len(b.law), contact.CLOSED)
-    coarse: Mesh = start.system.problem.mesh
-    if coarse is problem.mesh:
-        return start.contact.state
-    state = np.full(len(b.law), contact.CLOSED)
-    ground = np.flatnonzero(b.support < 0)
-    places = problem.mesh.nodes[b.node[ground]]
-    if len(ground):
-        touching = values_between(coarse, start.nodes_in(contact.CLOSED, contact.YIELDING), places) <= CLOSED_AT
-        state[ground] = np.where(touching, contact.CLOSED, contact.OPEN)
-        if (start.contact.state == contact.YIELDING).any():
-            yielding = values_between(coarse, start.nodes_in(contact.YIELDING), places) <= CLOSED_AT
-            state[ground[yielding]] = contact.YIELDING
-    before = start.system.problem.bearing
-    for support in np.unique(b.support[b.support >= 0]):
-        new, old = (np.flatnonzero((each.support == support) & (each.field == W)) for each in (b, before))
-        if len(new) and len(old):
-            offset = problem.mesh.nodes[b.node[new], None] - coarse.nodes[before.node[old]]
-            state[new] = start.contact.state[old[np.argmin((offset**2).sum(axis=2), axis=1)]]
-    return state
 
 
 def _margin_effect(margins: list[_Ladder], factors: Array) -> float:

@@ -58,6 +58,10 @@ class Bearings:
         return d
 
 
+#: All that is known of a bearing but the unknown on which it bears.
+LAWS = ("sign", "level", "stiffness", "capacity", "both_ways")
+
+
 def gaps(at: Integers) -> Bearings:
     """Return the bearings of gaps: unknowns that are at least 0 and are pushed, never pulled."""
     one, without_end = np.ones(len(at)), np.full(len(at), np.inf)
@@ -66,8 +70,7 @@ def gaps(at: Integers) -> Bearings:
 
 def joined(*parts: Bearings) -> Bearings:
     """Return the bearings of several parts as one list."""
-    names = ("at", "sign", "level", "stiffness", "capacity", "both_ways")
-    return Bearings(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+    return Bearings(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", *LAWS)))
 
 
 @dataclass(frozen=True, slots=True)

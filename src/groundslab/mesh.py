@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.shape import COLUMN, ROW, Array, Integers, q9
+from groundslab.shape import COLUMN, ROW, Array, Integers, parallelograms, q9
 
 #: The nodes of an element's four sides: end, end, middle.
 SIDES = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
@@ -102,18 +102,46 @@ def place_in(xy: Array, points: Array) -> Array:
 
     Points far outside their element are only followed to its neighbourhood.
     """
-    local, left = np.zeros_like(points), np.arange(len(points))
+    local, left, linear = np.zeros_like(points), np.arange(len(points)), parallelograms(xy)
     for _ in range(20):
         N, dN = q9(local[left])
         own = xy[left]
-        J = np.einsum("cia,cax->cxi", dN, own)
-        step = np.linalg.solve(J, (points[left] - np.einsum("ca,cax->cx", N, own))[..., None])[..., 0]
+        J = np.einsum("cia,cax->cix", dN, own)
+        dx, dy = (points[left] - np.einsum("ca,cax->cx", N, own)).T
+        det = J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0]
+        step = np.column_stack([J[:, 1, 1] * dx - J[:, 1, 0] * dy, J[:, 0, 0] * dy - J[:, 0, 1] * dx]) / det[:, None]
         local[left] = np.clip(local[left] + step, -1.5, 1.5)
-        # Newton's steps shrink by their squares: after one so small nothing but rounding is left
-        left = left[np.abs(step).max(axis=1) > 1e-10]
+        # Newton's steps shrink by their squares: after one so small nothing but rounding is left; in a parallelogram
+        # the first one leads there
+        left = left[(np.abs(step).max(axis=1) > 1e-10) & ~linear[left]]
         if not len(left):
             break
     return local
+
+
+Whereabouts = tuple[Integers, Array]
+
+
+def whereabouts(mesh: Mesh, points: Array, elements: Integers | None = None) -> Whereabouts:
+    """Return the element that holds each point (p, 2) or, for points outside, the nearest; and the places in them.
+
+    Of some elements only, if they are given. Where a boundary is curved, a finer mesh has points a little outside a
+    coarser one.
+    """
+    part = mesh if elements is None else Mesh(mesh.nodes, mesh.elements[elements])
+    element, place = locate(part, points)
+    outside = element < 0
+    if outside.any():
+        element[outside] = _nearest(part, points[outside])
+        place[outside] = place_in(part.xy[element[outside]], points[outside])
+    return (element if elements is None else elements[element]), place
+
+
+def interpolated(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
+    """Return nodal values (n,) at places in elements, by the shape functions, (p,)."""
+    element, place = where
+    result: Array = np.einsum("pa,pa->p", q9(place)[0], values[mesh.elements[element]])
+    return result
 
 
 def values_at(mesh: Mesh, values: Array, points: Array) -> Array:
@@ -121,23 +149,15 @@ def values_at(mesh: Mesh, values: Array, points: Array) -> Array:
     element, place = locate(mesh, points)
     if (element < 0).any():
         raise ValueError(f"the point {points[np.argmin(element)]} lies outside the mesh")
-    result: Array = np.einsum("pa,pa->p", q9(place)[0], values[mesh.elements[element]])
-    return result
+    return interpolated(mesh, values, (element, place))
 
 
-def values_between(mesh: Mesh, values: Array, points: Array) -> Array:
-    """Return nodal values (n,) at points (p, 2), bilinear between neighbouring nodes; points outside take the nearest.
-
-    Where a boundary is curved, a finer mesh has points a little outside a coarser one.
-    """
-    element, place = locate(mesh, points)
-    outside = element < 0
-    if outside.any():
-        element[outside] = _nearest(mesh, points[outside])
-        place[outside] = place_in(mesh.xy[element[outside]], points[outside])
+def between(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
+    """Return nodal values (n,) at places in elements, bilinear between neighbouring nodes, (p,)."""
+    element, place = where
     hat = np.maximum(0.0, 1 - np.abs(np.clip(place, -1, 1)[:, None, :] - np.array([-1.0, 0.0, 1.0])[:, None]))
-    between: Array = np.einsum("pa,pa,pa->p", hat[:, COLUMN, 0], hat[:, ROW, 1], values[mesh.elements[element]])
-    return between
+    result: Array = np.einsum("pa,pa,pa->p", hat[:, COLUMN, 0], hat[:, ROW, 1], values[mesh.elements[element]])
+    return result
 
 
 def sides_on_boundary(elements: Integers) -> Integers:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.shape import SERENDIPITY_CENTRE, Array, Flags, gauss, jacobian, q9
+from groundslab.shape import SERENDIPITY_CENTRE, Array, gauss, jacobian, parallelograms, q9
 
 #: Where MITC9 takes the covariant shear strain along xi: at two points of each side, and all over for its mean.
 _SIDES = np.array([(r, s) for s in (-1.0, 1.0) for r in (-1 / np.sqrt(3.0), 1 / np.sqrt(3.0))])
@@ -103,7 +103,7 @@ def _centre_from_boundary(xy: Array) -> Array:
     """
     T = np.tile(np.eye(9), (len(xy), 1, 1))
     T[:, 8] = np.append(SERENDIPITY_CENTRE, 0.0)
-    odd = np.flatnonzero(~_parallelograms(xy))
+    odd = np.flatnonzero(~parallelograms(xy))
     centred = xy[odd] - xy[odd, 8:]
     x, y = np.moveaxis(centred / np.abs(centred).max(axis=(1, 2), keepdims=True), -1, 0)
     A = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=1)  # (m, 6, 9)
@@ -111,17 +111,6 @@ def _centre_from_boundary(xy: Array) -> Array:
     correction = np.linalg.pinv(A[:, :, :8], rcond=1e-10) @ wanted[..., None]
     T[odd, 8, :8] += correction[..., 0]
     return T
-
-
-def _parallelograms(xy: Array) -> Flags:
-    """Return which elements (m, 9, 2) are parallelograms with their nodes halfway, (m,)."""
-    corners = xy[:, :4]
-    off = np.abs(corners[:, 0] - corners[:, 1] + corners[:, 2] - corners[:, 3]).max(axis=1)
-    middle = (corners + np.roll(corners, -1, axis=1)) / 2
-    off = np.maximum(off, np.abs(xy[:, 4:8] - middle).max(axis=(1, 2)))
-    off = np.maximum(off, np.abs(xy[:, 8] - corners.mean(axis=1)).max(axis=1))
-    flat: Flags = off <= 1e-13 * np.abs(xy).max(axis=(1, 2))
-    return flat
 
 
 #: The paper's element comes first; the default is "mitc9".

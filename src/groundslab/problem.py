@@ -78,8 +78,9 @@ class Problem:
     @property
     def plate_nodes(self) -> Integers:
         """Return the nodes of the plate, ascending."""
-        nodes: Integers = np.unique(self.mesh.elements[self.plate_elements])
-        return nodes
+        under = np.zeros(len(self.mesh.nodes), dtype=bool)
+        under[self.mesh.elements[self.plate_elements]] = True
+        return np.flatnonzero(under)
 
     @property
     def load(self) -> Array:

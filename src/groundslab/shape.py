@@ -71,3 +71,14 @@ def areas(xy: Array) -> Array:
     points, weights = gauss(3)
     total: Array = jacobian(q9(points)[1], xy)[2] @ weights
     return total
+
+
+def parallelograms(xy: Array) -> Flags:
+    """Return which elements (m, 9, 2) are parallelograms with their nodes halfway, (m,)."""
+    corners = xy[:, :4]
+    off = np.abs(corners[:, 0] - corners[:, 1] + corners[:, 2] - corners[:, 3]).max(axis=1)
+    middle = (corners + np.roll(corners, -1, axis=1)) / 2
+    off = np.maximum(off, np.abs(xy[:, 4:8] - middle).max(axis=(1, 2)))
+    off = np.maximum(off, np.abs(xy[:, 8] - corners.mean(axis=1)).max(axis=1))
+    flat: Flags = off <= 1e-13 * np.abs(xy).max(axis=(1, 2))
+    return flat

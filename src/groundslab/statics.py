@@ -93,17 +93,18 @@ def _free_motions(problem: Problem) -> Array:
         np.column_stack([zero, one, zero])[held[:, BETA_X]],
         np.column_stack([zero, zero, one])[held[:, BETA_Y]],
     ]
-    constraints = np.vstack([*rows, np.zeros((1, 3))])
-    _, sizes, V = np.linalg.svd(constraints, full_matrices=True)
+    constraints = np.vstack(rows)
+    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
     rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
     return V[rank:].T
 
 
 def _extreme_points(problem: Problem) -> Array:
     """Return the corners (c, 2) of the convex hull of the plate [m], in their order around it."""
-    from shapely import MultiPoint, get_coordinates
+    from shapely import get_coordinates, linestrings
 
-    corners: Array = get_coordinates(MultiPoint(problem.mesh.nodes[problem.plate_nodes]).convex_hull)[:-1]
+    # a line through all nodes has their hull, and is one object instead of one a node
+    corners: Array = get_coordinates(linestrings(problem.mesh.nodes[problem.plate_nodes]).convex_hull)[:-1]
     return corners
 
 

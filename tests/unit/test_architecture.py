@@ -60,7 +60,7 @@ FLOORS = [
         "envelope",
     ],
     ["subsoil", "layout", "loading", "bearing", "discretise"],
-    ["statics", "solution", "checks", "creases", "recover", "analysis", "sections", "punching", "tilt"],
+    ["statics", "solution", "forecast", "checks", "creases", "recover", "analysis", "sections", "punching", "tilt"],
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
     ["views", "study"],
     ["cli", "__main__"],

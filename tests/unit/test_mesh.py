@@ -10,6 +10,7 @@ from scipy.sparse.linalg import splu
 
 from groundslab.mesh import (
     Mesh,
+    between,
     elimination_order,
     grid,
     lines_beyond,
@@ -18,7 +19,7 @@ from groundslab.mesh import (
     place_in,
     sides_on_boundary,
     values_at,
-    values_between,
+    whereabouts,
     with_midpoints,
 )
 from groundslab.shape import q9
@@ -135,7 +136,9 @@ def test_values_between_nodes_keep_bilinear_fields() -> None:
     def field(p: np.ndarray) -> np.ndarray:
         return 1 - 2 * p[:, 0] + 0.5 * p[:, 1] + 3 * p[:, 0] * p[:, 1]
 
-    np.testing.assert_allclose(values_between(coarse, field(coarse.nodes), fine.nodes), field(fine.nodes), atol=1e-12)
+    np.testing.assert_allclose(
+        between(coarse, field(coarse.nodes), whereabouts(coarse, fine.nodes)), field(fine.nodes), atol=1e-12
+    )
 
 
 def test_values_between_nodes_never_overshoot() -> None:
@@ -143,7 +146,7 @@ def test_values_between_nodes_never_overshoot() -> None:
     coarse = grid(X, Y)
     wide = grid(np.linspace(-5, 9, 30), np.linspace(-3, 5, 30))
     values = np.where(np.random.default_rng(2).random(len(coarse.nodes)) < 0.5, -1.0, 1.0)
-    result = values_between(coarse, values, wide.nodes)
+    result = between(coarse, values, whereabouts(coarse, wide.nodes))
     assert result.min() >= -1 - 1e-14
     assert result.max() <= 1 + 1e-14
     corner = (coarse.nodes == [X[-1], Y[-1]]).all(axis=1)

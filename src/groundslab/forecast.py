@@ -1,0 +1,119 @@
+"""What a solution on a coarser mesh tells of the next one: unknowns, and where the plate will touch the ground.
+
+The contact zone is found on a strip along its border alone, held to the coarser solution around it. That costs little
+and leaves next to nothing for the whole mesh to change.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab import contact
+from groundslab.contact import LAWS, Bearings
+from groundslab.errors import NotConverged, SingularMatrix
+from groundslab.linear import Latest, Solver
+from groundslab.mesh import between, interpolated, whereabouts
+from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, System, W, plate_settlement, surface_settlement
+from groundslab.shape import Array, Flags, Integers
+from groundslab.solution import Solution
+from groundslab.symmetric import Symmetric
+
+#: A node starts closed where the coarser mesh's contact (-1 closed, 1 open, linear between) is below this: the value
+#: for which the zone then changes least; it costs a step or two if it is off, never the result.
+CLOSED_AT = -0.25
+#: Rings of elements around the border of the contact zone that make up the strip.
+RINGS = 4
+#: The border may leave the strip; then it is laid anew around where the border went, so many times at most.
+STRIPS = 4
+LIMIT = 30
+
+
+def from_coarser(start: Solution, problem: Problem) -> tuple[Integers, Array]:
+    """Return the states (c,) of the bearings and the unknowns (n, F) to expect after a solution on a coarser mesh."""
+    before, b = start.system.problem, problem.bearing
+    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
+    everywhere = whereabouts(coarse, nodes)
+
+    state = np.full(len(b.law), contact.CLOSED)
+    ground = np.flatnonzero(b.support < 0)
+    element, place = everywhere
+    there = element[b.node[ground]], place[b.node[ground]]
+    if len(ground):
+        touching = between(coarse, start.nodes_in(contact.CLOSED, contact.YIELDING), there) <= CLOSED_AT
+        state[ground] = np.where(touching, contact.CLOSED, contact.OPEN)
+        if (start.contact.state == contact.YIELDING).any():
+            state[ground[between(coarse, start.nodes_in(contact.YIELDING), there) <= CLOSED_AT]] = contact.YIELDING
+    for support in np.unique(b.support[b.support >= 0]):
+        new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.bearing))
+        if len(new) and len(old):
+            offset = nodes[b.node[new], None] - coarse.nodes[before.bearing.node[old]]
+            state[new] = start.contact.state[old[np.argmin((offset**2).sum(axis=2), axis=1)]]
+
+    # nodes on the plate's edge may have been found in an element beside it
+    on_plate = np.zeros(len(coarse.elements), dtype=bool)
+    on_plate[before.plate_elements] = True
+    astray = under[~on_plate[element[under]]]
+    if len(astray):
+        element, place = element.copy(), place.copy()
+        element[astray], place[astray] = whereabouts(coarse, nodes[astray], before.plate_elements)
+    U = np.zeros((len(nodes), problem.unknown.shape[1]))
+    plate = (plate_settlement(before, start.U), start.U[:, BETA_X], start.U[:, BETA_Y])
+    for field, values in zip((W, BETA_X, BETA_Y), plate, strict=True):
+        U[under, field] = interpolated(coarse, values, (element[under], place[under]))
+    for i, w in enumerate(surface_settlement(before, start.U)):
+        U[:, TOP + i] = interpolated(coarse, w, everywhere)
+    U[under, TOP] += problem.initial_gap[under] - U[under, W]
+    U[problem.unknown < 0] = 0.0
+    return state, U
+
+
+def along_the_border(
+    s: System, A: Symmetric, f: Array, law: Bearings, state: Integers, U: Array, solver: Solver
+) -> Integers:
+    """Return the states (c,) of the bearings once those along the contact zone's border are in equilibrium.
+
+    U (n, F) is what the solution is expected to be near.
+    """
+    problem = s.problem
+    has = problem.unknown >= 0
+    u = np.zeros(A.size)
+    u[problem.unknown[has]] = U[has]
+    for _ in range(STRIPS):
+        inside = _strip(problem, state)
+        own = np.zeros(A.size, dtype=bool)
+        own[problem.unknown[inside][has[inside]]] = True
+        which = np.flatnonzero(own[law.at])
+        if not len(which):
+            break
+        numbers = np.flatnonzero(own)
+        part, load = A.part(numbers), (f - A @ np.where(own, 0.0, u))[numbers]
+        some = Bearings((np.cumsum(own) - 1)[law.at[which]], *(getattr(law, name)[which] for name in LAWS))
+        latest = Latest(solver(part.indptr, part.indices))
+        try:
+            found = contact.solve(part, load, latest, some, state[which], LIMIT, lambda *_: None)
+        except (NotConverged, SingularMatrix):
+            break  # the strip alone tells nothing: the whole mesh will
+        before, state = state, state.copy()
+        state[which] = found.state
+        u[numbers] = found.u
+        if not (_strip(problem, state) & ~inside).any() or (state == before).all():
+            break
+    return state
+
+
+def _strip(problem: Problem, state: Integers) -> Flags:
+    """Return the nodes (n,) near which the ground changes from one state to another."""
+    b, elements = problem.bearing, problem.mesh.elements
+    ground = np.flatnonzero(b.support < 0)
+    at = np.full(len(problem.mesh.nodes), -1, dtype=np.int8)
+    at[b.node[ground]] = state[ground]
+    each = at[elements]
+    near = each.max(axis=1) > np.where(each < 0, np.int8(99), each).min(axis=1)
+    for _ in range(RINGS):
+        touched = np.zeros(len(at), dtype=bool)
+        touched[elements[near]] = True
+        near = touched[elements].any(axis=1)
+    inside = np.zeros(len(at), dtype=bool)
+    inside[elements[near]] = True
+    inside[elements[~near]] = False  # the rim belongs to what is around
+    return inside
