@@ -26,7 +26,7 @@ SIMPSON = np.array([1.0, 1.0, 4.0]) / 6
 def initial_gap(model: Model, plan: Layout, finest: bool) -> tuple[Array, Flags]:
     """Return the initial gap at every node (n,) [m], zero beyond the plate, and at which nodes a cavity lies (n,)."""
     gap, cavity = np.zeros(len(plan.mesh.nodes)), np.zeros(len(plan.mesh.nodes), dtype=bool)
-    under = np.unique(plan.mesh.elements[plan.plate_elements])
+    under = plan.plate_nodes
     gap[under] = model.contact.gap
     extra = np.zeros(len(under))
     faults: list[Fault] = []
@@ -76,7 +76,7 @@ def ground_bearing(model: Model, plan: Layout, unknown: Integers, cavity: Flags)
 
     The largest force of a node is the limit pressure times its share of the area, and none over a cavity.
     """
-    under = np.unique(plan.mesh.elements[plan.plate_elements]) if model.contact.tensionless else np.zeros(0, np.int64)
+    under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
     law = contact.gaps(unknown[under, TOP])
     capacity = law.capacity
     if model.contact.limit_pressure is not None:
@@ -176,7 +176,7 @@ def fixed_nodes(model: Model, plan: Layout) -> Integers:
 
 def node_at(plan: Layout, x: float, y: float) -> int:
     """Return the plate's node at a place that its mesh meets."""
-    under = np.unique(plan.mesh.elements[plan.plate_elements])
+    under = plan.plate_nodes
     distance = np.linalg.norm(plan.mesh.nodes[under] - [x, y], axis=1)
     nearest = int(np.argmin(distance))
     if distance[nearest] > 10 * SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max():

@@ -222,8 +222,8 @@ def _carried(s: System, U: Array, column: Column, inner: Array) -> float:
     w = surface_settlement(problem, U)
     volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
-    beyond = np.setdiff1d(np.arange(len(w[0])), problem.plate_nodes)
     fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)
-    edge = -(inner[:, TOP:] * fixed)[beyond].sum()
+    fixed[problem.plate_nodes] = False
+    edge = -inner[:, TOP:][fixed].sum()
     lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

@@ -29,7 +29,7 @@ WEAK = 1e-5
 ADRIFT = 1e9
 
 #: The latest factor may serve for so many steps of conjugate gradients: about what another factor costs.
-STEPS = 10
+STEPS = 12
 #: If they lead to something so many times larger than where they began, the plate may float.
 FAR = 10.0
 
@@ -120,7 +120,7 @@ def solve(
     for iteration in range(1, limit + 1):
         held = _arranged(A, f, b, state, spring, rest)
         try:
-            u, left = _solution(held, b, latest, near, floats=bool(spring.any()))
+            u, left, settled = _solution(held, b, latest, near, floats=bool(spring.any()))
         except SingularMatrix:
             if spring.any():
                 raise
@@ -129,7 +129,7 @@ def solve(
             spring, rest = WEAK * A.diagonal[b.at], b.level + b.sign * np.maximum(-b.driven(u), 0.0)
             pivots = _Pivots(len(b))
             held = _arranged(A, f, b, state, spring, rest)
-            u, left = _solution(held, b, latest, None, floats=True)
+            u, left, settled = _solution(held, b, latest, None, floats=True)
         force = _forces(b, state, u, held.load - f - left, spring * (u[b.at] - rest))
         slack = SLACK * np.abs(u).max()
         after = np.where(b.both_ways, CLOSED, _next(b, state, b.driven(u), force, slack))
@@ -146,10 +146,11 @@ def solve(
             # enough bearings touch now, or the next proximal step starts from here
             spring, pivots, near = no_spring, _Pivots(len(b)), None
         else:
-            # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held.
-            # One step more takes off the rounding of the factorisation.
-            left = held.load - A @ u
-            latest.improve(held.task, held.load, u, left, 1)
+            # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held
+            if not settled:
+                # one step more takes off the rounding of the factorisation
+                left = held.load - A @ u
+                latest.improve(held.task, held.load, u, left, 1)
             return Contact(u, state, _forces(b, state, u, held.load - f - left, 0.0 * spring))
     raise NotConverged("the contact zone", history, {"u": u, "closed": state != OPEN})
 
@@ -234,8 +235,10 @@ def _arranged(A: Symmetric, f: Array, b: Bearings, state: Integers, spring: Arra
     return _Held(Task(A, held, added), level, load)
 
 
-def _solution(h: _Held, b: Bearings, latest: Latest, near: Array | None, floats: bool) -> tuple[Array, Array]:
+def _solution(h: _Held, b: Bearings, latest: Latest, near: Array | None, floats: bool) -> tuple[Array, Array, bool]:
     """Return the solution u (size,) for given states, and load - A u (size,), what that leaves to rigid bearings.
+
+    And whether rounding has been taken off already.
 
     near (size,) is what the solution is expected to be near: the latest factor may then serve, if its task is near too.
     Raises SingularMatrix if the plate floats, unless it may.
@@ -245,7 +248,7 @@ def _solution(h: _Held, b: Bearings, latest: Latest, near: Array | None, floats:
         u = np.where(h.task.held, h.level, near)
         left = h.load - A @ u
         if latest.improve(h.task, h.load, u, left, STEPS) and np.abs(u).max() <= FAR * np.abs(near).max():
-            return u, left
+            return u, left, True
     if not exact:
         latest.factor(h.task)
     u = h.level.copy()
@@ -257,4 +260,4 @@ def _solution(h: _Held, b: Bearings, latest: Latest, near: Array | None, floats:
         free = ~h.task.held[b.at]
         if (np.abs(u[b.at]) * (A.diagonal + h.task.added)[b.at])[free].max(initial=0.0) > ADRIFT * driving:
             raise SingularMatrix("the bearings that touch do not hold the plate")
-    return u, left
+    return u, left, False

@@ -22,7 +22,7 @@ from groundslab.ground import Column, tail
 from groundslab.mesh import Mesh, grid, lines_beyond, sides_on_boundary
 from groundslab.model import SHORT_SIDE_ELEMENTS, Model, plan_of_plate
 from groundslab.plan import Plan, rectangle
-from groundslab.shape import Integers
+from groundslab.shape import Integers, distinct
 from groundslab.vlasov import Soil
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
@@ -43,6 +43,11 @@ class Layout:
     symmetry: tuple[bool, bool]
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
+
+    @property
+    def plate_nodes(self) -> Integers:
+        """Return the nodes of the plate, ascending."""
+        return distinct(self.mesh.elements[self.plate_elements])[0]
 
 
 def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: float) -> Layout:

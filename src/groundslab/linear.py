@@ -21,7 +21,7 @@ from groundslab.shape import Array, Flags, Indices
 from groundslab.symmetric import Symmetric
 
 #: A factor helps with a task that differs from its own in at most so many unknowns.
-FEW = 8
+FEW = 16
 #: A matrix with fewer rows is factorised anew in less time than such steps take.
 SMALL = 30_000
 #: Conjugate gradients end when the error's energy is below this share of the solution's: 1e-10 of its displacements.
@@ -70,7 +70,7 @@ class _Pardiso:
         self.data = data
         phase, self.used = 22 if self.analysed else 12, True
         self._call(phase, np.zeros(len(self.handle.perm)))
-        self.analysed = True
+        self.analysed, self.data = True, np.zeros(0)  # solutions need the factor alone
         return self
 
     def solve(self, b: Array) -> Array:

@@ -163,15 +163,17 @@ def between(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
 def sides_on_boundary(elements: Integers) -> Integers:
     """Return the sides (s, 3: end, end, middle) that belong to one element only."""
     sides = elements[:, SIDES].reshape(-1, 3)
-    _, first, count = np.unique(sides[:, 2], return_index=True, return_counts=True)
-    boundary: Integers = sides[first[count == 1]]
+    alone = sides[np.bincount(sides[:, 2])[sides[:, 2]] == 1]
+    boundary: Integers = alone[np.argsort(alone[:, 2])]
     return boundary
 
 
 def sides_along(mesh: Mesh, elements: Integers, lines: Sequence[tuple[Place, Place]]) -> Integers:
     """Return the sides (s, 3: end, end, middle) of some elements (m, 9) that lie on straight lines, each once."""
     sides = elements[:, SIDES].reshape(-1, 3)
-    sides = sides[np.unique(sides[:, 2], return_index=True)[1]]
+    one_of = np.full(len(mesh.nodes), -1)
+    one_of[sides[::-1, 2]] = np.arange(len(sides))[::-1]
+    sides = sides[one_of[one_of >= 0]]
     place = mesh.nodes[sides]
     near = 10 * SAME_PLACE * float(np.ptp(mesh.nodes, axis=0).max())
     on_any = np.zeros(len(sides), dtype=bool)

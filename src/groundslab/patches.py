@@ -14,7 +14,7 @@ import numpy as np
 
 from groundslab.assembly import scatter
 from groundslab.mesh import sides_on_boundary
-from groundslab.shape import COLUMN, ROW, Array, Flags, Integers, gauss
+from groundslab.shape import COLUMN, ROW, Array, Flags, Integers, distinct, gauss
 
 #: Terms x^a y^b of a complete quadratic; the further ones of a biquadratic.
 _POWERS = np.array([(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (2, 1), (1, 2), (2, 2)])
@@ -63,8 +63,7 @@ def nodal(nodes: Array, elements: Integers, points: Array, values: Array, sizes:
     take the mean of its elements. So they do as far as a fit leaves too much over (SMOOTH, ROUGH): no polynomial may
     smear a peak.
     """
-    vertices, corner = np.unique(elements[:, :4], return_inverse=True)
-    corner = corner.reshape(-1, 4)
+    vertices, corner = distinct(elements[:, :4])
     inside = np.ones(len(nodes), dtype=bool)
     inside[sides_on_boundary(elements)[:, :2]] = False
     fits = _fits(nodes[elements[:, :4]], corner, inside[vertices], points, values, sizes)
@@ -108,7 +107,7 @@ def _fits(xy: Array, corner: Integers, inside: Flags, points: Array, values: Arr
     order = np.argsort(corner.ravel(), kind="stable") // 4
     first = np.cumsum(meeting) - meeting
     oblong = _rectangles(xy)
-    for count in np.unique(meeting[inside]):
+    for count in np.flatnonzero(np.bincount(meeting[inside])):
         alike = np.flatnonzero(inside & (meeting == count))
         patch = order[first[alike][:, None] + np.arange(count)]
         rows_and_columns = oblong[patch].all(axis=1)

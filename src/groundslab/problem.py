@@ -18,7 +18,7 @@ from groundslab.assembly import Pattern, congruent, scatter
 from groundslab.contact import Bearings
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
 from groundslab.mesh import Mesh
-from groundslab.shape import Array, Integers, gauss, jacobian, q9
+from groundslab.shape import Array, Integers, distinct, gauss, jacobian, q9
 from groundslab.symmetric import Symmetric
 from groundslab.vlasov import Soil
 
@@ -78,9 +78,7 @@ class Problem:
     @property
     def plate_nodes(self) -> Integers:
         """Return the nodes of the plate, ascending."""
-        under = np.zeros(len(self.mesh.nodes), dtype=bool)
-        under[self.mesh.elements[self.plate_elements]] = True
-        return np.flatnonzero(under)
+        return distinct(self.mesh.elements[self.plate_elements])[0]
 
     @property
     def load(self) -> Array:

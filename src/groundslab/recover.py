@@ -23,7 +23,7 @@ from groundslab.results import (
     Step,
     SupportResult,
 )
-from groundslab.shape import Array, Integers, gauss, jacobian, q9
+from groundslab.shape import Array, Integers, distinct, gauss, jacobian, q9
 from groundslab.solution import Solution
 from groundslab.subsoil import constants_under
 from groundslab.vlasov import Soil
@@ -196,8 +196,8 @@ def _by_section(problem: Problem, creases: Integers) -> tuple[Mesh, Integers]:
     key = elements + n * problem.section[:, None]
     if len(creases):
         key = key + n * len(problem.bending) * apart(elements, creases, n)
-    keys, own = np.unique(key, return_inverse=True)
-    return Mesh(problem.mesh.nodes[keys % n], own.reshape(elements.shape)), keys % n
+    keys, own = distinct(key)
+    return Mesh(problem.mesh.nodes[keys % n], own), keys % n
 
 
 def _on_edge(problem: Problem) -> Array:

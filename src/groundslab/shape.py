@@ -82,3 +82,17 @@ def parallelograms(xy: Array) -> Flags:
     off = np.maximum(off, np.abs(xy[:, 8] - corners.mean(axis=1)).max(axis=1))
     flat: Flags = off <= 1e-13 * np.abs(xy).max(axis=(1, 2))
     return flat
+
+
+def distinct(keys: Integers) -> tuple[Integers, Integers]:
+    """Return the different numbers, >= 0, among keys, ascending, and which of them each key is, in the keys' shape.
+
+    As np.unique does by sorting; by marking where they are not too far apart.
+    """
+    span = int(keys.max(initial=-1)) + 1
+    if span > 8 * keys.size:
+        numbers, which = np.unique(keys, return_inverse=True)
+        return numbers, which.reshape(keys.shape)
+    marks = np.zeros(span, dtype=bool)
+    marks[keys] = True
+    return np.flatnonzero(marks), (np.cumsum(marks) - 1)[keys]
