@@ -1,7 +1,7 @@
 """What all peers solve, and what each of them prints: the paper's first plate on springs that only push, one quarter.
 
-Nothing of groundslab is used here. The peers differ in what they are; the plate, its load, the ground, and the sizes of
-the meshes are the same for all and stand here once. Lengths in m, forces in N, settlements and loads positive downwards.
+Nothing of groundslab is used here. The plate, its load, the ground and the sizes of the meshes are the same for all and
+stand here once. Lengths in m, forces in N, settlements and loads positive downwards.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """OpenSeesPy: ShellMITC4 elements, no-tension springs at the nodes, MUMPS.
 
-    LD_LIBRARY_PATH=bench/.env/opensees/lib/python3.11/site-packages/openseespylinux/lib python bench/peers/opensees.py 25000
+    python bench/peers/opensees.py 25000
 
-The folder in LD_LIBRARY_PATH is only needed where the system has no libblas.so.3. In-plane displacements and the drilling
-rotation are held at all nodes, so that three unknowns remain at each. Full Newton steps; the test on the unbalanced
-forces ends them as soon as no spring has changed.
+Where the system has no libblas.so.3, LD_LIBRARY_PATH must name the folder lib of the package openseespylinux. In-plane
+displacements and the drilling rotation are held at all nodes, so that three unknowns remain at each. Full Newton steps;
+the test on the unbalanced forces ends them as soon as no spring has changed.
 """
 
 from __future__ import annotations

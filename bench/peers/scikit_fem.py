@@ -23,7 +23,7 @@ D = E * T**3 / (12 * (1 - NU**2))
 
 
 @skfem.BilinearForm
-def bending(w, beta, v, eta, _):  # type: ignore[no-untyped-def]
+def bending(_w, beta, _v, eta, _):  # type: ignore[no-untyped-def]
     """Return the virtual work of the moments."""
     return D * ((1 - NU) * ddot(sym_grad(beta), sym_grad(eta)) + NU * div(beta) * div(eta))
 
@@ -35,13 +35,13 @@ def shear(w, beta, v, eta, _):  # type: ignore[no-untyped-def]
 
 
 @skfem.LinearForm
-def area(v, eta, _):  # type: ignore[no-untyped-def]
+def area(v, _eta, _):  # type: ignore[no-untyped-def]
     """Return each node's share of the area."""
     return v
 
 
 @skfem.LinearForm
-def load(v, eta, at):  # type: ignore[no-untyped-def]
+def load(v, _eta, at):  # type: ignore[no-untyped-def]
     """Return the virtual work of the load."""
     x, y = at.x
     return Q * ((x < LOADED) & (y < LOADED)) * v
@@ -85,7 +85,10 @@ def superlu(matrix: csr_matrix) -> Solve:
     return solve
 
 
-SOLVERS = {"pardiso": (pardiso, "MKL PARDISO, Cholesky"), "superlu": (superlu, "SuperLU, symmetric mode, minimum degree")}
+SOLVERS = {
+    "pardiso": (pardiso, "MKL PARDISO, Cholesky"),
+    "superlu": (superlu, "SuperLU, symmetric mode, minimum degree"),
+}
 
 
 def main(unknowns: int, name: str = "pardiso") -> None:
@@ -113,25 +116,27 @@ def main(unknowns: int, name: str = "pardiso") -> None:
     with job.phase("solution"):
         solve = prepare(matrix)
     pushing = np.ones(len(free), dtype=bool)
-    for iteration in range(1, LIMIT + 1):
+    steps, settled = 0, False
+    while not settled:
+        steps += 1
         with job.phase("solution"):
             u = solve(np.where(pushing, springs, 0.0), f)
         # other unknowns have springs of no stiffness, which may push or not
         before, pushing = pushing, (u > 0) | (springs == 0)
-        if (before == pushing).all():
-            break
-    else:
-        raise SystemExit("the springs do not come to rest")
+        settled = bool((before == pushing).all())
+        if steps > LIMIT:
+            raise SystemExit("the springs do not come to rest")
     whole = np.zeros(basis.N)
     whole[free] = u
-    centre, corner = (whole[basis.nodal_dofs[0, np.hypot(*(mesh.p.T - place).T).argmin()]] for place in ((0, 0), (A, B)))
+    x, y = mesh.p
+    centre, corner = (whole[basis.nodal_dofs[0, node]] for node in ((x + y).argmin(), (x + y).argmax()))
     job.report(
         program="scikit-fem",
         version=skfem.__version__,
         element="nine nodes, shear with 2 x 2 points",
         solver=solver,
         unknowns=len(free),
-        iterations=iteration,
+        iterations=steps,
         centre=float(centre),
         corner=float(corner),
     )
