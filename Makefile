@@ -3,8 +3,10 @@ PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
 JOBS   ?= 2
+# options for the bench, such as BENCH=--resume
+BENCH  ?=
 
-.PHONY: demo test lint types check lock clean help
+.PHONY: demo test lint types check lock bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -38,5 +40,9 @@ lock: $(VENV)/dev.stamp ## write the lock files anew from pyproject.toml
 	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate pyproject.toml -o lock/run.txt
 	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --group dev --all-extras pyproject.toml -o lock/dev.txt
 
+bench:                  ## time all sizes and the other programs, one by one, and write docs/performance.md; hours
+	$(PYTHON) bench/run.py $(BENCH)
+	bench/.env/own/bin/python bench/report.py
+
 clean:                  ## remove what the targets made
-	rm -rf $(VENV) out .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) out .mypy_cache .pytest_cache .ruff_cache .hypothesis bench/.env

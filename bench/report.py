@@ -129,12 +129,12 @@ def small_job(results: Results) -> Measured | None:
 
 def against_every_peer(results: Results) -> Measured | None:
     """Return how many times our time the fastest peer takes at 250k, tensionless."""
-    mine = results["own"].get("winkler", {}).get("250k", {}).get("total [s]")
+    mine = results["peers"].get(OWN, {}).get("250k", {}).get("total [s]")
     if mine is None:
         return None
     found = []
-    for sizes in results["peers"].values():
-        row = sizes.get("250k", {})
+    for name, sizes in results["peers"].items():
+        row = sizes.get("250k", {}) if name != OWN else {}
         if "total [s]" in row:
             found.append(Measured(row["total [s]"] / mine))
         elif "not reached" in row:
@@ -163,8 +163,8 @@ TARGETS = [
 def reference(results: Results) -> Reference | None:
     """Return the mean of our finest mesh's settlements and of NGSolve's, and how far the two are apart."""
     sources, found = [], []
-    for name, sizes in ((OWN, results["own"].get("winkler", {})), (OTHER, results["peers"].get(OTHER, {}))):
-        rows = [row for row in sizes.values() if at(row, "corner") is not None]
+    for name in (OWN, OTHER):
+        rows = [row for row in results["peers"].get(name, {}).values() if at(row, "corner") is not None]
         if rows:
             finest = max(rows, key=lambda row: row["unknowns"])
             sources.append(f"{name}, {finest['unknowns']:,} unknowns")
@@ -194,6 +194,7 @@ def tables(results: Results) -> dict[str, str]:
     """Return all tables by the names of their markers."""
     return {
         "targets": targets(results),
+        "picture": picture(results),
         "own": own_rows(results),
         "small": small_rows(results),
         "peers": peer_rows(results),
@@ -212,6 +213,12 @@ def targets(results: Results) -> str:
         value = "-" if found is None else (">= " if found.at_least else "") + figure(found.value)
         rows.append([target.what, sign, figure(target.least), figure(target.aim), value, target.verdict(found)])
     return table(["what", "", "at least", "aim", "measured", "reached"], rows)
+
+
+def picture(results: Results) -> str:
+    """Return the link to the picture, if there is anything to draw."""
+    drawn = any(points for _, _, points in lines(results))
+    return f"![Time against unknowns]({PICTURE.name})" if drawn else "Not measured yet."
 
 
 def own_rows(results: Results) -> str:
@@ -249,8 +256,8 @@ def small_rows(results: Results) -> str:
 def peer_rows(results: Results) -> str:
     """Return all programs by sizes, ours among them."""
     to = reference(results)
-    mine = results["own"].get("winkler", {})
-    rows = [_row(OWN, row, 1.0, to) for row in mine.values() if "unknowns" in row]
+    mine = results["peers"].get(OWN, {})
+    rows = []
     for name, sizes in results["peers"].items():
         for size, row in sizes.items():
             if "unknowns" not in row:
@@ -263,9 +270,7 @@ def peer_rows(results: Results) -> str:
 
 
 def _row(name: str, row: Mapping[str, Any], slower: float | None, to: Reference | None) -> list[str]:
-    iterations = row.get("iterations", row.get("iterations on the finest mesh"))
-    whole = row.get("whole process [s]") if name != OWN else None  # ours runs several times in one process
-    keys = (row["total [s]"], slower, whole, iterations, row["peak memory [MiB]"])
+    keys = (row["total [s]"], slower, row["whole process [s]"], row["iterations"], row["peak memory [MiB]"])
     errors = [scientific(error(row, place, to), to, place) for place in PLACES]
     return [name, f"{row['unknowns']:,}", *(figure(value) for value in keys), *errors]
 
@@ -273,9 +278,8 @@ def _row(name: str, row: Mapping[str, Any], slower: float | None, to: Reference 
 def equal_errors(results: Results) -> str:
     """Return the shortest time in which each program comes within an error, at both places."""
     to = reference(results)
-    programs = {OWN: results["own"].get("winkler", {}), **results["peers"]}
     rows = []
-    for name, sizes in programs.items():
+    for name, sizes in results["peers"].items():
         solved = [row for row in sizes.values() if error(row, "corner", to) is not None]
         cells = []
         for limit in ERRORS:
@@ -311,7 +315,7 @@ def machine_rows(results: Results) -> str:
 def missing(row: Mapping[str, Any], results: Results) -> str:
     """Return why a job has no figures."""
     if "not reached" not in row:
-        return "failed"
+        return "out of memory" if "memory" in row.get("error", "") else "failed"
     foreseen = row.get("predicted [s]")
     return f"not reached in {results['cap [s]'] / 60:.0f} min" + (f" ({foreseen:.0f} s foreseen)" if foreseen else "")
 
@@ -363,11 +367,16 @@ def filled(page: str, parts: Mapping[str, str]) -> str:
 
 
 def lines(results: Results) -> Iterator[tuple[str, str, list[tuple[float, float]]]]:
-    """Yield key, label and pairs of unknowns and time [s] of each line of the picture."""
+    """Yield key, label and pairs of unknowns and time [s] of each line of the picture.
+
+    What others are compared with is ours in a fresh process, as theirs is.
+    """
     for kind in PLATES:
-        yield kind, f"{OWN}, {NAMES[kind]}", _points(results["own"].get(kind, {}))
+        sizes = results["peers"].get(OWN, {}) if kind == "winkler" else results["own"].get(kind, {})
+        yield kind, f"{OWN}, {NAMES[kind]}", _points(sizes)
     for name, sizes in results["peers"].items():
-        yield name, name, _points(sizes)
+        if name != OWN:
+            yield name, name, _points(sizes)
 
 
 def _points(sizes: Mapping[str, Any]) -> list[tuple[float, float]]:

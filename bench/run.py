@@ -20,6 +20,7 @@ import json
 import math
 import os
 import platform
+import signal
 import statistics
 import subprocess
 import sys
@@ -63,13 +64,22 @@ KINDS = {
 
 @dataclass(frozen=True)
 class Peer:
-    """Another program: its script and environment, and what the script is told beside the size."""
+    """A program: its environment, what its script is told beside the size, and the script if its name is another."""
 
-    script: str
+    environment: str
     options: tuple[str, ...] = ()
+    other: str = ""
+
+    def command(self, size: str) -> list[str]:
+        """Return the words after Python that run a job of some size."""
+        ours = self.environment == "own"
+        script = self.other or f"bench/peers/{self.environment}.py"
+        return [script, str(SIZES[size][0 if ours else 1]), *self.options]
 
 
+OWN = "groundslab"
 PEERS = {
+    OWN: Peer("own", other="bench/fresh.py"),
     "NGSolve, order 2": Peer("ngs", ("2",)),
     "NGSolve, order 4": Peer("ngs", ("4",)),
     "scikit-fem, PARDISO": Peer("scikit_fem", ("pardiso",)),
@@ -78,7 +88,6 @@ PEERS = {
     "Kratos": Peer("kratos", ("amgcl",)),
     "PyNite": Peer("pynite"),
 }
-OWN = "groundslab"
 
 
 @dataclass
@@ -100,6 +109,7 @@ class Ledger:
             with contextlib.suppress(json.JSONDecodeError):
                 entry = json.loads(line)
                 ledger.entries[entry["key"]] = entry
+        path.write_text("".join(json.dumps(entry) + "\n" for entry in ledger.entries.values()), encoding="utf-8")
         return ledger
 
     def add(self, key: str, figures: dict[str, Any]) -> dict[str, Any]:
@@ -153,17 +163,25 @@ def once(environment: str, command: Sequence[str], cap: float) -> dict[str, Any]
         done = subprocess.run(
             [str(python_of(environment)), *command],
             cwd=ROOT, env=surroundings(environment), timeout=cap, capture_output=True, text=True, check=False,
+            preexec_fn=_first_to_go if sys.platform == "linux" else None,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         return {"not reached": True, "whole process [s]": cap}
     spent = time.perf_counter() - start
     about = {"whole process [s]": spent, "load before": load}
+    if done.returncode == -signal.SIGKILL:
+        return {**about, "error": "killed, probably out of memory"}
     if done.returncode != 0:
         return {
             **about,
             "error": (done.stderr.strip() or done.stdout.strip() or f"ended with {done.returncode}")[-500:],
         }
     return {**about, **last_figures(done.stdout)}
+
+
+def _first_to_go() -> None:
+    """Let the system end this process before any other if memory runs out."""
+    Path("/proc/self/oom_score_adj").write_text("1000")
 
 
 def last_figures(text: str) -> dict[str, Any]:
@@ -200,7 +218,10 @@ def own_jobs(ledger: Ledger, kinds: Sequence[str], sizes: Sequence[str], times: 
 
 
 def peer_jobs(ledger: Ledger, names: Sequence[str], sizes: Sequence[str], times: int) -> None:
-    """Run the other programs from the smallest size upwards, as far as each comes within the cap."""
+    """Run all programs, ours too, from the smallest size upwards as far as each comes within the cap.
+
+    Each run has a fresh process.
+    """
     for name in names:
         peer = PEERS[name]
         done: list[tuple[float, float]] = []
@@ -214,8 +235,7 @@ def peer_jobs(ledger: Ledger, names: Sequence[str], sizes: Sequence[str], times:
                 if expected > CAP:
                     figures: dict[str, Any] = {"not reached": True, "predicted [s]": expected}
                 else:
-                    command = [f"bench/peers/{peer.script}.py", str(unknowns), *peer.options]
-                    figures = repeated(peer.script, command, times)
+                    figures = repeated(peer.environment, peer.command(size), times)
                 entry = ledger.add(key, {**figures, "size": size})
                 tell(entry)
             assert entry is not None
@@ -249,8 +269,8 @@ def small_jobs(ledger: Ledger, names: Sequence[str], times: int) -> None:
             f"{OWN} solve, files written": ("own", ["-m", "groundslab", "solve", case, "--out", out, "--quiet"]),
         }
         for name in names:
-            script, options = PEERS[name].script, PEERS[name].options
-            every[name] = script, [f"bench/peers/{script}.py", str(SIZES["6k"][1]), *options]
+            if name != OWN:
+                every[name] = PEERS[name].environment, PEERS[name].command("6k")
         left = {name: job for name, job in every.items() if not finished(ledger, f"small/{name}")}
         spent: dict[str, list[float]] = {name: [] for name in left}
         faults: dict[str, str] = {}
@@ -324,13 +344,15 @@ def collect(ledger: Ledger) -> dict[str, Any]:
         "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
         "commit": commit(),
         "machine": machine(),
-        "packages": {name: versions(name) for name in ("own", *sorted({p.script for p in PEERS.values()}))},
+        "packages": {name: versions(name) for name in sorted({peer.environment for peer in PEERS.values()})},
         "cap [s]": CAP,
         "own": {},
         "peers": {},
         "small": {},
     }
-    for key, entry in ledger.entries.items():
+    order = {name: i for i, name in enumerate([*KINDS, *PEERS, *SIZES])}
+    for key in sorted(ledger.entries, key=lambda key: [order.get(word, -1) for word in key.split("/")]):
+        entry = ledger.entries[key]
         part, name, *rest = key.split("/")
         figures = {k: v for k, v in entry.items() if k != "key"}
         if part == "small":
@@ -372,7 +394,7 @@ def main(words: Sequence[str] | None = None) -> None:
     peers = [name for name in PEERS if any(name.startswith(begin) for begin in given.peers)]
 
     ENVIRONMENTS.mkdir(exist_ok=True)
-    for name in ("own", *dict.fromkeys(PEERS[peer].script for peer in peers)):
+    for name in dict.fromkeys(["own", *(PEERS[peer].environment for peer in peers)]):
         prepare(name)
     ledger = Ledger.opened(WORK, given.resume)
     if not given.no_small:
@@ -380,9 +402,10 @@ def main(words: Sequence[str] | None = None) -> None:
     own_jobs(ledger, given.kinds, sizes, times)
     peer_jobs(ledger, peers, sizes, min(times, 3))
     results = collect(ledger)
-    given.results.write_text(json.dumps(results, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    given.results.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     for title, text in report.tables(results).items():
-        say(f"\n{title}\n{text}")
+        if title != "picture":
+            say(f"\n{title}\n{text}")
 
 
 if __name__ == "__main__":
