@@ -38,9 +38,9 @@ NAMES = {
 }
 #: Relative errors at which programs are compared.
 ERRORS = (1e-3, 1e-4, 1e-5)
-#: Okabe and Ito's colours, which the colour-blind can tell apart, and marks that tell the same.
+#: Okabe and Ito's colours, which the colour-blind can tell apart, a grey, and marks that tell the same.
 COLOURS = {
-    "linear": ("#999999", "s"),
+    "linear": ("#666666", "s"),
     "winkler": ("#000000", "o"),
     "pasternak": ("#56B4E9", "D"),
     "NGSolve, order 2": ("#0072B2", "^"),
@@ -421,7 +421,7 @@ def draw(results: Results, path: Path) -> None:
         axes.annotate(
             label, xy=(x, y), xytext=(1.25 * last, 10**place), color=COLOURS[key][0], va="center", fontsize=9,
             fontweight="bold" if key in PLATES else "normal",
-            arrowprops={"arrowstyle": "-", "color": COLOURS[key][0], "lw": 0.5, "shrinkA": 0, "shrinkB": 3},
+            arrowprops={"arrowstyle": "-", "color": COLOURS[key][0], "lw": 0.5, "shrinkB": 3, "relpos": (0, 0.5)},
             annotation_clip=False,
         )  # fmt: skip
     axes.set_xlabel("unknowns")
