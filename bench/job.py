@@ -3,27 +3,32 @@
     python bench/job.py linear 100000 5
 
 Kinds: linear (Winkler, glued), winkler and pasternak (tensionless), raft (an L-shaped one, tensionless, meshed by Gmsh
-or Netgen). The bare solve, PARDISO's analysis, factorisation
-and one solution of the glued matrix on the finest mesh, is taken in turn with the whole analysis; medians are printed.
+or Netgen). The bare solve, PARDISO's analysis, factorisation and one solution of the glued matrix on the finest mesh,
+is taken in turn with the whole analysis; medians are printed. And two kinds of their own: gamma (iterated, in turn with
+the gamma that comes out given), and combinations (of three load cases, each started from the one before).
 """
 
 from __future__ import annotations
 
+import ctypes
 import json
 import math
 import resource
 import statistics
+import subprocess
 import sys
+import tempfile
 import time
 from collections import defaultdict
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from groundslab import analysis, casefile, contact, problem
+from groundslab import analysis, casefile, contact, linear, problem
 from groundslab.discretise import discretise
 from groundslab.model import Model
 from groundslab.results import Results
+from groundslab.views import store
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "table1.toml"
 KINDS: dict[str, dict[str, Any]] = {
@@ -34,16 +39,37 @@ KINDS: dict[str, dict[str, Any]] = {
 #: The raft's columns [m], and the size of its elements [m] for about 100,000 unknowns.
 COLUMNS = [(1, 1), (11, 1), (20, 1), (29, 1), (1, 9), (11, 9), (20, 9), (29, 9), (1, 19)]
 RAFT_SIZE = 0.263
+#: The ground whose gamma is sought, and what lies on the plate for the combinations, by load case.
+SOIL = {"kind": "vlasov", "layers": [{"E": 20e6, "nu": 0.25, "thickness": 5.0}]}
+CASES = ["middle", "ends", "everywhere"]
+LOADS = [
+    {"kind": "patch", "case": "middle", "q": 1e6, "x": (-1.2, 1.2), "y": (-1.2, 1.2)},
+    {"kind": "patch", "case": "ends", "q": 4e5, "x": (-4.8, -3.6), "y": (-1.2, 1.2)},
+    {"kind": "patch", "case": "ends", "q": 4e5, "x": (3.6, 4.8), "y": (-1.2, 1.2)},
+    {"kind": "uniform", "case": "everywhere", "q": 1e4},
+]
+COMBINATIONS = {
+    "all": (1.0, 1.0, 1.0),
+    "middle alone": (1.0, 0.0, 1.0),
+    "ends alone": (0.0, 1.0, 1.0),
+    "middle the most": (1.5, 0.75, 1.35),
+    "ends the most": (0.75, 1.5, 1.35),
+}
 #: What is timed inside an analysis: the name of the phase, where the function lives, its name there.
 PHASES: list[tuple[str, Any, str]] = [
     ("mesh, loads, supports", analysis, "discretise"),
-    ("pattern and plate", analysis, "system"),
-    ("ground and right-hand side", analysis, "stiffness"),
-    ("ground and right-hand side", analysis, "right_hand_side"),
-    ("contact, factorisations included", contact, "solve"),
+    ("assembly", analysis, "system"),
+    ("assembly", analysis, "stiffness"),
+    ("assembly", analysis, "right_hand_side"),
+    ("forecast", analysis.forecast, "from_coarser"),
+    ("forecast", analysis.forecast, "along_the_border"),
+    ("contact, all meshes and strips", contact, "solve"),
+    ("of which analysis and factorisations", linear.Latest, "factor"),
+    ("of which solutions with the factor", linear._Pardiso, "solve"),
     ("recovery", analysis, "recover"),
     ("certificate", analysis, "certificate"),
 ]
+MALLOC = {"M_MMAP_MAX": (-4, 0), "M_TRIM_THRESHOLD": (-1, -1)}
 
 
 def model_of(kind: str, unknowns: int) -> Model:
@@ -51,7 +77,14 @@ def model_of(kind: str, unknowns: int) -> Model:
     if kind == "raft":
         return raft(unknowns)
     model = casefile.load(EXAMPLE)
-    given = KINDS[kind]
+    given = KINDS.get(kind, KINDS["pasternak"])
+    if kind == "gamma":
+        given = {"ground": SOIL}
+    elif kind == "combinations":
+        together = [
+            {"name": name, "factors": dict(zip(CASES, factors, strict=True))} for name, factors in COMBINATIONS.items()
+        ]
+        model = model.replace(loads=LOADS, cases=[{"name": case} for case in CASES], combinations=together)
     # 432 elements in the quarter (24 x 18) have 5236 to 6734 unknowns; the counts are those of the whole plate
     scale = math.sqrt(unknowns / 6734)
     counts = tuple(2 * round(n * scale) for n in (24, 18))
@@ -120,36 +153,143 @@ def settlements(results: Results) -> dict[str, float]:
     }
 
 
-def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
-    """Return the figures of one job."""
+def keep_memory() -> None:
+    """Let freed memory stay with the process, as far as the C library lets itself be told.
+
+    Where a machine is itself a guest on another, the first touch of memory can take longer than all computing, and
+    differently from run to run. Both sides of every ratio here profit alike.
+    """
+    if sys.platform == "linux":
+        library = ctypes.CDLL(None)
+        for parameter, value in MALLOC.values():
+            library.mallopt(parameter, value)
+
+
+def assembly(model: Model) -> float:
+    """Return the time [s] that pattern, element matrices, matrix and right-hand side of the finest mesh take."""
+    found = discretise(model)
+    start = time.perf_counter()
+    s = problem.system(found)
+    problem.right_hand_side(s, problem.stiffness(s, s.problem.ground), 1.0)
+    return time.perf_counter() - start
+
+
+def memory(model: Model) -> dict[str, float]:
+    """Return the largest memory of this process in one analysis, and what PARDISO held of it for the finest mesh."""
+    held: list[float] = []
+    factor = linear._Pardiso.factor
+
+    def watched(self: Any, data: Any) -> Any:
+        found = factor(self, data)
+        # kilobytes that stay after the analysis, and of the factor
+        held.append((int(self.handle.get_iparm(16)) + int(self.handle.get_iparm(17))) / 1024)
+        return found
+
+    linear._Pardiso.factor = watched  # type: ignore[method-assign]
+    analysis.solve(model)
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    return {"peak memory [MiB]": peak, "PARDISO's memory [MiB]": max(held), "peak / factor": peak / max(held)}
+
+
+def written(results: Results) -> float:
+    """Return the time [s] that writing the results takes, all files but the picture."""
+    with tempfile.TemporaryDirectory() as folder:
+        start = time.perf_counter()
+        store.write(results, Path(folder) / "results")
+        return time.perf_counter() - start
+
+
+def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any]:
+    """Return the figures of a job that is taken in turn with the bare solve."""
     model = model_of(kind, unknowns)
     alone = bare(model)
     spent: dict[str, float] = defaultdict(float)
     for phase, module, name in PHASES:
         setattr(module, name, timed(getattr(module, name), phase, spent))
-    totals, bares, phases, results = [], [], [], None
+    totals, bares, puts, phases, results = [], [], [], [], None
     for _ in range(times):
         bares.append(alone())
+        puts.append(assembly(model))
         spent.clear()
         start = time.perf_counter()
         results = analysis.solve(model)
         totals.append(time.perf_counter() - start)
         phases.append(dict(spent))
     assert results is not None
-    total, one = statistics.median(totals), statistics.median(bares)
+    fresh = subprocess.run(
+        [sys.executable, __file__, "memory", kind, str(unknowns)], check=True, capture_output=True, text=True
+    )
     return {
-        "kind": kind,
         "unknowns": results.unknowns,
-        "total [s]": total,
-        "bare solve [s]": one,
+        "total [s]": statistics.median(totals),
+        "bare solve [s]": statistics.median(bares),
         "total / bare": statistics.median(t / b for t, b in zip(totals, bares, strict=True)),
+        "assembly / bare": statistics.median(t / b for t, b in zip(puts, bares, strict=True)),
         "iterations on the finest mesh": max(step.iteration for step in results.steps if step.finest),
         "phases [s]": {name: statistics.median(each.get(name, 0.0) for each in phases) for name in phases[0]},
-        "peak memory [MiB]": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+        "output [s]": written(results),
+        **json.loads(fresh.stdout),
         "settlement [m]": float(results.plate.settlement.max()),
         **({} if kind == "raft" else settlements(results)),
     }
 
 
+def gamma(unknowns: int, times: int) -> dict[str, Any]:
+    """Return what it costs to look for gamma: iterated, in turn with the gamma that comes out given."""
+    iterated = model_of("gamma", unknowns)
+    results = analysis.solve(iterated)
+    known = iterated.replace(ground={**SOIL, "gamma": results.constants.gamma})
+    ratios, totals = [], []
+    for _ in range(times):
+        each = []
+        for model in (known, iterated):
+            start = time.perf_counter()
+            results = analysis.solve(model)
+            each.append(time.perf_counter() - start)
+        totals.append(each[1])
+        ratios.append(each[1] / each[0])
+    return {
+        "unknowns": results.unknowns,
+        "total [s]": statistics.median(totals),
+        "gamma": results.constants.gamma,
+        "iterations of gamma on the finest mesh": results.constants.gamma_iterations,
+        "iterated / known": statistics.median(ratios),
+    }
+
+
+def combinations(unknowns: int, times: int) -> dict[str, Any]:
+    """Return what a further combination of loads costs, beside the first."""
+    model = model_of("combinations", unknowns)
+    ratios, totals, steps = [], [], dict[str, int]()
+    for _ in range(times):
+        begun: list[float] = []
+        combined = analysis.solve_combinations(model, None, lambda _, begun=begun: begun.append(time.perf_counter()))
+        ends = [*begun[1:], time.perf_counter()]
+        each = [end - start for start, end in zip(begun, ends, strict=True)]
+        totals.append(sum(each))
+        ratios.append(statistics.mean(each[1:]) / each[0])
+        assert not combined.refused
+        steps = {name: max(s.iteration for s in found.steps if s.finest) for name, found in combined.results.items()}
+    return {
+        "unknowns": next(iter(combined.results.values())).unknowns,
+        "total [s]": statistics.median(totals),
+        "iterations on the finest mesh, by combination": steps,
+        "further / first": statistics.median(ratios),
+    }
+
+
+def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
+    """Return the figures of one job."""
+    keep_memory()
+    if kind == "gamma":
+        return {"kind": kind, **gamma(unknowns, times)}
+    if kind == "combinations":
+        return {"kind": kind, **combinations(unknowns, times)}
+    return {"kind": kind, **beside_the_bare_solve(kind, unknowns, times)}
+
+
 if __name__ == "__main__":
-    print(json.dumps(main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))))
+    if sys.argv[1] == "memory":
+        print(json.dumps(memory(model_of(sys.argv[2], int(sys.argv[3])))))
+    else:
+        print(json.dumps(main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))))

@@ -46,10 +46,6 @@ GAMMA_START = 1.0
 #: From one of the nested meshes to the next the elements' size is halved so many times: the forecast is good enough.
 STEP = 2
 
-#: A combination starts from the contact zone of the one before, unless more than this share of the bearings would
-#: change at once; then it is solved from the coarsest mesh upwards, as the first one is.
-FAR = 0.05
-
 OnStep = Callable[[Step], None]
 OnCombination = Callable[[Combination], None]
 
@@ -62,6 +58,7 @@ class _Level:
     solver: Solver
     latest: Latest
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
+    places: forecast.Places | None = None  # of its nodes in the mesh before
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma, the same one when asked for it again."""
@@ -80,11 +77,6 @@ class _Ladder:
     margin: float  # by which the meshed strip of ground beyond is widened
     keep: bool
     levels: dict[int, _Level] = field(default_factory=dict)
-    last: Solution | None = None  # of the combination before
-
-
-class _Far(Exception):
-    """The start is too far from the solution."""
 
 
 def solve(model: Model, on_step: OnStep | None = None) -> Results:
@@ -110,7 +102,7 @@ def solve_combinations(
     """Return the results of every combination of a model, each solved by itself, and why some have none.
 
     on_combination is told each combination as it begins, on_step every step of the iteration as it ends.
-    Each starts from the contact zone and the factor of the one before. One that has no equilibrium, or no certified
+    Meshes, matrices and factors are kept from one to the next. One that has no equilibrium, or no certified
     result, is refused by itself; raises InputError as `solve` does.
     """
     wanted = combinations_of(model)
@@ -146,7 +138,7 @@ def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -
 
         factors = _factors(model, combination)
         try:
-            solution = _climb(ladder, factors, report)
+            solution = _nested(ladder, factors, report)
             effect = _margin_effect(margins, factors) if model.beyond.kind == "infinite" else None
             results = recover(model, combination, solution, certificate(solution, effect), tuple(steps), name)
             yield results if results.certificate.holds else NotCertified(results)
@@ -159,28 +151,6 @@ def _factors(model: Model, combination: Combination) -> Array:
     """Return the factor of each load case in a combination, (cases,)."""
     given = dict(combination.factors)
     return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])
-
-
-def _climb(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
-    """Return the solution for factors of the load cases: from the last one, or from the coarsest mesh upwards."""
-    solution = None
-    if ladder.last is not None and ladder.model.analysis.increments == 1:
-        solution = _from_before(ladder, ladder.last, factors, report)
-    if solution is None:
-        solution = _nested(ladder, factors, report)
-    ladder.last = solution if ladder.keep else None
-    return solution
-
-
-def _from_before(ladder: _Ladder, before: Solution, factors: Array, report: OnStep) -> Solution | None:
-    """Return the solution for other factors, started from one on the same mesh; None if that is too far away."""
-    level = ladder.levels[ladder.finest]
-    s = replace(level.system, problem=level.system.problem.under(factors))
-    require_equilibrium(s.problem)
-    try:
-        return _equilibrium(ladder.model, s, level, 1.0, before, report, ladder.finest == 0, None, FAR)
-    except _Far:
-        return None
 
 
 def _nested(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
@@ -198,8 +168,8 @@ def _nested(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
 
 
 def _coarsenings(first: int, last: int) -> list[int]:
-    """Return how often the mesh is coarsened, from first to last: STEP halvings at a time."""
-    return list(range(last, first + 1, STEP))[::-1]
+    """Return how often the mesh is coarsened, from first to last: STEP halvings at a time, or less to begin with."""
+    return sorted({*range(last, first + 1, STEP), first}, reverse=True)
 
 
 def _first(model: Model) -> int:
@@ -246,17 +216,14 @@ def _equilibrium(
     report: OnStep,
     finest: bool,
     slip: Array | None,
-    far: float = np.inf,
 ) -> Solution:
     """Return the solution for one load on one mesh: gamma, where it is sought, outside; contact inside.
 
-    slip (c,) is what the bearings have slipped before. Raises _Far if more than a share `far` of the bearings are not
-    in the state in which they start.
+    slip (c,) is what the bearings have slipped before.
     """
     ground = s.problem.ground
     slip = np.zeros(len(s.problem.bearing.law)) if slip is None else slip
     law = bearings(s.problem, factor, slip)
-    fresh = True
     expected: Array | None = None  # from a coarser mesh
     near: Array | None = None  # from another solution on this one
     if start is None:
@@ -264,15 +231,13 @@ def _equilibrium(
     elif start.system.problem.mesh is s.problem.mesh:
         state, near = start.contact.state, start.contact.u
     else:
-        state, expected = forecast.from_coarser(start, s.problem)
+        if level.places is None:
+            level.places = forecast.places(start.system.problem, s.problem)
+        state, expected = forecast.from_coarser(start, s.problem, level.places)
 
     def solved(column: Column, gamma: float | None) -> tuple[Array, Contact]:
         def told(iteration: int, in_contact: int, changed: int) -> None:
-            nonlocal fresh
             report(Step(s.pattern.size, 1, gamma, iteration, in_contact, changed, finest))
-            if fresh and changed > far * len(state):
-                raise _Far
-            fresh = False
 
         nonlocal near, state
         A = level.stiffness(column, gamma)
@@ -346,5 +311,5 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
 def _margin_effect(margins: list[_Ladder], factors: Array) -> float:
     """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively."""
     unheard = list[Step]()
-    largest = [np.abs(_climb(ladder, factors, unheard.append).U[:, W]).max() for ladder in margins]
+    largest = [np.abs(_nested(ladder, factors, unheard.append).U[:, W]).max() for ladder in margins]
     return float(abs(largest[1] - largest[0]) / max(largest)) if any(largest) else 0.0

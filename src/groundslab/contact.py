@@ -29,7 +29,7 @@ WEAK = 1e-5
 ADRIFT = 1e9
 
 #: The latest factor may serve for so many steps of conjugate gradients: about what another factor costs.
-STEPS = 12
+STEPS = 8
 #: If they lead to something so many times larger than where they began, the plate may float.
 FAR = 10.0
 

@@ -6,13 +6,15 @@ and leaves next to nothing for the whole mesh to change.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from groundslab import contact
 from groundslab.contact import LAWS, Bearings
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.linear import Latest, Solver
-from groundslab.mesh import between, interpolated, whereabouts
+from groundslab.mesh import Whereabouts, between, interpolated, whereabouts
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, System, W, plate_settlement, surface_settlement
 from groundslab.shape import Array, Flags, Integers
 from groundslab.solution import Solution
@@ -23,45 +25,56 @@ from groundslab.symmetric import Symmetric
 CLOSED_AT = -0.25
 #: Rings of elements around the border of the contact zone that make up the strip.
 RINGS = 4
-#: The border may leave the strip; then it is laid anew around where the border went, so many times at most.
+#: The border may come near the strip's rim; then it is laid anew around where the border went, so many times at most.
 STRIPS = 4
 LIMIT = 30
 
 
-def from_coarser(start: Solution, problem: Problem) -> tuple[Integers, Array]:
+@dataclass(frozen=True, slots=True)
+class Places:
+    """Where the nodes of a mesh lie in a coarser one."""
+
+    everywhere: Whereabouts  # (n,)
+    on_plate: Whereabouts  # of the plate's nodes alone, in elements of the plate
+
+
+def places(before: Problem, problem: Problem) -> Places:
+    """Return where a problem's nodes lie in the mesh of a coarser one."""
+    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
+    element, place = whereabouts(coarse, nodes)
+    own, there = element[under], place[under]
+    # nodes on the plate's edge may have been found in an element beside it
+    on_plate = np.zeros(len(coarse.elements), dtype=bool)
+    on_plate[before.plate_elements] = True
+    astray = np.flatnonzero(~on_plate[own])
+    if len(astray):
+        own[astray], there[astray] = whereabouts(coarse, nodes[under[astray]], before.plate_elements)
+    return Places((element, place), (own, there))
+
+
+def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integers, Array]:
     """Return the states (c,) of the bearings and the unknowns (n, F) to expect after a solution on a coarser mesh."""
     before, b = start.system.problem, problem.bearing
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
-    everywhere = whereabouts(coarse, nodes)
-
     state = np.full(len(b.law), contact.CLOSED)
-    ground = np.flatnonzero(b.support < 0)
-    element, place = everywhere
-    there = element[b.node[ground]], place[b.node[ground]]
+    ground = np.flatnonzero(b.support < 0)  # none, or one at each node of the plate
     if len(ground):
-        touching = between(coarse, start.nodes_in(contact.CLOSED, contact.YIELDING), there) <= CLOSED_AT
+        touching = between(coarse, start.nodes_in(contact.CLOSED, contact.YIELDING), at.on_plate) <= CLOSED_AT
         state[ground] = np.where(touching, contact.CLOSED, contact.OPEN)
         if (start.contact.state == contact.YIELDING).any():
-            state[ground[between(coarse, start.nodes_in(contact.YIELDING), there) <= CLOSED_AT]] = contact.YIELDING
+            yielding = between(coarse, start.nodes_in(contact.YIELDING), at.on_plate) <= CLOSED_AT
+            state[ground[yielding & np.isfinite(b.law.capacity[ground])]] = contact.YIELDING
     for support in np.unique(b.support[b.support >= 0]):
         new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.bearing))
         if len(new) and len(old):
             offset = nodes[b.node[new], None] - coarse.nodes[before.bearing.node[old]]
             state[new] = start.contact.state[old[np.argmin((offset**2).sum(axis=2), axis=1)]]
 
-    # nodes on the plate's edge may have been found in an element beside it
-    on_plate = np.zeros(len(coarse.elements), dtype=bool)
-    on_plate[before.plate_elements] = True
-    astray = under[~on_plate[element[under]]]
-    if len(astray):
-        element, place = element.copy(), place.copy()
-        element[astray], place[astray] = whereabouts(coarse, nodes[astray], before.plate_elements)
     U = np.zeros((len(nodes), problem.unknown.shape[1]))
     plate = (plate_settlement(before, start.U), start.U[:, BETA_X], start.U[:, BETA_Y])
-    for field, values in zip((W, BETA_X, BETA_Y), plate, strict=True):
-        U[under, field] = interpolated(coarse, values, (element[under], place[under]))
-    for i, w in enumerate(surface_settlement(before, start.U)):
-        U[:, TOP + i] = interpolated(coarse, w, everywhere)
+    surfaces = surface_settlement(before, start.U)
+    U[under, :TOP] = interpolated(coarse, np.column_stack(plate), at.on_plate)
+    U[:, TOP:] = interpolated(coarse, surfaces.T, at.everywhere)
     U[under, TOP] += problem.initial_gap[under] - U[under, W]
     U[problem.unknown < 0] = 0.0
     return state, U
@@ -79,7 +92,7 @@ def along_the_border(
     u = np.zeros(A.size)
     u[problem.unknown[has]] = U[has]
     for _ in range(STRIPS):
-        inside = _strip(problem, state)
+        inside = _strip(problem, state, RINGS)
         own = np.zeros(A.size, dtype=bool)
         own[problem.unknown[inside][has[inside]]] = True
         which = np.flatnonzero(own[law.at])
@@ -96,20 +109,20 @@ def along_the_border(
         before, state = state, state.copy()
         state[which] = found.state
         u[numbers] = found.u
-        if not (_strip(problem, state) & ~inside).any() or (state == before).all():
+        if (state == before).all() or not (_strip(problem, state, RINGS // 2) & ~inside).any():
             break
     return state
 
 
-def _strip(problem: Problem, state: Integers) -> Flags:
-    """Return the nodes (n,) near which the ground changes from one state to another."""
+def _strip(problem: Problem, state: Integers, rings: int) -> Flags:
+    """Return the nodes (n,) inside so many rings of elements around those in which the ground changes its state."""
     b, elements = problem.bearing, problem.mesh.elements
     ground = np.flatnonzero(b.support < 0)
     at = np.full(len(problem.mesh.nodes), -1, dtype=np.int8)
     at[b.node[ground]] = state[ground]
     each = at[elements]
     near = each.max(axis=1) > np.where(each < 0, np.int8(99), each).min(axis=1)
-    for _ in range(RINGS):
+    for _ in range(rings):
         touched = np.zeros(len(at), dtype=bool)
         touched[elements[near]] = True
         near = touched[elements].any(axis=1)

@@ -21,7 +21,7 @@ from groundslab.shape import Array, Flags, Indices
 from groundslab.symmetric import Symmetric
 
 #: A factor helps with a task that differs from its own in at most so many unknowns.
-FEW = 16
+FEW = 4
 #: A matrix with fewer rows is factorised anew in less time than such steps take.
 SMALL = 30_000
 #: Conjugate gradients end when the error's energy is below this share of the solution's: 1e-10 of its displacements.

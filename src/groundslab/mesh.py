@@ -138,9 +138,9 @@ def whereabouts(mesh: Mesh, points: Array, elements: Integers | None = None) -> 
 
 
 def interpolated(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
-    """Return nodal values (n,) at places in elements, by the shape functions, (p,)."""
+    """Return nodal values (n,) or (n, k) at places in elements, by the shape functions, (p,) or (p, k)."""
     element, place = where
-    result: Array = np.einsum("pa,pa->p", q9(place)[0], values[mesh.elements[element]])
+    result: Array = np.einsum("pa,pa...->p...", q9(place)[0], values[mesh.elements[element]])
     return result
 
 

@@ -181,7 +181,7 @@ def _task(A: np.ndarray, held: np.ndarray, added: np.ndarray, seed_of: linear.Ta
 
 
 @pytest.mark.parametrize("name", SOLVERS)
-@pytest.mark.parametrize("changes", [0, 1, 3, 8])
+@pytest.mark.parametrize("changes", [0, 1, 2, 4])
 def test_a_factor_solves_tasks_that_are_near_its_own(name: str, changes: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Unknowns newly held, newly free or with another diagonal: the old factor leads to the new solution."""
     monkeypatch.setattr(linear, "SMALL", 0)
