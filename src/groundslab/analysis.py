@@ -126,7 +126,7 @@ def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -
     several = len(wanted) > 1
     ladder = _Ladder(model, solver, 0, 1.0, several)
     # the effect of the margin is judged on the next coarser mesh, where it costs little
-    level = min(1, coarsest(model))
+    level = min(STEP, coarsest(model))
     margins = [_Ladder(model, solver, level, margin, several) for margin in (1.0, 2.0)]
     for combination in wanted:
         steps: list[Step] = []
