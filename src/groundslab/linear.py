@@ -118,8 +118,8 @@ class _Pardiso:
 
 
 def _pardiso_wrapper() -> Any:
-    """Import pypardiso, telling it where MKL lies: its own search starts compilers and takes longer than the import."""
-    if "PYPARDISO_MKL_RT" not in os.environ and "pypardiso" not in sys.modules:
+    """Import pypardiso and tell it where MKL lies: its own search, done for every solver, takes longer than solving."""
+    if "PYPARDISO_MKL_RT" not in os.environ:
         places = ("lib/libmkl_rt.so*", "Library/bin/mkl_rt*.dll")
         found = [path for place in places for path in sorted(Path(sys.prefix).glob(place))]
         if found:

@@ -152,7 +152,7 @@ def _over_the_depth(layers: tuple[Layer, ...], decay2: Array, points: int) -> tu
     size, parts = thickness.ravel()[owner], count.ravel()[owner]
     ends = top[:, None] + size[:, None] * (number[:, None] + np.arange(2)) / parts[:, None]
 
-    # E = a + b t + c t^2 over an element, 0 <= t <= 1; a, b, c times the integrals of 1, t, t^2 with the shape functions
+    # E = a + b t + c t^2 over an element, 0 <= t <= 1; a, b, c times the integrals of 1, t, t^2 with the functions
     x, weight = np.polynomial.legendre.leggauss(4)
     N, dN = lagrange(x)
     powers = weight * ((x + 1) / 2) ** np.arange(3)[:, None]
