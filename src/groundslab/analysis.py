@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
 from groundslab import contact, forecast, linear
 from groundslab.checks import certificate, decay_squared
 from groundslab.contact import Contact, slipped
-from groundslab.discretise import discretise
 from groundslab.errors import (
     Fault,
     GroundslabError,
@@ -21,17 +21,16 @@ from groundslab.errors import (
     SingularMatrix,
 )
 from groundslab.ground import Column
+from groundslab.ladder import Known, Ladder, Level
 from groundslab.layout import coarsest
-from groundslab.linear import Latest, Solver
 from groundslab.loadcases import Combination, combinations_of
 from groundslab.model import Model
-from groundslab.problem import System, W, bearings, nodal, right_hand_side, stiffness, system
+from groundslab.problem import System, W, bearings, nodal, right_hand_side
 from groundslab.recover import recover
 from groundslab.results import Combined, Results, Step
 from groundslab.shape import Array
 from groundslab.solution import Solution
-from groundslab.statics import require_equilibrium
-from groundslab.symmetric import Symmetric
+from groundslab.subsoil import Factors
 
 #: gamma is iterated until one more step would change it by less than this share.
 GAMMA_TOLERANCE = 1e-6
@@ -48,35 +47,6 @@ STEP = 2
 
 OnStep = Callable[[Step], None]
 OnCombination = Callable[[Combination], None]
-
-
-@dataclass(slots=True)
-class _Level:
-    """One of the nested meshes with all that the combinations have in common on it."""
-
-    system: System
-    solver: Solver
-    latest: Latest
-    matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
-    places: forecast.Places | None = None  # of its nodes in the mesh before
-
-    def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
-        """Return the matrix for the column that belongs to a gamma, the same one when asked for it again."""
-        if self.matrix is None or self.matrix[0] != gamma:
-            self.matrix = gamma, stiffness(self.system, column)
-        return self.matrix[1]
-
-
-@dataclass(slots=True)
-class _Ladder:
-    """The nested meshes of a model up to one of them, kept while there are further combinations to solve."""
-
-    model: Model
-    solver: Solver
-    finest: int  # how often the mesh that is asked for is coarsened
-    margin: float  # by which the meshed strip of ground beyond is widened
-    keep: bool
-    levels: dict[int, _Level] = field(default_factory=dict)
 
 
 def solve(model: Model, on_step: OnStep | None = None) -> Results:
@@ -106,9 +76,48 @@ def solve_combinations(
     result, is refused by itself; raises InputError as `solve` does.
     """
     wanted = combinations_of(model)
+    return _all(model, wanted, _each(model, wanted, on_step), on_combination)
+
+
+class Variants:
+    """Solves models that are like a base case, with its meshes, analyses of patterns and contact zones.
+
+    Each is started from the base case's contact zone, not from that of the variant before, so that its results do not
+    depend on which others were solved.
+    """
+
+    def __init__(self, base: Model) -> None:
+        """Solve the base case, whose combinations may be refused; raises InputError as `solve` does."""
+        self._known = Known()
+        wanted = combinations_of(base)
+        #: The results of the base case.
+        self.base = _all(base, wanted, _each(base, wanted, None, self._known))
+        self._known.close()
+
+    def solve_combinations(
+        self, model: Model, factors: Factors | None = None, on_step: OnStep | None = None
+    ) -> Combined:
+        """Return the results of every combination of a model, as the function of that name does.
+
+        `factors` multiply constants of the ground from place to place, by their names in the file: a function of x and
+        y (p,) [m] for "ground.k0", "ground.layers[1].E" and the like. No symmetry is used then. Raises InputError if
+        the ground has no such constant.
+        """
+        if factors:
+            model = model.replace(mesh=model.mesh.replace(symmetry="off"))
+        wanted = combinations_of(model)
+        return _all(model, wanted, _each(model, wanted, on_step, self._known, factors))
+
+
+def _all(
+    model: Model,
+    wanted: Sequence[Combination],
+    each: Iterator[Results | GroundslabError],
+    on_combination: OnCombination | None = None,
+) -> Combined:
+    """Return the outcome of all combinations together."""
     results: dict[str, Results] = {}
     refused: dict[str, GroundslabError] = {}
-    each = _each(model, wanted, on_step)
     for combination in wanted:
         if on_combination is not None:
             on_combination(combination)
@@ -117,17 +126,23 @@ def solve_combinations(
             refused[combination.name] = found
         else:
             results[combination.name] = found
-    return Combined(model, wanted, results, refused)
+    return Combined(model, tuple(wanted), results, refused)
 
 
-def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -> Iterator[Results | GroundslabError]:
+def _each(
+    model: Model,
+    wanted: Sequence[Combination],
+    on_step: OnStep | None,
+    known: Known | None = None,
+    ground: Factors | None = None,
+) -> Iterator[Results | GroundslabError]:
     """Yield for each combination its results, or why it has none."""
     name, solver = linear.choose(model.analysis.solver)
-    several = len(wanted) > 1
-    ladder = _Ladder(model, solver, 0, 1.0, several)
+    keep = len(wanted) > 1 or known is not None
+    ladder = Ladder(model, solver, 0, 1.0, keep, ground, known)
     # the effect of the margin is judged on the next coarser mesh, where it costs little
     level = min(STEP, coarsest(model))
-    margins = [_Ladder(model, solver, level, margin, several) for margin in (1.0, 2.0)]
+    margins = [Ladder(model, solver, level, margin, keep, ground, known) for margin in (1.0, 2.0)]
     for combination in wanted:
         steps: list[Step] = []
 
@@ -138,8 +153,8 @@ def _each(model: Model, wanted: Sequence[Combination], on_step: OnStep | None) -
 
         factors = _factors(model, combination)
         try:
-            solution = _nested(ladder, factors, report)
-            effect = _margin_effect(margins, factors) if model.beyond.kind == "infinite" else None
+            solution = _nested(ladder, combination.name, factors, report)
+            effect = _margin_effect(margins, combination.name, factors) if model.beyond.kind == "infinite" else None
             results = recover(model, combination, solution, certificate(solution, effect), tuple(steps), name)
             yield results if results.certificate.holds else NotCertified(results)
         except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
@@ -153,17 +168,24 @@ def _factors(model: Model, combination: Combination) -> Array:
     return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])
 
 
-def _nested(ladder: _Ladder, factors: Array, report: OnStep) -> Solution:
-    """Return the solution on the ladder's finest mesh, reached from the coarsest one upwards."""
+def _nested(ladder: Ladder, combination: str, factors: Array, report: OnStep) -> Solution:
+    """Return the solution on the ladder's finest mesh, reached from the coarsest one upwards.
+
+    Or in one step from that of a model like this one, if that leads there.
+    """
     model, before = ladder.model, list[Solution]()
+    if ladder.knows(combination):
+        level = ladder.level(ladder.finest, factors)
+        s = replace(level.system, problem=level.system.problem.under(factors))
+        like = ladder.like(combination, s)
+        if like:
+            with suppress(NotConverged, SingularMatrix):
+                return _increments(model, s, level, like, report, True)[-1]
     for coarsening in _coarsenings(max(_first(model), ladder.finest), ladder.finest):
-        level = ladder.levels.get(coarsening)
-        if level is None:
-            level = _level(ladder, coarsening, factors)
-        else:
-            require_equilibrium(level.system.problem.under(factors))
+        level = ladder.level(coarsening, factors)
         s = replace(level.system, problem=level.system.problem.under(factors))
         before = _increments(model, s, level, before, report, coarsening == ladder.finest)
+    ladder.remember(combination, before)
     return before[-1]
 
 
@@ -179,19 +201,8 @@ def _first(model: Model) -> int:
     return coarsest(model) if one_sided or sought else 0
 
 
-def _level(ladder: _Ladder, coarsening: int, factors: Array) -> _Level:
-    """Return one of the ladder's meshes with its system, made now, once the load is known to have an equilibrium."""
-    problem = discretise(ladder.model, coarsening, ladder.margin)
-    require_equilibrium(problem.under(factors))
-    s = system(problem)
-    level = _Level(s, ladder.solver, Latest(ladder.solver(s.pattern.indptr, s.pattern.indices)))
-    if ladder.keep:
-        ladder.levels[coarsening] = level
-    return level
-
-
 def _increments(
-    model: Model, s: System, level: _Level, coarser: list[Solution], report: OnStep, finest: bool
+    model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, finest: bool
 ) -> list[Solution]:
     """Return a solution for each load increment, each started from the same increment on the coarser mesh."""
     done: list[Solution] = []
@@ -210,7 +221,7 @@ def _increments(
 def _equilibrium(
     model: Model,
     s: System,
-    level: _Level,
+    level: Level,
     factor: float,
     start: Solution | None,
     report: OnStep,
@@ -229,7 +240,7 @@ def _equilibrium(
     if start is None:
         state = np.full(len(s.problem.bearing.law), contact.CLOSED)
     elif start.system.problem.mesh is s.problem.mesh:
-        state, near = start.contact.state, start.contact.u
+        state, near = start.contact.state, start.contact.u if start.system is s else None
     else:
         if level.places is None:
             level.places = forecast.places(start.system.problem, s.problem)
@@ -308,8 +319,9 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
     return (f1 - f0) / (g1 - g0)
 
 
-def _margin_effect(margins: list[_Ladder], factors: Array) -> float:
+def _margin_effect(margins: list[Ladder], combination: str, factors: Array) -> float:
     """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively."""
     unheard = list[Step]()
-    largest = [np.abs(_nested(ladder, factors, unheard.append).U[:, W]).max() for ladder in margins]
+    found = [_nested(ladder, combination, factors, unheard.append) for ladder in margins]
+    largest = [np.abs(solution.U[:, W]).max() for solution in found]
     return float(abs(largest[1] - largest[0]) / max(largest)) if any(largest) else 0.0

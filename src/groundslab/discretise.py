@@ -8,31 +8,36 @@ from groundslab import plate
 from groundslab.assembly import number
 from groundslab.bearing import fixed_nodes, ground_bearing, initial_gap, joined, support_bearing
 from groundslab.errors import Fault, InputError
-from groundslab.layout import AXIS, OUTWARD, Layout, layout
+from groundslab.layout import AXIS, OUTWARD, Layout, Meshes, layout
 from groundslab.loading import loadings, materials
-from groundslab.mesh import elimination_order, sides_on_boundary
+from groundslab.mesh import sides_on_boundary
 from groundslab.model import Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.shape import Flags, Integers
 from groundslab.slab import Plate
-from groundslab.subsoil import ground_under, grounds_of, surfaces_of
+from groundslab.subsoil import Factors, ground_under, grounds_of, surfaces_of
 
 #: Places closer than this, relative to the plate, are the same.
 SAME_PLACE = 1e-9
 
 
-def discretise(model: Model, coarsening: int = 0, margin: float = 1.0) -> Problem:
-    """Return the arrays of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond."""
-    plan = layout(model, grounds_of(model), coarsening, margin)
-    ground = ground_under(model, plan.mesh, plan.plate_elements)
+def discretise(
+    model: Model, coarsening: int = 0, margin: float = 1.0, meshes: Meshes | None = None, factors: Factors | None = None
+) -> Problem:
+    """Return the arrays of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond.
+
+    The mesh is taken from `meshes` if one of that shape was made before. `factors` multiply constants of the ground
+    from place to place.
+    """
+    plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
+    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {})
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
     cases = loadings(model, plan, element, present.shape[1])
     if not any(case.load.any() or case.settlement.any() for case in cases):
         fault = Fault("loads", "loads that are all zero", "at least one load that is not", "nothing would settle")
         raise InputError([fault])
-    rank = elimination_order(plan.mesh)
-    unknown = number(rank, present)
+    unknown = number(plan.rank, present)
     gap, cavity = initial_gap(model, plan, coarsening == 0)
     edges, corners = _infinite_edges(model, plan)
     return Problem(
@@ -43,7 +48,8 @@ def discretise(model: Model, coarsening: int = 0, margin: float = 1.0) -> Proble
         shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
         section=plan.section,
         ground=ground,
-        rank=rank,
+        constants=constants,
+        rank=plan.rank,
         unknown=unknown,
         cases=cases,
         loading=sum(cases[1:], cases[0]),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from groundslab.actions import (
     UniformLoad,
 )
 from groundslab.ground import Column, tail
-from groundslab.mesh import Mesh, grid, lines_beyond, sides_on_boundary
+from groundslab.mesh import Mesh, elimination_order, grid, lines_beyond, sides_on_boundary
 from groundslab.model import SHORT_SIDE_ELEMENTS, Model, plan_of_plate
 from groundslab.plan import Plan, rectangle
 from groundslab.shape import Integers, distinct
@@ -33,11 +34,33 @@ AXIS = {"left": 0, "right": 0, "bottom": 1, "top": 1}
 OUTWARD = {"left": -1, "right": 1, "bottom": -1, "top": 1}
 
 
+Meshed = tuple[Mesh, Integers, Integers]
+
+
+@dataclass(slots=True)
+class Meshes:
+    """Meshes by what they were made from, so that models of the same shape share them: sections and ranks with each."""
+
+    made: dict[Hashable, Meshed] = field(default_factory=dict)
+    closed: bool = False  # whether no further ones are kept
+
+    def of(self, source: Hashable, make: Callable[[], tuple[Mesh, Integers]]) -> Meshed:
+        """Return the mesh of a source, made now if there is none."""
+        found = self.made.get(source)
+        if found is None:
+            mesh, section = make()
+            found = mesh, section, elimination_order(mesh)
+            if not self.closed:
+                self.made[source] = found
+        return found
+
+
 @dataclass(frozen=True, slots=True)
 class Layout:
     """The meshed part of a plan."""
 
     mesh: Mesh
+    rank: Integers  # (n,): order of elimination of the nodes
     plate_elements: Integers  # (mp,)
     section: Integers  # (mp,): which section each plate element has
     symmetry: tuple[bool, bool]
@@ -50,17 +73,21 @@ class Layout:
         return distinct(self.mesh.elements[self.plate_elements])[0]
 
 
-def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: float) -> Layout:
+def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: float, meshes: Meshes) -> Layout:
     """Return the layout of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond."""
     symmetry = symmetries(model)
     width = margin * _width_beyond(model, grounds)
+    source: Hashable
     if model.plain:
-        mesh, section = _plain_mesh(model, symmetry, coarsening, width)
+        counts = _counts(model, symmetry, coarsening)
+        source = model.plate.sides, symmetry, counts, model.beyond.sides if width else (), width
+        mesh, section, rank = meshes.of(source, lambda: _plain_mesh(model, symmetry, counts, width))
     else:
-        mesh, section = _drawn_mesh(model, coarsening, width)
+        plan, size = plan_of(model, width), _size(model) * 2**coarsening
+        mesh, section, rank = meshes.of((plan, size), lambda: _drawn_mesh(plan, size))
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
-    return Layout(mesh, plate_elements, section[plate_elements], symmetry, outer, axis)
+    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis)
 
 
 def coarsest(model: Model) -> int:
@@ -145,9 +172,8 @@ def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple
     if model.mesh.counts is not None:
         counts = [c // 2 if s else c for c, s in zip(model.mesh.counts, symmetry, strict=True)]
     else:
-        size = model.mesh.size if model.mesh.size is not None else min(lengths) / 24
         halves = [length / 2 if s else length for length, s in zip(lengths, symmetry, strict=True)]
-        counts = [max(1, math.ceil(length / size - 1e-9)) for length in halves]
+        counts = [max(1, math.ceil(length / _size(model) - 1e-9)) for length in halves]
     nx, ny = (max(1, math.ceil(c / 2**coarsening)) for c in counts)
     return nx, ny
 
@@ -163,10 +189,12 @@ def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
     return MESHED_DECAYS * min(longest, 2 * max(model.plate.sides))
 
 
-def _plain_mesh(model: Model, symmetry: tuple[bool, bool], coarsening: int, width: float) -> tuple[Mesh, Integers]:
+def _plain_mesh(
+    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], width: float
+) -> tuple[Mesh, Integers]:
     """Return the grid of a plain rectangle and its ground beyond, and each element's section, -1 beyond."""
     lines, inside = [], []
-    for axis, (length, count) in enumerate(zip(model.plate.sides, _counts(model, symmetry, coarsening), strict=True)):
+    for axis, (length, count) in enumerate(zip(model.plate.sides, counts, strict=True)):
         low = 0.0 if symmetry[axis] else -length / 2
         own = np.linspace(low, length / 2, count + 1)
         first = (length / 2 - low) / count
@@ -181,12 +209,16 @@ def _plain_mesh(model: Model, symmetry: tuple[bool, bool], coarsening: int, widt
     return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)
 
 
-def _drawn_mesh(model: Model, coarsening: int, width: float) -> tuple[Mesh, Integers]:
+def _size(model: Model) -> float:
+    """Return the largest side that an element may have [m]."""
+    return model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
+
+
+def _drawn_mesh(plan: Plan, size: float) -> tuple[Mesh, Integers]:
     """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
     from groundslab import mesher
 
-    size = model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
-    found = mesher.mesh(plan_of(model, width), size * 2**coarsening)
+    found = mesher.mesh(plan, size)
     return Mesh(found.nodes, found.elements), found.section
 
 

@@ -64,6 +64,7 @@ class Problem:
     shear: Array  # (k,) [N/m]
     section: Integers  # (mp,): which section each plate element has
     ground: Soil | Column
+    constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
     cases: tuple[Loading, ...]  # the load cases by themselves
@@ -168,10 +169,27 @@ class System:
     blocks: Blocks
 
 
-def system(problem: Problem) -> System:
-    """Return the system of a problem."""
-    p = assembly.pattern(problem.mesh.elements, problem.rank, problem.unknown)
-    return System(problem, p, blocks(problem))
+def system(problem: Problem, like: System | None = None) -> System:
+    """Return the system of a problem; of one on the same mesh it takes over what is the same."""
+    if like is None or like.problem.mesh is not problem.mesh:
+        return System(problem, _pattern(problem), blocks(problem))
+    known = like.problem
+    same_unknowns = np.array_equal(known.unknown, problem.unknown)
+    same_plate = known.element is problem.element and all(
+        np.array_equal(a, b)
+        for a, b in (
+            (known.section, problem.section), (known.bending, problem.bending), (known.shear, problem.shear)
+        )
+    )  # fmt: skip
+    return System(
+        problem,
+        like.pattern if same_unknowns else _pattern(problem),
+        like.blocks if same_plate else blocks(problem),
+    )
+
+
+def _pattern(problem: Problem) -> Pattern:
+    return assembly.pattern(problem.mesh.elements, problem.rank, problem.unknown)
 
 
 def fields_of(surface: int) -> tuple[int, ...]:

@@ -25,7 +25,6 @@ from groundslab.results import (
 )
 from groundslab.shape import Array, Integers, distinct, gauss, jacobian, q9
 from groundslab.solution import Solution
-from groundslab.subsoil import constants_under
 from groundslab.vlasov import Soil
 
 #: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
@@ -63,7 +62,7 @@ def recover(
         plate=PlateResult(mesh.nodes, mesh.elements, in_contact=in_contact, on_edge=on_edge, **fields),
         elements=ElementResult(section=section, **at_centres),
         ground=GroundResult(ground.nodes, ground.elements, np.vstack(list(settlements.values()))),
-        constants=_constants(model, solution),
+        constants=_constants(solution),
         certificate=proof,
         steps=steps,
         solver=solver,
@@ -277,7 +276,7 @@ def _beyond_the_line(mesh: Mesh, points: Array, values: Array, axis: int) -> tup
     )
 
 
-def _constants(model: Model, solution: Solution) -> Constants:
+def _constants(solution: Solution) -> Constants:
     """Return k0 and k1 of each layer, given or from gamma; where the ground varies, the means over the plate's area."""
     problem, gamma = solution.system.problem, solution.gamma
     ground = problem.ground
@@ -287,5 +286,5 @@ def _constants(model: Model, solution: Solution) -> Constants:
         if ground.share is not None:
             k0, k1 = ground.share @ k0, ground.share @ k1
     else:
-        k0, k1 = constants_under(model, problem.mesh, problem.plate_elements)
+        k0, k1 = problem.constants
     return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations)

@@ -8,6 +8,8 @@ are the tables of the c columns that differ.
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -21,6 +23,9 @@ from groundslab.shape import Array, Integers, areas
 from groundslab.soil import AnyGround
 from groundslab.vlasov import Soil
 
+#: What a constant of the ground is multiplied with at places x and y (p,) [m], by the constant's name in the file, such
+#: as "ground.k0" or "ground.layers[1].E" (layers count from 1).
+Factors = Mapping[str, Callable[[Array, Array], Array]]
 #: Arcs of zones are followed by chords that are at most this far off, relative to the plate.
 ARC_CHORD = 1e-6
 #: A Poisson's ratio this close to zero is zero but for the rounding of its interpolation.
@@ -50,31 +55,27 @@ def varies(model: Model) -> bool:
     return bool(model.soil_zones or model.boreholes)
 
 
-def ground_under(model: Model, mesh: Mesh, plate_elements: Integers) -> Soil | Column:
-    """Return the ground under a mesh, by element where it varies."""
-    if not varies(model):
-        return ground_of(model)
-    tables, of = _columns_under(model, mesh)
-    if len(tables) == 1:
-        return _made(model.ground, tables[0])
-    found = _made(model.ground, tables)
-    if isinstance(found, Column):
-        return found.at(of)
-    share = _share(of, len(tables), mesh, plate_elements)
-    return Soil(found.layers, found.way, found.as_printed, found.gamma, of, share)
+def ground_under(
+    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors
+) -> tuple[Soil | Column, tuple[Array, Array]]:
+    """Return the ground under a mesh, by element where it varies, and k0 [Pa/m] and k1 [Pa m] of its layers, (L,) each.
 
-
-def constants_under(model: Model, mesh: Mesh, plate_elements: Integers) -> tuple[Array, Array]:
-    """Return k0 [Pa/m] and k1 [Pa m] of each layer (L,), where they do not hang on gamma: means over the plate's area.
-
-    Of a consistent stack they are Ec / h and G h of each sublayer, for the mean of its E.
+    The latter are means over the plate's area; of soil, whose constants hang on gamma, there are none. Of a consistent
+    stack they are Ec / h and G h of each sublayer, for the mean of its E.
     """
-    if not varies(model):
-        return _constants(model.ground, _table(model.ground, model))
-    tables, of = _columns_under(model, mesh)
+    if not varies(model) and not factors:
+        tables, of = _table(model.ground, model)[None], np.zeros(len(mesh.elements), dtype=np.int64)
+    else:
+        tables, of = _columns_under(model, mesh, factors)
+    none = np.zeros(0), np.zeros(0)
+    if len(tables) == 1:
+        only = _made(model.ground, tables[0])
+        return only, none if isinstance(only, Soil) else _constants(model.ground, tables[0])
+    found, share = _made(model.ground, tables), _share(of, len(tables), mesh, plate_elements)
+    if isinstance(found, Soil):
+        return Soil(found.layers, found.way, found.as_printed, found.gamma, of, share), none
     k0, k1 = _constants(model.ground, tables)
-    share = _share(of, len(tables), mesh, plate_elements)
-    return share @ k0, share @ k1
+    return found.at(of), (share @ k0, share @ k1)
 
 
 def winkler_modulus(ground: Winkler, model: Model) -> float:
@@ -151,7 +152,7 @@ def _constants(ground: AnyGround, table: Array) -> tuple[Array, Array]:
     return np.stack(k0, axis=-1), np.stack(k1, axis=-1)
 
 
-def _columns_under(model: Model, mesh: Mesh) -> tuple[Array, Integers]:
+def _columns_under(model: Model, mesh: Mesh, factors: Factors) -> tuple[Array, Integers]:
     """Return the tables (c, L, ...) that differ under a mesh, and which of them each element has (m,)."""
     centres = mesh.nodes[mesh.elements[:, 8]]
     tables = np.stack(_tables(model))
@@ -159,8 +160,27 @@ def _columns_under(model: Model, mesh: Mesh) -> tuple[Array, Integers]:
         by_element = _between_boreholes(model.boreholes, tables, centres)
     else:
         by_element = tables[_zone_at(model.soil_zones, centres, ARC_CHORD * max(model.plate.sides))]
+    for name, factor in factors.items():
+        layer, columns = _place_of(name, model)
+        by_element[:, layer, columns] *= np.asarray(factor(centres[:, 0], centres[:, 1]))[:, None]
     rows, of = np.unique(by_element.reshape(len(centres), -1), axis=0, return_inverse=True)
     return rows.reshape(-1, *tables.shape[1:]), of.ravel()
+
+
+def _place_of(name: str, model: Model) -> tuple[int, slice]:
+    """Return which layer, and which columns of its row in a table, a constant of the ground stands in."""
+    ground, layer = model.ground, re.fullmatch(r"ground\.layers\[(\d+)\]\.(E|k0|k1)", name)
+    columns = {"k": slice(0, 1), "k0": slice(0, 1), "k1": slice(1, 2), "E": slice(1, 4)}
+    if layer and isinstance(ground, Vlasov | Layered) and 1 <= int(layer[1]) <= len(ground.layers):
+        soil = isinstance(ground.layers[int(layer[1]) - 1], SoilLayer)
+        if soil == (layer[2] == "E"):
+            return int(layer[1]) - 1, columns[layer[2]]
+    elif (isinstance(ground, Winkler), name) == (True, "ground.k") or (
+        isinstance(ground, Pasternak) and name in ("ground.k0", "ground.k1")
+    ):
+        return 0, columns[name.removeprefix("ground.")]
+    expected = "a constant that the ground of the case has: ground.k, ground.k0, ground.k1, ground.layers[1].E, ..."
+    raise InputError([Fault(name, f"a ground of kind {ground.kind}", expected)])
 
 
 def _share(of: Integers, columns: int, mesh: Mesh, plate_elements: Integers) -> Array:

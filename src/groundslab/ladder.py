@@ -1,0 +1,109 @@
+"""The nested meshes of an analysis with all that its combinations of loads, and models like it, have in common."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from groundslab import forecast
+from groundslab.discretise import discretise
+from groundslab.ground import Column
+from groundslab.layout import Meshes
+from groundslab.linear import Latest, Solver
+from groundslab.model import Model
+from groundslab.problem import System, stiffness, system
+from groundslab.shape import Array
+from groundslab.solution import Solution
+from groundslab.statics import require_equilibrium
+from groundslab.subsoil import Factors
+from groundslab.symmetric import Symmetric
+
+
+@dataclass(slots=True)
+class Level:
+    """One of the nested meshes with all that the combinations have in common on it."""
+
+    system: System
+    solver: Solver
+    latest: Latest
+    matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
+    places: forecast.Places | None = None  # of its nodes in the mesh before
+
+    def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
+        """Return the matrix for the column that belongs to a gamma, the same one when asked for it again."""
+        if self.matrix is None or self.matrix[0] != gamma:
+            self.matrix = gamma, stiffness(self.system, column)
+        return self.matrix[1]
+
+
+@dataclass(slots=True)
+class Known:
+    """What is known of a model that others are like: meshes, levels, and solutions on the finest mesh of a ladder.
+
+    By coarsening and margin; the solutions, one for each load increment, by the combination too.
+    """
+
+    meshes: Meshes = field(default_factory=Meshes)
+    levels: dict[tuple[int, float], Level] = field(default_factory=dict)
+    solutions: dict[tuple[str, int, float], list[Solution]] = field(default_factory=dict)
+    closed: bool = False  # whether nothing more is taken in
+
+    def close(self) -> None:
+        """Take nothing more in."""
+        self.closed = self.meshes.closed = True
+
+
+@dataclass(slots=True)
+class Ladder:
+    """The nested meshes of a model up to one of them, kept while there are further combinations to solve."""
+
+    model: Model
+    solver: Solver
+    finest: int  # how often the mesh that is asked for is coarsened
+    margin: float  # by which the meshed strip of ground beyond is widened
+    keep: bool
+    factors: Factors | None = None  # of constants of the ground
+    known: Known | None = None  # of a model like this one
+    levels: dict[int, Level] = field(default_factory=dict)
+
+    def level(self, coarsening: int, factors: Array) -> Level:
+        """Return one of the meshes with its system, for loads (cases,) that have an equilibrium or raise NoEquilibrium.
+
+        Of a model like this one the mesh, the pattern and its analysis are taken over where they are the same.
+        """
+        level = self.levels.get(coarsening)
+        if level is not None:
+            require_equilibrium(level.system.problem.under(factors))
+            return level
+        known = self.known or Known()
+        problem = discretise(self.model, coarsening, self.margin, known.meshes, self.factors)
+        require_equilibrium(problem.under(factors))
+        like = known.levels.get((coarsening, self.margin))
+        s = system(problem, None if like is None else like.system)
+        if like is not None and s.pattern is like.system.pattern:
+            level = Level(s, self.solver, like.latest, places=like.places)
+        else:
+            level = Level(s, self.solver, Latest(self.solver(s.pattern.indptr, s.pattern.indices)))
+        if self.keep:
+            self.levels[coarsening] = level
+        if self.known is not None and not self.known.closed:
+            self.known.levels[coarsening, self.margin] = level
+        return level
+
+    def remember(self, combination: str, solutions: list[Solution]) -> None:
+        """Keep the solutions of a combination, of each load increment, for models like this one."""
+        if self.known is not None and not self.known.closed:
+            self.known.solutions[combination, self.finest, self.margin] = solutions
+
+    def knows(self, combination: str) -> bool:
+        """Return whether a model like this one has solutions of a combination."""
+        return self.known is not None and (combination, self.finest, self.margin) in self.known.solutions
+
+    def like(self, combination: str, s: System) -> list[Solution]:
+        """Return the solutions of a model like this one, if they are on the same mesh with the same bearings."""
+        assert self.known is not None
+        found = self.known.solutions[combination, self.finest, self.margin]
+        bearings = len(s.problem.bearing.law)
+        alike = all(
+            each.system.problem.mesh is s.problem.mesh and len(each.contact.state) == bearings for each in found
+        )
+        return found if alike and len(found) == self.model.analysis.increments else []
