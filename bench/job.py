@@ -24,7 +24,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from groundslab import analysis, casefile, contact, linear, problem
+from groundslab import analysis, casefile, contact, ladder, linear, problem
 from groundslab.discretise import discretise
 from groundslab.model import Model
 from groundslab.results import Results
@@ -56,9 +56,10 @@ COMBINATIONS = {
 }
 #: What is timed inside an analysis: the name of the phase, where the function lives, its name there.
 PHASES: list[tuple[str, Any, str]] = [
-    ("mesh, loads, supports", analysis, "discretise"),
-    ("assembly", analysis, "system"),
-    ("assembly", analysis, "stiffness"),
+    ("mesh, loads, supports", ladder, "discretise"),
+    ("equilibrium possible", ladder, "require_equilibrium"),
+    ("assembly", ladder, "system"),
+    ("assembly", ladder, "stiffness"),
     ("assembly", analysis, "right_hand_side"),
     ("forecast", analysis.forecast, "from_coarser"),
     ("forecast", analysis.forecast, "along_the_border"),

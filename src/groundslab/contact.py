@@ -11,6 +11,7 @@ out of a cycle (Judice and Pires 1994), so that it ends for every positive defin
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -247,8 +248,9 @@ def _solution(h: _Held, b: Bearings, latest: Latest, near: Array | None, floats:
     if near is not None and not exact and latest.near(h.task):
         u = np.where(h.task.held, h.level, near)
         left = h.load - A @ u
-        if latest.improve(h.task, h.load, u, left, STEPS) and np.abs(u).max() <= FAR * np.abs(near).max():
-            return u, left, True
+        with suppress(SingularMatrix):  # then the factorisation tells
+            if latest.improve(h.task, h.load, u, left, STEPS) and np.abs(u).max() <= FAR * np.abs(near).max():
+                return u, left, True
     if not exact:
         latest.factor(h.task)
     u = h.level.copy()

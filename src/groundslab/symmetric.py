@@ -53,6 +53,24 @@ class Symmetric:
         data[self.indptr[:-1]] = self.diagonal + np.where(at, 0.0, added)
         return data
 
+    def rows(self, numbers: Integers) -> Any:
+        """Return whole rows (k, size) of some unknowns (k,), as a sparse array."""
+        from scipy.sparse import csr_array
+
+        k = len(numbers)
+        number = np.full(self.size, -1)
+        number[numbers] = np.arange(k)
+        right = self._upper()[numbers].tocoo()
+        # what lies left of the diagonal stands in the columns of the upper half
+        at = np.flatnonzero(number[self.indices] >= 0)
+        row = np.searchsorted(self.indptr, at, side="right") - 1
+        own = number[self.indices[at]]
+        left = numbers[own] != row
+        at, row, own = at[left], row[left], own[left]
+        entries = np.concatenate([right.data, self.data[at]])
+        places = np.concatenate([right.coords[0], own]), np.concatenate([right.coords[1], row])
+        return csr_array((entries, places), shape=(k, self.size))
+
     def part(self, numbers: Integers) -> Symmetric:
         """Return the matrix of some unknowns (k,) alone, given in ascending order."""
         part = self._upper()[numbers][:, numbers]

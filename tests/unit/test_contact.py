@@ -21,10 +21,10 @@ from groundslab.symmetric import Symmetric
 NODES = np.arange(9)
 
 
-@pytest.fixture(autouse=True, params=[linear.SMALL, 0], ids=["factors", "conjugate gradients"])
-def small(request: pytest.FixtureRequest) -> Iterator[int]:
-    """Let every test pass with a factor for each set of states, and with conjugate gradients between near ones."""
-    with patch.object(linear, "SMALL", request.param):
+@pytest.fixture(autouse=True, params=[0, linear.FEW], ids=["factors", "bordered"])
+def few(request: pytest.FixtureRequest) -> Iterator[int]:
+    """Let every test pass with a factor for each set of states, and with one factor for near ones."""
+    with patch.object(linear, "FEW", request.param):
         yield request.param
 
 
@@ -238,7 +238,7 @@ FLOATING = {
 
 
 @pytest.mark.parametrize(("k", "F"), FLOATING.values(), ids=FLOATING.keys())
-def test_a_plate_that_floats_on_the_way_comes_to_rest(k: float, F: list[float], small: int) -> None:
+def test_a_plate_that_floats_on_the_way_comes_to_rest(k: float, F: list[float], few: int) -> None:
     """Where the closed gaps do not hold the plate the iteration goes on to the solution, be it a balancing act.
 
     On two springs right under the resultant the plate is in equilibrium although nothing keeps it from tilting.
@@ -248,7 +248,7 @@ def test_a_plate_that_floats_on_the_way_comes_to_rest(k: float, F: list[float], 
     result = contact.solve(
         entries(p, A), f, Latest(symbolic), contact.gaps(gaps), np.ones(9, dtype=bool), 50, lambda *_: None
     )
-    assert symbolic.refused > 0 or not small
+    assert symbolic.refused > 0 or few
     left_over = A @ result.u - f
     left_over[gaps] -= result.force
     np.testing.assert_allclose(left_over, 0, atol=1e-8)

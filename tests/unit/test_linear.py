@@ -181,9 +181,9 @@ def _task(A: np.ndarray, held: np.ndarray, added: np.ndarray, seed_of: linear.Ta
 
 
 @pytest.mark.parametrize("name", SOLVERS)
-@pytest.mark.parametrize("changes", [0, 1, 2, 4])
+@pytest.mark.parametrize("changes", [0, 1, 2, 4, 16])
 def test_a_factor_solves_tasks_that_are_near_its_own(name: str, changes: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Unknowns newly held, newly free or with another diagonal: the old factor leads to the new solution."""
+    """Unknowns newly held, newly free or with another diagonal: the old factor leads to the new solution, at once."""
     monkeypatch.setattr(linear, "SMALL", 0)
     n, rng = 60, np.random.default_rng(changes)
     A = random_positive(n, 7)
@@ -202,7 +202,7 @@ def test_a_factor_solves_tasks_that_are_near_its_own(name: str, changes: int, mo
 
     load, u = rng.standard_normal(n), np.where(other_held, rng.standard_normal(n), 0.0)
     rest = load - A @ u
-    assert latest.improve(task, load, u, rest, 2 * changes + 3)
+    assert latest.improve(task, load, u, rest, 2)
     free = ~other_held
     wanted = u.copy()
     K = A + np.diag(other_added)
