@@ -155,7 +155,8 @@ def _each(
         try:
             solution = _nested(ladder, combination.name, factors, report)
             effect = _margin_effect(margins, combination.name, factors) if model.beyond.kind == "infinite" else None
-            results = recover(model, combination, solution, certificate(solution, effect), tuple(steps), name)
+            proof = certificate(solution, effect)
+            results = recover(model, combination, solution, ladder.frame(solution), proof, tuple(steps), name)
             yield results if results.certificate.holds else NotCertified(results)
         except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
             # what it was raised in holds meshes and factors, which nobody needs any more

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from groundslab import forecast
 from groundslab.discretise import discretise
+from groundslab.frame import Frame, frame
 from groundslab.ground import Column
 from groundslab.layout import Meshes
 from groundslab.linear import Latest, Solver
@@ -27,12 +28,21 @@ class Level:
     latest: Latest
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
     places: forecast.Places | None = None  # of its nodes in the mesh before
+    framed: tuple[Model, Frame] | None = None  # the frame of results, and a model that has it
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma, the same one when asked for it again."""
         if self.matrix is None or self.matrix[0] != gamma:
             self.matrix = gamma, stiffness(self.system, column)
         return self.matrix[1]
+
+    def frame(self, model: Model) -> Frame:
+        """Return the frame of a model's results, the same one for a model with the same plate, supports and loads."""
+        if self.framed is None or not all(
+            getattr(model, name) == getattr(self.framed[0], name) for name in ("plate", "supports", "columns", "loads")
+        ):
+            self.framed = model, frame(model, self.system.problem)
+        return self.framed[1]
 
 
 @dataclass(slots=True)
@@ -80,7 +90,7 @@ class Ladder:
         like = known.levels.get((coarsening, self.margin))
         s = system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
-            level = Level(s, self.solver, like.latest, places=like.places)
+            level = Level(s, self.solver, like.latest, places=like.places, framed=like.framed)
         else:
             level = Level(s, self.solver, Latest(self.solver(s.pattern.indptr, s.pattern.indices)))
         if self.keep:
@@ -88,6 +98,11 @@ class Ladder:
         if self.known is not None and not self.known.closed:
             self.known.levels[coarsening, self.margin] = level
         return level
+
+    def frame(self, solution: Solution) -> Frame:
+        """Return the frame of the results of a solution on the finest mesh."""
+        level = self.levels.get(self.finest)
+        return frame(self.model, solution.system.problem) if level is None else level.frame(self.model)
 
     def remember(self, combination: str, solutions: list[Solution]) -> None:
         """Keep the solutions of a combination, of each load increment, for models like this one."""

@@ -219,8 +219,8 @@ class _Bordered:
     """Solves a task with the factor of another one that has the same matrix and differs in few unknowns.
 
     Unknowns that are newly free add rows and columns to the factorised matrix, newly held ones a multiplier each, other
-    diagonals a spring each. Block elimination leaves a system as small as their number (Golub and Van Loan 2013,
-    section 2.1.4). It needs the factor's solution for each of them, which stays in `known` (by the unknown).
+    diagonals a spring each. Block elimination leaves a system as small as their number (Woodbury 1950). It needs the
+    factor's solution for each of them, which stays in `known` (by the unknown).
     """
 
     def __init__(self, factor: Factor, own: Task, task: Task, known: dict[int, Array]) -> None:

@@ -32,14 +32,27 @@ SMOOTH, ROUGH = 0.05, 0.15
 
 
 @dataclass(frozen=True, slots=True)
-class _Fits:
-    """A polynomial (terms, k) for each of V corner nodes, in the coordinates L^-1 (x - centre) of its patch."""
+class _Alike:
+    """Patches of as many elements, with polynomials of as many terms: P patches, p points in each."""
 
-    known: Flags  # (V,)
+    vertex: Integers  # (P,)
+    elements: Integers  # (P, elements)
+    A: Array  # (P, p, terms): the terms at the points
+    inverse: Array  # (P, terms, p): from values at the points to the coefficients of the best polynomial
+
+
+@dataclass(frozen=True, slots=True)
+class Patches:
+    """The patches of a mesh: for each of V corner nodes a polynomial in the coordinates L^-1 (x - centre)."""
+
+    nodes: Array  # (n, 2) [m]
+    elements: Integers  # (m, 9)
+    corner: Integers  # (m, 4): numbers of the elements' corner nodes
     centre: Array  # (V, 2) [m]
     L: Array  # (V, 3) [m]: L_xx, L_yx, L_yy, the lower triangle of the points' covariance
-    coefficients: Array  # (V, 9, k)
-    doubt: Array  # (V, k): 0 where the fit is good, 1 where it is worth nothing
+    alike: tuple[_Alike, ...]
+    first: Integers  # (V + 1,): whose polynomials a corner node takes: source[first[v]:first[v + 1]]
+    source: Integers
 
 
 def extrapolation() -> Array:
@@ -50,78 +63,81 @@ def extrapolation() -> Array:
     return bilinear
 
 
-def nodal(nodes: Array, elements: Integers, points: Array, values: Array, sizes: Sequence[Array]) -> Array:
-    """Return values (n, k) at the nodes from values (m, 4, k) at the elements' 2 x 2 Gauss points (m, 4, 2) [m].
+def around(nodes: Array, elements: Integers, points: Array) -> Patches:
+    """Return the patches of a mesh, nodes (n, 2) [m], elements (m, 9), with 2 x 2 Gauss points (m, 4, 2) [m].
 
-    nodes (n, 2) [m], elements (m, 9). Each of sizes (k,) weighs the squares of values that belong together, such as the
-    components of a tensor, 0 for the others.
-
-    A corner node inside has the polynomial fitted to the elements that meet there; one on the edge, where points lie on
-    one side only, takes the mean of those of its neighbours inside (Zienkiewicz and Zhu 1992): at the other end of an
-    element's side, else across an element. Midside nodes and centres are means of their corners' polynomials. Where
-    there is no neighbour inside, as in a strip one element wide, each element extrapolates bilinearly, and the nodes
-    take the mean of its elements. So they do as far as a fit leaves too much over (SMOOTH, ROUGH): no polynomial may
-    smear a peak.
+    A corner node inside has the patch of the elements that meet there; one on the edge, where points lie on one side
+    only, takes the mean of those of its neighbours inside (Zienkiewicz and Zhu 1992): at the other end of an element's
+    side, else across an element. Polynomials are quadratic; biquadratic where all elements are rectangles along x and
+    y, whose points make rows and columns. That smears peaks less, but on other quadrilaterals it follows the scatter of
+    the points' values.
     """
     vertices, corner = distinct(elements[:, :4])
-    inside = np.ones(len(nodes), dtype=bool)
-    inside[sides_on_boundary(elements)[:, :2]] = False
-    fits = _fits(nodes[elements[:, :4]], corner, inside[vertices], points, values, sizes)
-    first, source = _sources(corner, fits.known)
-
-    n, k = len(nodes), values.shape[2]
-    sums = np.zeros((n, k))
-    extrapolate = extrapolation()
-    for start in range(0, len(elements), _CHUNK):
-        part = slice(start, start + _CHUNK)
-        at_nodes = np.zeros((len(elements[part]), 9, k))
-        for c, near in enumerate(_NEAR):
-            vertex = corner[part, c]
-            count = first[vertex + 1] - first[vertex]
-            own = np.flatnonzero(count == 0)
-            at_nodes[np.ix_(own, near)] += _SHARE[:, None] * (extrapolate[near] @ values[part][own])
-            # most corners have one source; some at corners of the outline have two or more, taken in turn
-            for turn in range(count.max(initial=0)):
-                those = np.flatnonzero(count > turn)
-                x = nodes[elements[part][those[:, None], near]]
-                which = source[first[vertex[those]] + turn]
-                doubt = fits.doubt[which][:, None]
-                at = (1 - doubt) * _polynomial(fits, which, x) + doubt * (extrapolate[near] @ values[part][those])
-                at_nodes[those[:, None], near] += (_SHARE / count[those, None])[..., None] * at
-        sums += np.column_stack([scatter(elements[part], at_nodes[..., i], n) for i in range(k)])
-    meeting = np.bincount(elements.ravel(), minlength=n)
-    mean: Array = sums / np.maximum(meeting, 1)[:, None]
-    return mean
-
-
-def _fits(xy: Array, corner: Integers, inside: Flags, points: Array, values: Array, sizes: Sequence[Array]) -> _Fits:
-    """Return the fits around the corner nodes inside; xy (m, 4, 2) are the corners, corner (m, 4) their numbers.
-
-    Quadratic; biquadratic where all elements are rectangles along x and y, whose points make rows and columns. That
-    smears peaks less, but on other quadrilaterals it follows the scatter of the points' values.
-    """
-    V, k = len(inside), values.shape[2]
+    on_edge = np.zeros(len(nodes), dtype=bool)
+    on_edge[sides_on_boundary(elements)[:, :2]] = True
+    inside = ~on_edge[vertices]
+    V = len(inside)
     known, centre, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
-    coefficients, doubt = np.zeros((V, len(_POWERS), k)), np.zeros((V, k))
     meeting = np.bincount(corner.ravel(), minlength=V)
     order = np.argsort(corner.ravel(), kind="stable") // 4
     first = np.cumsum(meeting) - meeting
-    oblong = _rectangles(xy)
+    oblong = _rectangles(nodes[elements[:, :4]])
+    found = []
     for count in np.flatnonzero(np.bincount(meeting[inside])):
-        alike = np.flatnonzero(inside & (meeting == count))
-        patch = order[first[alike][:, None] + np.arange(count)]
+        same = np.flatnonzero(inside & (meeting == count))
+        patch = order[first[same][:, None] + np.arange(count)]
         rows_and_columns = oblong[patch].all(axis=1)
         for terms, fit in ((len(_POWERS), rows_and_columns), (_QUADRATIC, np.ones_like(rows_and_columns))):
-            left = fit & ~known[alike] & (4 * count >= terms)
-            where, which = alike[left], patch[left]
+            left = fit & ~known[same] & (4 * count >= terms)
+            where, which = same[left], patch[left]
             for start in range(0, len(where), _CHUNK):
-                part = slice(start, start + _CHUNK)
-                v = where[part]
-                x = points[which[part]].reshape(len(v), -1, 2)
-                f = values[which[part]].reshape(len(v), -1, k)
-                known[v], centre[v], L[v], coefficients[v, :terms], rest = _least_squares(x, f, terms)
-                doubt[v] = _doubt(f, rest, sizes)
-    return _Fits(known, centre, L, coefficients, doubt)
+                v, own = where[start : start + _CHUNK], which[start : start + _CHUNK]
+                x = points[own].reshape(len(v), -1, 2)
+                sound, centre[v], L[v], A, inverse = _least_squares(x, terms)
+                known[v] = sound
+                if sound.any():
+                    found.append(_Alike(v[sound], own[sound], A[sound], inverse[sound]))
+    return Patches(nodes, elements, corner, centre, L, tuple(found), *_sources(corner, known))
+
+
+def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
+    """Return values (n, k) at the nodes from values (m, 4, k) at the elements' 2 x 2 Gauss points.
+
+    Each of sizes (k,) weighs the squares of values that belong together, such as the components of a tensor, 0 for the
+    others. Midside nodes and centres are means of their corners' polynomials. Where there is no neighbour inside, as in
+    a strip one element wide, each element extrapolates bilinearly, and the nodes take the mean of its elements. So they
+    do as far as a fit leaves too much over (SMOOTH, ROUGH): no polynomial may smear a peak.
+    """
+    n, V, k = len(p.nodes), len(p.centre), values.shape[2]
+    coefficients, all_doubt = np.zeros((V, len(_POWERS), k)), np.zeros((V, k))
+    for g in p.alike:
+        f = values[g.elements].reshape(len(g.vertex), -1, k)
+        best = g.inverse @ f
+        coefficients[g.vertex, : best.shape[1]] = best
+        all_doubt[g.vertex] = _doubt(f, f - g.A @ best, sizes)
+    sums, extrapolate = np.zeros((n, k)), extrapolation()
+    for start in range(0, len(p.elements), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        elements, own_values = p.elements[part], values[part]
+        at_nodes = np.zeros((len(elements), 9, k))
+        for c, near in enumerate(_NEAR):
+            vertex = p.corner[part, c]
+            count = p.first[vertex + 1] - p.first[vertex]
+            own = np.flatnonzero(count == 0)
+            at_nodes[np.ix_(own, near)] += _SHARE[:, None] * (extrapolate[near] @ own_values[own])
+            # most corners have one source; some at corners of the outline have two or more, taken in turn
+            for turn in range(count.max(initial=0)):
+                those = np.flatnonzero(count > turn)
+                x = p.nodes[elements[those[:, None], near]]
+                which = p.source[p.first[vertex[those]] + turn]
+                doubt = all_doubt[which][:, None]
+                polynomial = _terms(x, p.centre[which], p.L[which]) @ coefficients[which]
+                at = (1 - doubt) * polynomial + doubt * (extrapolate[near] @ own_values[those])
+                at_nodes[those[:, None], near] += (_SHARE / count[those, None])[..., None] * at
+        sums += np.column_stack([scatter(elements, at_nodes[..., i], n) for i in range(k)])
+    meeting = np.bincount(p.elements.ravel(), minlength=n)
+    mean: Array = sums / np.maximum(meeting, 1)[:, None]
+    return mean
 
 
 def _rectangles(xy: Array) -> Flags:
@@ -145,8 +161,8 @@ def _doubt(f: Array, rest: Array, sizes: Sequence[Array]) -> Array:
     return doubt
 
 
-def _least_squares(x: Array, f: Array, terms: int) -> tuple[Flags, Array, Array, Array, Array]:
-    """Return whether points x (P, p, 2) determine it, and centre, L, coefficients, rest of the fit to f (P, p, k).
+def _least_squares(x: Array, terms: int) -> tuple[Flags, Array, Array, Array, Array]:
+    """Return whether points x (P, p, 2) determine a polynomial, centre, L, its terms at the points, and their inverse.
 
     In coordinates whose covariance is the identity, so that the answer does not depend on how a patch is stretched.
     """
@@ -157,14 +173,14 @@ def _least_squares(x: Array, f: Array, terms: int) -> tuple[Flags, Array, Array,
     yx = (dx * dy).mean(axis=1) / xx
     yy = np.sqrt(np.maximum((dy * dy).mean(axis=1) - yx**2, tiny))
     L = np.column_stack([xx, yx, yy])
-    A = _terms(x, centre, L)[..., :terms]
+    A = np.ascontiguousarray(_terms(x, centre, L)[..., :terms])
     transposed = np.swapaxes(A, 1, 2)
     normal = transposed @ A
     eigenvalues = np.linalg.eigvalsh(normal)
     known = eigenvalues[:, 0] > _DEFINITE * eigenvalues[:, -1]
     normal[~known] = np.eye(terms)
-    coefficients = np.linalg.solve(normal, transposed @ f).astype(np.float64, copy=False)
-    return known, centre, L, coefficients, f - A @ coefficients
+    inverse = np.linalg.solve(normal, transposed).astype(np.float64, copy=False)
+    return known, centre, L, A, inverse
 
 
 def _terms(x: Array, centre: Array, L: Array) -> Array:
@@ -174,12 +190,6 @@ def _terms(x: Array, centre: Array, L: Array) -> Array:
     one = np.ones_like(X)
     powers = (one, X, X * X), (one, Y, Y * Y)
     return np.stack([powers[0][a] * powers[1][b] for a, b in _POWERS], axis=-1)
-
-
-def _polynomial(fits: _Fits, which: Integers, x: Array) -> Array:
-    """Return the values (P, p, k) of the fits `which` (P,) at points x (P, p, 2)."""
-    at: Array = _terms(x, fits.centre[which], fits.L[which]) @ fits.coefficients[which]
-    return at
 
 
 def _sources(corner: Integers, known: Flags) -> tuple[Integers, Integers]:

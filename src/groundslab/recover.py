@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab import patches, plate
-from groundslab.assembly import congruent, scatter
+from groundslab import patches
+from groundslab.assembly import scatter
 from groundslab.checks import apply, ground_forces, left_over
-from groundslab.creases import apart, loaded, walls
+from groundslab.frame import ODD, XI_TURNED, Frame
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
-from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
 from groundslab.model import Model
-from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, plate_settlement, surface_settlement
+from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, plate_settlement, surface_settlement
 from groundslab.results import (
     Certificate,
     Constants,
@@ -23,45 +22,39 @@ from groundslab.results import (
     Step,
     SupportResult,
 )
-from groundslab.shape import Array, Integers, distinct, gauss, jacobian, q9
+from groundslab.shape import Array
 from groundslab.solution import Solution
 from groundslab.vlasov import Soil
 
-#: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
-ODD = (
-    {"rotation_x", "shear_x", "moment_xy"},
-    {"rotation_y", "shear_y", "moment_xy"},
-)
 #: What is recovered from the Gauss points, in the order of plate.section_forces.
 FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
 #: Weights of their squares in the size of the moment tensor, and of the shear force, in any direction alike.
 SIZES = (np.array([1.0, 1.0, 2.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0, 1.0]))
-#: The 2 x 2 Gauss points in the order that an element's mirror image has them.
-XI_TURNED = np.array([2, 3, 0, 1])
 
 
 def recover(
     model: Model,
     combination: Combination,
     solution: Solution,
+    frame: Frame,
     proof: Certificate,
     steps: tuple[Step, ...],
     solver: str,
 ) -> Results:
     """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
-    problem = solution.system.problem
-    mesh, fields = _plate_fields(model, solution)
-    at_centres = _element_fields(model, problem, solution.U, mesh, fields["pressure"])
-    mesh, fields, at_centres = _whole(mesh, fields, problem.symmetry, at_centres)
-    section = at_centres.pop("section").astype(np.int64)
-    in_contact, on_edge = (fields.pop(name) > 0 for name in ("in_contact", "on_edge"))
+    problem, plate, ground = solution.system.problem, frame.plate, frame.ground
+    fields = _plate_fields(solution, frame)
+    at_centres = _element_fields(model, problem, solution.U, frame, fields["pressure"])
+    nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
+    elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
+    section = elements.pop("section").astype(np.int64)
+    in_contact, on_edge = (nodal.pop(name) > 0 for name in ("in_contact", "on_edge"))
     surfaces = surface_settlement(problem, solution.U)
-    ground, settlements, _ = _whole(problem.mesh, {str(i): w for i, w in enumerate(surfaces)}, problem.symmetry, {})
     return Results(
         model=model,
-        plate=PlateResult(mesh.nodes, mesh.elements, in_contact=in_contact, on_edge=on_edge, **fields),
-        elements=ElementResult(section=section, **at_centres),
-        ground=GroundResult(ground.nodes, ground.elements, np.vstack(list(settlements.values()))),
+        plate=PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, on_edge=on_edge, **nodal),
+        elements=ElementResult(section=section, **elements),
+        ground=GroundResult(ground.mesh.nodes, ground.mesh.elements, surfaces[:, ground.node]),
         constants=_constants(solution),
         certificate=proof,
         steps=steps,
@@ -108,36 +101,8 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     return tuple(found)
 
 
-def _whole(
-    mesh: Mesh, fields: dict[str, Array], symmetry: tuple[bool, bool], at_centres: dict[str, Array]
-) -> tuple[Mesh, dict[str, Array], dict[str, Array]]:
-    """Return mesh, nodal fields (n,) and fields of elements (m,) of the whole from those of the meshed part.
-
-    Nodes and elements are numbered row by row.
-    """
-    for axis in (0, 1):
-        if not symmetry[axis]:
-            continue
-        mesh, source, side = mirror(mesh, axis)
-        on_axis = mesh.nodes[:, axis] == 0.0
-        # on the axis the means of both sides' odd fields vanish; those of the meshed side alone need not
-        odd, shared = np.where(on_axis, 0.0, side), np.where(on_axis, 2.0, 1.0)
-        factors = {**dict.fromkeys(ODD[axis], odd), "area": shared}
-        fields = {name: field[source] * factors.get(name, 1.0) for name, field in fields.items()}
-        at_centres = {
-            name: np.concatenate([field, -field if name in ODD[axis] else field]) for name, field in at_centres.items()
-        }
-    mesh, old, order = row_by_row(mesh)
-    nodal = {name: field[old] for name, field in fields.items()}
-    return mesh, nodal, {name: field[order] for name, field in at_centres.items()}
-
-
-def _plate_fields(model: Model, solution: Solution) -> tuple[Mesh, dict[str, Array]]:
-    """Return the meshed part of the plate and its fields (n,), flags as 0 and 1.
-
-    A node on the border of two sections, or along a line support, stands once for each side, so that nothing is
-    averaged across.
-    """
+def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
+    """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1."""
     s, U = solution.system, solution.U
     problem = s.problem
     n, under = len(problem.mesh.nodes), problem.plate_nodes
@@ -151,7 +116,7 @@ def _plate_fields(model: Model, solution: Solution) -> tuple[Mesh, dict[str, Arr
     else:
         force[under] = ground_forces(s, U, solution.column)[under, 1]
     pressure = np.zeros(n)
-    pressure[under] = force[under] / nodal_area(problem.mesh, problem.plate_elements)[under]
+    pressure[under] = force[under] / frame.nodal_area[under]
     fields = {
         "settlement": plate_settlement(problem, U),
         "rotation_x": U[:, BETA_X],
@@ -160,67 +125,29 @@ def _plate_fields(model: Model, solution: Solution) -> tuple[Mesh, dict[str, Arr
         "penetration": sunk,
         "pressure": pressure,
         "in_contact": closed,
-        "on_edge": _on_edge(problem),
+        "on_edge": frame.on_edge,
     }
-
-    supported = walls(model, problem)
-    mesh, node = _by_section(problem, supported)
-    smooth, _ = _by_section(problem, np.concatenate([supported, loaded(model, problem)]))
-    fields = {name: field[node] for name, field in fields.items()}
-    fields["area"] = nodal_area(mesh, np.arange(len(mesh.elements)))
-    return mesh, fields | _section_forces(problem, U, mesh, smooth)
+    at_nodes = {name: field[frame.node] for name, field in fields.items()}
+    return {**at_nodes, "area": frame.area, **section_forces(problem, U, frame)}
 
 
-def _element_fields(model: Model, problem: Problem, U: Array, mesh: Mesh, pressure: Array) -> dict[str, Array]:
+def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame, pressure: Array) -> dict[str, Array]:
     """Return the fields at the centres of the plate's elements (mp,), the number of the section as a float among them.
 
-    mesh and pressure (n,) are those of the plate by sections: the mean of an element's pressure is int N p dA over
-    its area, so that all of them together are the whole contact force.
+    pressure (k,) is that at the nodes of the frame: the mean of an element's pressure is int N p dA over its area, so
+    that all of them together are the whole contact force.
     """
-    points, weights = gauss(3)
-    N, dN = q9(points)
-    share = jacobian(dN, mesh.xy)[2] * weights
-    mean = np.einsum("eg,ga,ea->e", share, N, pressure[mesh.elements]) / share.sum(axis=1)
+    mean = np.einsum("ea,ea->e", frame.mean, pressure[frame.mesh.elements])
     thickness = np.array([t for _, _, t in materials(model)])[problem.section]
-    forces = dict(zip(FORCES, centre_forces(problem, U).T, strict=True))
+    forces = dict(zip(FORCES, centre_forces(problem, U, frame).T, strict=True))
     return {"pressure": mean, **forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
 
 
-def _by_section(problem: Problem, creases: Integers) -> tuple[Mesh, Integers]:
-    """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was.
-
-    Nodes along creases (k, 3) stand once for each side, so that nothing is averaged across them.
-    """
-    elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
-    key = elements + n * problem.section[:, None]
-    if len(creases):
-        key = key + n * len(problem.bending) * apart(elements, creases, n)
-    keys, own = distinct(key)
-    return Mesh(problem.mesh.nodes[keys % n], own), keys % n
-
-
-def _on_edge(problem: Problem) -> Array:
-    """Return 1.0 at the nodes (n,) on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none."""
-    nodes = problem.mesh.nodes
-    sides = sides_on_boundary(problem.mesh.elements[problem.plate_elements])
-    for axis in (0, 1):
-        if problem.symmetry[axis]:
-            sides = sides[(nodes[sides, axis] != 0.0).any(axis=1)]
-    edge = np.zeros(len(nodes))
-    edge[sides] = 1.0
-    return edge
-
-
-def gauss_forces(problem: Problem, U: Array) -> Array:
+def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
     """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5)."""
     elements = problem.mesh.elements[problem.plate_elements]
-    xy, sections = problem.mesh.nodes[elements], len(problem.bending)
-    shapes, shape = congruent(xy)
-    pairs, kind = np.unique(shape * sections + problem.section, return_inverse=True)
-    D, S = problem.bending[pairs % sections], problem.shear[pairs % sections]
-    matrices = plate.section_matrices(problem.element, gauss(2)[0], xy[shapes[pairs // sections]], D, S)
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
-    forces = apply(matrices.reshape(len(pairs), 20, 27), kind, u).reshape(len(elements), 4, 5)
+    forces = apply(frame.matrices, frame.kind, u).reshape(len(elements), 4, 5)
     if problem.loading.warp.any():
         # what bends freely carries nothing
         free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.warp[:, None]
@@ -228,52 +155,30 @@ def gauss_forces(problem: Problem, U: Array) -> Array:
     return forces
 
 
-def centre_forces(problem: Problem, U: Array) -> Array:
+def centre_forces(problem: Problem, U: Array, frame: Frame) -> Array:
     """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the centres of the plate's elements, (mp, 5).
 
     Nothing is averaged between elements: each has the mean of its 2 x 2 Gauss points, which is their bilinear field's
     value at its centre. The elements are those of the meshed part, in its order.
     """
-    centres: Array = gauss_forces(problem, U).mean(axis=1)
+    centres: Array = gauss_forces(problem, U, frame).mean(axis=1)
     return centres
 
 
-def _section_forces(problem: Problem, U: Array, mesh: Mesh, smooth: Mesh) -> dict[str, Array]:
+def section_forces(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
     """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, recovered part by part.
 
     From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992) in the parts of the
     mesh in which they are smooth, whose nodes stand apart; nodes that are one in the mesh take the mean.
     """
-    points, values = q9(gauss(2)[0])[0] @ mesh.xy, gauss_forces(problem, U)
-    parts, n = smooth, len(mesh.nodes)
-    for axis in (0, 1):
-        if problem.symmetry[axis]:
-            parts, points, values = _beyond_the_line(parts, points, values, axis)
-    at_nodes = patches.nodal(parts.nodes, parts.elements, points, values, SIZES)[smooth.elements]
+    values, mesh = gauss_forces(problem, U, frame), frame.mesh
+    for axis, copied in frame.images:
+        sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in FORCES])
+        values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
+    at_nodes = patches.nodal(frame.patches, values, SIZES)[frame.smooth]
+    n = len(mesh.nodes)
     meeting = np.bincount(mesh.elements.ravel(), minlength=n)
     return {name: scatter(mesh.elements, at_nodes[..., i], n) / meeting for i, name in enumerate(FORCES)}
-
-
-def _beyond_the_line(mesh: Mesh, points: Array, values: Array, axis: int) -> tuple[Mesh, Array, Array]:
-    """Return the mesh, its Gauss points and their section forces with the images of the elements near a symmetry line.
-
-    Two rings of them, so that a corner node on the line has the patch it would have in the whole plate, and so has its
-    neighbour across. The mesh's own nodes come first.
-    """
-    near = mesh.nodes[:, axis] == 0.0
-    for _ in range(2):
-        copied = near[mesh.elements].any(axis=1)
-        near[mesh.elements[copied]] = True
-    doubled, _, _ = mirror(mesh, axis)
-    turn = np.where(np.arange(2) == axis, -1.0, 1.0)
-    sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in FORCES])
-    images = np.concatenate([np.ones(len(copied), dtype=bool), copied])
-    # an image runs through its reference square with xi turned round
-    return (
-        Mesh(doubled.nodes, doubled.elements[images]),
-        np.vstack([points, turn * points[copied][:, XI_TURNED]]),
-        np.vstack([values, sign * values[copied][:, XI_TURNED]]),
-    )
 
 
 def _constants(solution: Solution) -> Constants:

@@ -66,6 +66,7 @@ FLOORS = [
         "forecast",
         "checks",
         "creases",
+        "frame",
         "recover",
         "ladder",
         "analysis",

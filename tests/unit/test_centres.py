@@ -12,6 +12,7 @@ import pytest
 from groundslab import recover
 from groundslab.analysis import solve
 from groundslab.discretise import discretise
+from groundslab.frame import frame
 from groundslab.model import Beyond, Mesh, Model, Pasternak, PatchLoad, Plate, UniformLoad, Winkler
 from groundslab.outline import Rectangle
 from groundslab.problem import BETA_X, BETA_Y, nodal_area
@@ -53,10 +54,10 @@ def test_linear_moments_are_exact_at_centres(tmp_path: Path) -> None:
     x, y = problem.mesh.nodes.T
     U = np.zeros(problem.unknown.shape)
     U[:, BETA_X], U[:, BETA_Y] = 1e-3 * x * x, 2e-3 * x * y
-    mesh, _ = recover._by_section(problem, np.zeros((0, 3), dtype=np.int64))
-    pressure = 1e4 + 2e3 * mesh.nodes[:, 0]
-    found = recover._element_fields(results.model, problem, U, mesh, pressure)
-    _, _, found = recover._whole(mesh, {}, (False, False), found)
+    own = frame(results.model, problem)
+    pressure = 1e4 + 2e3 * own.mesh.nodes[:, 0]
+    of_part = recover._element_fields(results.model, problem, U, own, pressure)
+    found = {name: own.plate.by_element(name, field) for name, field in of_part.items()}
     section = found.pop("section").astype(np.int64)
     read, data = cells(replace(results, elements=ElementResult(**found, section=section)), tmp_path)
 
@@ -120,8 +121,8 @@ def test_every_field_says_how_it_is_averaged() -> None:
 def test_area_shares_and_means_agree() -> None:
     """A nodal pressure that is one everywhere has the mean one in every element."""
     problem = discretise(model(), 0, 1.0)
-    mesh, _ = recover._by_section(problem, np.zeros((0, 3), dtype=np.int64))
-    ones = np.ones(len(mesh.nodes))
-    found = recover._element_fields(model(), problem, np.zeros(problem.unknown.shape), mesh, ones)
+    own = frame(model(), problem)
+    ones = np.ones(len(own.mesh.nodes))
+    found = recover._element_fields(model(), problem, np.zeros(problem.unknown.shape), own, ones)
     np.testing.assert_allclose(found["pressure"], 1.0, rtol=1e-14)
-    assert nodal_area(mesh, np.arange(len(mesh.elements))).sum() == pytest.approx(3.0)
+    assert nodal_area(own.mesh, np.arange(len(own.mesh.elements))).sum() == pytest.approx(3.0)

@@ -27,7 +27,9 @@ def gauss_points(nodes: np.ndarray, elements: np.ndarray) -> np.ndarray:
 def recovered(nodes: np.ndarray, elements: np.ndarray, f: Any) -> np.ndarray:
     """Return what comes back at the nodes from f(x, y), sampled at the Gauss points."""
     points = gauss_points(nodes, elements)
-    return patches.nodal(nodes, elements, points, f(points[..., 0], points[..., 1])[..., None], ONE)[:, 0]
+    return patches.nodal(patches.around(nodes, elements, points), f(points[..., 0], points[..., 1])[..., None], ONE)[
+        :, 0
+    ]
 
 
 def quadratic(x: Any, y: Any) -> Any:
@@ -107,7 +109,7 @@ def test_points_that_determine_nothing_are_left() -> None:
     points = gauss_points(nodes, elements)
     points[..., 1] = 1.0
     values = np.ones((4, 4, 1))
-    found = patches.nodal(nodes, elements, points, values, ONE)
+    found = patches.nodal(patches.around(nodes, elements, points), values, ONE)
     np.testing.assert_allclose(found, np.ones((len(nodes), 1)), rtol=1e-14)
 
 
@@ -120,7 +122,9 @@ def test_nothing_passes_between_parts_that_share_no_nodes() -> None:
     values = quadratic(points[..., 0], points[..., 1])
     values[len(elements) :] *= -7
     wanted = quadratic(*nodes.T) * np.repeat([1, -7], len(left))
-    np.testing.assert_allclose(patches.nodal(nodes, both, points, values[..., None], ONE)[:, 0], wanted, atol=1e-10)
+    np.testing.assert_allclose(
+        patches.nodal(patches.around(nodes, both, points), values[..., None], ONE)[:, 0], wanted, atol=1e-10
+    )
 
 
 def test_numbering_does_not_matter() -> None:

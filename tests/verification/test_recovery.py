@@ -16,6 +16,7 @@ import quads
 from groundslab import exact, patches, plate, recover
 from groundslab.analysis import solve
 from groundslab.discretise import discretise
+from groundslab.frame import frame
 from groundslab.mesh import sides_on_boundary
 from groundslab.model import Contact, Edges, Mesh, Model, Pasternak, Plate, UniformLoad, Winkler
 from groundslab.outline import Polygon
@@ -91,7 +92,7 @@ def errors(name: str, solve_it: bool, n: int, amount: float = 0.0, split: int = 
 
     points = gauss(2)[0]
     at_gauss = own(points)
-    at_nodes = patches.nodal(nodes, elements, q9(points)[0] @ xy, at_gauss, recover.SIZES)
+    at_nodes = patches.nodal(patches.around(nodes, elements, q9(points)[0] @ xy), at_gauss, recover.SIZES)
     edge, corner = np.zeros(len(nodes), dtype=bool), np.zeros(len(nodes), dtype=bool)
     edge[sides_on_boundary(elements)] = True
     corner[elements[:, :4]] = True
@@ -211,8 +212,9 @@ def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[
     U = np.zeros(problem.unknown.shape)
     U[:, W], U[:, BETA_X], U[:, BETA_Y] = (a * x * x + b * y * y) / 2, a * x, b * y
 
-    mesh, node = recover._by_section(problem, np.zeros((0, 3), dtype=int))
-    found = recover._section_forces(problem, U, mesh, mesh)
+    own = frame(model, problem)
+    mesh, node = own.mesh, own.node
+    found = recover.section_forces(problem, U, own)
     thick = np.zeros(len(mesh.nodes), dtype=bool)
     sides = np.roll(corners, -1, axis=0) - corners
     to_centre = mesh.nodes[mesh.elements[:, 8], None] - np.array(corners)
@@ -225,7 +227,7 @@ def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[
     for field in recover.FORCES:
         np.testing.assert_allclose(found[field] / scale, wanted.get(field, 0 * x[node]) / scale, atol=1e-9)
 
-    centres = recover.centre_forces(problem, U)
+    centres = recover.centre_forces(problem, U, own)
     of_centres = 30e9 * np.where(inside, 0.4, 0.2) ** 3 / (12 * (1 - 0.2**2))
     np.testing.assert_allclose(centres[:, 0] / scale, -of_centres * (a + 0.2 * b) / scale, atol=1e-9)
     np.testing.assert_allclose(centres[:, 2:] / scale, 0.0, atol=1e-9)
@@ -244,10 +246,11 @@ def test_values_at_centres_belong_to_one_element_each(name: str) -> None:
     middle = problem.plate_elements[np.argmin(np.abs(problem.mesh.nodes[problem.mesh.elements[:, 8]]).sum(axis=1))]
     U = np.zeros(problem.unknown.shape)
     U[problem.mesh.elements[middle, 8], BETA_X] = 1e-3
-    forces = recover.gauss_forces(problem, U)
+    own = frame(model, problem)
+    forces = recover.gauss_forces(problem, U, own)
     assert forces.shape == (9, 4, 5)
     assert (np.flatnonzero(np.abs(forces).max(axis=(1, 2))) == middle).all()
-    centres = recover.centre_forces(problem, U)
+    centres = recover.centre_forces(problem, U, own)
     assert centres.shape == (9, 5)
     assert (np.delete(centres, middle, axis=0) == 0).all()
     # the bubble is even in x: its slope cancels

@@ -1,0 +1,187 @@
+"""What all results on one mesh have in common: the plate by its sections, its patches, the whole beside its mirror."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab import patches, plate
+from groundslab.assembly import congruent
+from groundslab.creases import apart, loaded, walls
+from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
+from groundslab.model import Model
+from groundslab.patches import Patches
+from groundslab.problem import Problem, nodal_area
+from groundslab.shape import Array, Flags, Integers, distinct, gauss, jacobian, q9
+
+#: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
+ODD = (
+    {"rotation_x", "shear_x", "moment_xy"},
+    {"rotation_y", "shear_y", "moment_xy"},
+)
+#: The 2 x 2 Gauss points in the order that an element's mirror image has them.
+XI_TURNED = np.array([2, 3, 0, 1])
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """The whole of a mesh of which a half or a quarter was computed: nodes and elements row by row."""
+
+    mesh: Mesh
+    node: Integers  # (n,): of the meshed part
+    element: Integers  # (m,)
+    odd: tuple[Array, Array]  # (n,): what fields that are odd about x = 0 and about y = 0 are multiplied with
+    odd_elements: tuple[Array, Array]  # (m,)
+    shares: Array  # (n,): how many parts meet at each node
+
+    def nodal(self, name: str, field: Array) -> Array:
+        """Return a nodal field of the whole (n,) from that of the meshed part."""
+        found: Array = field[self.node]
+        for axis in (0, 1):
+            if name in ODD[axis]:
+                found = found * self.odd[axis]
+        return found * self.shares if name == "area" else found
+
+    def by_element(self, name: str, field: Array) -> Array:
+        """Return a field of elements of the whole (m,) from that of the meshed part."""
+        found: Array = field[self.element]
+        for axis in (0, 1):
+            if name in ODD[axis]:
+                found = found * self.odd_elements[axis]
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A mesh of the plate, with what recovers its section forces and makes the whole of it.
+
+    A node on the border of two sections, or along a line support, stands once for each side, so that nothing is
+    averaged across. Section forces are smooth in parts, which end at edges of loads, too.
+    """
+
+    mesh: Mesh  # the meshed part of the plate by its sections
+    node: Integers  # (k,): which node of the problem's mesh each of its nodes is
+    area: Array  # (k,) [m2]: share of each
+    nodal_area: Array  # (n,) [m2]: of the nodes of the problem's mesh
+    on_edge: Array  # (n,): 1.0 at nodes on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none
+    mean: Array  # (mp, 9): from nodal values to the mean over an element
+    matrices: Array  # (kinds, 20, 27): from unknowns to section forces at 2 x 2 Gauss points
+    kind: Integers  # (mp,): which of them an element has
+    smooth: Integers  # (mp, 9): elements of the parts; their nodes come first in the patches
+    images: tuple[tuple[int, Flags], ...]  # axes of symmetry, and the elements whose images beyond it have patches too
+    patches: Patches
+    plate: Whole
+    ground: Whole
+
+
+def frame(model: Model, problem: Problem) -> Frame:
+    """Return the frame of the results of a model on one mesh."""
+    supported = walls(model, problem)
+    mesh, node = by_section(problem, supported)
+    smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
+    matrices, kind = section_matrices(problem)
+    parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
+    for axis in (0, 1):
+        if problem.symmetry[axis]:
+            parts, points, copied = _beyond_the_line(parts, points, axis)
+            images.append((axis, copied))
+    return Frame(
+        mesh=mesh,
+        node=node,
+        area=nodal_area(mesh, np.arange(len(mesh.elements))),
+        nodal_area=nodal_area(problem.mesh, problem.plate_elements),
+        on_edge=_on_edge(problem),
+        mean=_means(mesh),
+        matrices=matrices,
+        kind=kind,
+        smooth=smooth.elements,
+        images=tuple(images),
+        patches=patches.around(parts.nodes, parts.elements, points),
+        plate=whole(mesh, problem.symmetry),
+        ground=whole(problem.mesh, problem.symmetry),
+    )
+
+
+def whole(mesh: Mesh, symmetry: tuple[bool, bool]) -> Whole:
+    """Return the whole of a mesh of which a part was computed."""
+    node, element = np.arange(len(mesh.nodes)), np.arange(len(mesh.elements))
+    odd, odd_elements = [np.ones(len(node))] * 2, [np.ones(len(element))] * 2
+    shares = np.ones(len(node))
+    for axis in (0, 1):
+        if not symmetry[axis]:
+            continue
+        mesh, source, side = mirror(mesh, axis)
+        on_axis = mesh.nodes[:, axis] == 0.0
+        node, element = node[source], np.tile(element, 2)
+        odd, odd_elements = [each[source] for each in odd], [np.tile(each, 2) for each in odd_elements]
+        # on the axis the means of both sides' odd fields vanish; those of the meshed side alone need not
+        odd[axis] = odd[axis] * np.where(on_axis, 0.0, side)
+        odd_elements[axis] = odd_elements[axis] * np.repeat([1.0, -1.0], len(element) // 2)
+        shares = shares[source] * np.where(on_axis, 2.0, 1.0)
+    mesh, old, order = row_by_row(mesh)
+    x, y = (each[old] for each in odd)
+    in_x, in_y = (each[order] for each in odd_elements)
+    return Whole(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
+
+
+def by_section(problem: Problem, creases: Integers) -> tuple[Mesh, Integers]:
+    """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was.
+
+    Nodes along creases (k, 3) stand once for each side, so that nothing is averaged across them.
+    """
+    elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
+    key = elements + n * problem.section[:, None]
+    if len(creases):
+        key = key + n * len(problem.bending) * apart(elements, creases, n)
+    keys, own = distinct(key)
+    return Mesh(problem.mesh.nodes[keys % n], own), keys % n
+
+
+def section_matrices(problem: Problem) -> tuple[Array, Integers]:
+    """Return the matrices (kinds, 20, 27) to section forces at 2 x 2 Gauss points, and each plate element's kind."""
+    xy, sections = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]], len(problem.bending)
+    shapes, shape = congruent(xy)
+    pairs, kind = np.unique(shape * sections + problem.section, return_inverse=True)
+    D, S = problem.bending[pairs % sections], problem.shear[pairs % sections]
+    matrices = plate.section_matrices(problem.element, gauss(2)[0], xy[shapes[pairs // sections]], D, S)
+    return matrices.reshape(len(pairs), 20, 27), kind
+
+
+def _means(mesh: Mesh) -> Array:
+    """Return int N dA of each element over its area, (m, 9)."""
+    points, weights = gauss(3)
+    N, dN = q9(points)
+    share = jacobian(dN, mesh.xy)[2] * weights
+    means: Array = share @ N / share.sum(axis=1, keepdims=True)
+    return means
+
+
+def _on_edge(problem: Problem) -> Array:
+    """Return 1.0 at the nodes (n,) on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none."""
+    nodes = problem.mesh.nodes
+    sides = sides_on_boundary(problem.mesh.elements[problem.plate_elements])
+    for axis in (0, 1):
+        if problem.symmetry[axis]:
+            sides = sides[(nodes[sides, axis] != 0.0).any(axis=1)]
+    edge = np.zeros(len(nodes))
+    edge[sides] = 1.0
+    return edge
+
+
+def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array, Flags]:
+    """Return the mesh and its Gauss points with the images of the elements near a symmetry line, and which these are.
+
+    Two rings of them, so that a corner node on the line has the patch it would have in the whole plate, and so has its
+    neighbour across. The mesh's own nodes come first.
+    """
+    near = mesh.nodes[:, axis] == 0.0
+    for _ in range(2):
+        copied = near[mesh.elements].any(axis=1)
+        near[mesh.elements[copied]] = True
+    doubled, _, _ = mirror(mesh, axis)
+    turn = np.where(np.arange(2) == axis, -1.0, 1.0)
+    images = np.concatenate([np.ones(len(copied), dtype=bool), copied])
+    # an image runs through its reference square with xi turned round
+    more = np.vstack([points, turn * points[copied][:, XI_TURNED]])
+    return Mesh(doubled.nodes, doubled.elements[images]), more, copied
