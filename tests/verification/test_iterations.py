@@ -24,9 +24,9 @@ def _iterations(ground, refinement, *, nested):
 
 @pytest.mark.parametrize("refinement", [1, 2, 3, 5, 8, 12])
 @pytest.mark.parametrize("ground", GROUNDS)
-def test_nested_iteration_needs_five_steps_at_most(ground, refinement):
-    """Started from the next coarser mesh, the finest one needs five contact iterations or fewer at any refinement."""
-    assert _iterations(GROUNDS[ground], refinement, nested=True) <= 5
+def test_nested_iteration_needs_three_steps_at_most(ground, refinement):
+    """Started from the forecast, the finest mesh needs three contact iterations or fewer at any refinement."""
+    assert _iterations(GROUNDS[ground], refinement, nested=True) <= 3
 
 
 def test_a_cold_start_needs_more_steps_the_finer_the_mesh():
