@@ -1,0 +1,203 @@
+// A field on the mesh, drawn by WebGL: one vertex for each node, eight triangles for each element, colours by bands.
+import {
+  BufferAttribute, BufferGeometry, DataTexture, GLSL3, LineBasicMaterial, LineSegments, Mesh as Faces, NearestFilter,
+  OrthographicCamera, RawShaderMaterial, Scene as World, Vector2, WebGLRenderer,
+} from "three";
+import type { Camera, Painter, Picture } from "./painter";
+import { BEYOND } from "./scale";
+import type { Mesh } from "./scene";
+import { facesOf, linesOf } from "./faces";
+import type { Theme } from "./theme";
+
+const VERTEX = `
+in vec3 position;
+in float value;
+in float contact;
+uniform mat4 projectionMatrix;
+uniform mat4 modelViewMatrix;
+out float vValue;
+out float vContact;
+void main() {
+  vValue = value;
+  vContact = contact;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+/** The bands' colours: shared by the plan and the view in space. */
+export const BANDS = `
+uniform sampler2D uBands;
+uniform float uOrigin, uStep, uCount, uLow, uHigh, uLines, uRatio;
+uniform vec3 uOver, uUnder;
+vec3 banded(float value) {
+  float f = (value - uOrigin) / uStep;
+  float slope = length(vec2(dFdx(f), dFdy(f)));
+  float band = clamp(floor(f), 0.0, uCount - 1.0);
+  vec3 colour = texelFetch(uBands, ivec2(int(band), 0), 0).rgb;
+  if (value < uLow - ${BEYOND} * uStep) colour = uUnder;
+  if (value > uHigh + ${BEYOND} * uStep) colour = uOver;
+  // a thin line between bands; none where they are too close, nor on a plateau that lies on a limit
+  float nearest = floor(f + 0.5);
+  if (uLines > 0.0 && nearest > 0.5 && nearest < uCount - 0.5) {
+    float pixels = abs(f - nearest) / max(slope, 1e-7) / uRatio;
+    float seen = smoothstep(2e-5, 1e-4, slope * uRatio) * (1.0 - smoothstep(0.08, 0.2, slope * uRatio));
+    colour *= 1.0 - 0.38 * uLines * seen * (1.0 - smoothstep(0.35, 0.95, pixels));
+  }
+  return colour;
+}`;
+
+const FRAGMENT = `
+precision highp float;
+in float vValue;
+in float vContact;
+uniform float uContact;
+uniform vec2 uAnchor;
+uniform vec3 uPaper;
+out vec4 result;
+${BANDS}
+void main() {
+  vec3 colour = banded(vValue);
+  if (uContact > 0.0) {
+    float slope = length(vec2(dFdx(vContact), dFdy(vContact)));
+    if (vContact > 0.0) {
+      vec2 p = (gl_FragCoord.xy - uAnchor) / uRatio;
+      float stripe = abs(fract((p.x + p.y) / 9.0) - 0.5) * 9.0 * 0.7071;
+      colour = mix(mix(colour, uPaper, 0.55), vec3(0.25), 0.55 * (1.0 - smoothstep(0.3, 1.0, stripe)));
+    }
+    float d = abs(vContact) / max(slope, 1e-30) / uRatio;
+    colour = mix(vec3(1.0), colour, smoothstep(1.6, 2.4, d));
+    colour = mix(vec3(0.0), colour, smoothstep(0.6, 1.3, d));
+  }
+  result = vec4(colour, 1.0);
+}`;
+
+/** Return the shader's inputs for colours, to be filled by `setBands`. */
+export function bandUniforms() {
+  return {
+    uBands: { value: null as DataTexture | null }, uOrigin: { value: 0 }, uStep: { value: 1 }, uCount: { value: 1 },
+    uLow: { value: 0 }, uHigh: { value: 1 }, uLines: { value: 1 }, uRatio: { value: 1 },
+    uOver: { value: [1, 0, 1] }, uUnder: { value: [0, 1, 0] },
+  };
+}
+
+export function setBands(uniforms: ReturnType<typeof bandUniforms>, picture: Picture): void {
+  const { scale } = picture;
+  const count = scale.colours.length;
+  const texels = new Uint8Array(4 * count);
+  scale.colours.forEach((colour, i) => texels.set([...colour, 255], 4 * i));
+  uniforms.uBands.value?.dispose();
+  const texture = new DataTexture(texels, count, 1);
+  texture.minFilter = texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  uniforms.uBands.value = texture;
+  uniforms.uOrigin.value = scale.origin;
+  uniforms.uStep.value = scale.step;
+  uniforms.uCount.value = count;
+  uniforms.uLow.value = scale.levels[0]!;
+  uniforms.uHigh.value = scale.levels[count]!;
+  uniforms.uLines.value = picture.lines ? 1 : 0;
+  uniforms.uOver.value = scale.over.map((part) => part / 255);
+  uniforms.uUnder.value = scale.under.map((part) => part / 255);
+}
+
+export class GlPainter implements Painter {
+  readonly canvas = document.createElement("canvas");
+  private readonly renderer: WebGLRenderer;
+  private readonly world = new World();
+  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
+  private readonly uniforms = { ...bandUniforms(), uContact: { value: 0 }, uAnchor: { value: new Vector2() }, uPaper: { value: [1, 1, 1] } };
+  private readonly material = new RawShaderMaterial({
+    glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, depthTest: false, depthWrite: false, side: 2,
+  });
+  private readonly faces = new Faces(new BufferGeometry(), this.material);
+  private readonly sides = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.28, depthTest: false }));
+  private mesh: Mesh | null = null;
+  private sidesOf: Mesh | null = null;
+  private size = "";
+
+  /** Throws if the browser has no WebGL 2. */
+  constructor() {
+    const context = this.canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, stencil: false, powerPreference: "high-performance" });
+    if (!context) throw new Error("no WebGL 2");
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, context, antialias: false, alpha: false, depth: false });
+    this.faces.frustumCulled = this.sides.frustumCulled = false;
+    this.sides.renderOrder = 1;
+    this.world.add(this.faces, this.sides);
+    this.world.matrixWorldAutoUpdate = false;
+    this.setTheme("light");
+  }
+
+  setMesh(mesh: Mesh | null): void {
+    this.mesh = mesh;
+    this.faces.geometry.dispose();
+    this.faces.geometry = new BufferGeometry();
+    this.faces.visible = this.sides.visible = false;
+    if (!mesh) return;
+    const { geometry } = this.faces;
+    const places = new Float32Array(3 * mesh.nodeCount);
+    for (let i = 0; i < mesh.nodeCount; i++) {
+      places[3 * i] = mesh.nodes[2 * i]!;
+      places[3 * i + 1] = mesh.nodes[2 * i + 1]!;
+    }
+    geometry.setAttribute("position", new BufferAttribute(places, 3));
+    geometry.setIndex(new BufferAttribute(facesOf(mesh), 1));
+  }
+
+  setPicture(picture: Picture | null): void {
+    this.faces.visible = this.mesh !== null && picture !== null;
+    this.sides.visible = this.faces.visible && picture!.mesh;
+    if (!this.mesh || !picture) return;
+    const { geometry } = this.faces;
+    put(geometry, "value", picture.values);
+    put(geometry, "contact", picture.contact ?? picture.values);
+    this.uniforms.uContact.value = picture.contact ? 1 : 0;
+    setBands(this.uniforms, picture);
+    if (picture.mesh && this.sidesOf !== this.mesh) {
+      this.sides.geometry.dispose();
+      this.sides.geometry = new BufferGeometry();
+      this.sides.geometry.setAttribute("position", geometry.getAttribute("position"));
+      this.sides.geometry.setIndex(new BufferAttribute(linesOf(this.mesh), 1));
+      this.sidesOf = this.mesh;
+    }
+  }
+
+  setTheme(theme: Theme): void {
+    const paper = theme === "dark" ? 0x16191d : 0xffffff;
+    this.renderer.setClearColor(paper, 1);
+    this.uniforms.uPaper.value = [(paper >> 16) / 255, ((paper >> 8) & 255) / 255, (paper & 255) / 255];
+  }
+
+  draw(camera: Camera, width: number, height: number, ratio: number): void {
+    const size = `${width} ${height} ${ratio}`;
+    if (size !== this.size) {
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(width, height);
+      this.size = size;
+    }
+    const [dx, dy] = [width / 2 / camera.scale, height / 2 / camera.scale];
+    Object.assign(this.camera, { left: camera.x - dx, right: camera.x + dx, bottom: camera.y - dy, top: camera.y + dy });
+    this.camera.updateProjectionMatrix();
+    this.uniforms.uRatio.value = ratio;
+    // stripes stay where they are on the plate while it is moved
+    this.uniforms.uAnchor.value.set((width / 2 - camera.x * camera.scale) * ratio, (height / 2 - camera.y * camera.scale) * ratio);
+    this.renderer.render(this.world, this.camera);
+  }
+
+  dispose(): void {
+    this.faces.geometry.dispose();
+    this.sides.geometry.dispose();
+    this.material.dispose();
+    this.uniforms.uBands.value?.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+}
+
+function put(geometry: BufferGeometry, name: string, values: Float32Array): void {
+  const before = geometry.getAttribute(name) as BufferAttribute | undefined;
+  if (before && before.array.length === values.length) {
+    if (before.array === values) return;
+    before.array = values;
+    before.needsUpdate = true;
+  } else geometry.setAttribute(name, new BufferAttribute(values, 1));
+}

@@ -1,0 +1,52 @@
+// The colour scale beside a picture, with unit and round ticks.
+import { symbol, make } from "./dom";
+import { choiceName } from "./fields";
+import type { Shown } from "./plan-view";
+import { css, number, tickTexts } from "./scale";
+import type { Scene } from "./scene";
+import "./legend.css";
+
+export class Legend {
+  readonly element = make("div", { class: "gs-legend" });
+
+  constructor(container: HTMLElement) {
+    container.append(this.element);
+  }
+
+  /** Show the scale of what a view shows; null: nothing. */
+  show(shown: Shown | null, scene: Scene | null): void {
+    const { element } = this;
+    element.replaceChildren();
+    element.hidden = !shown;
+    if (!shown) return;
+    const { field, scale } = shown;
+    element.append(make("div", { class: "gs-legend-title", title: field.meaning }, symbol(field.symbol), ` [${field.unit}]`));
+    if (scene && scene.head.combinations.length > 1) element.append(make("div", { class: "gs-legend-of" }, choiceName(scene, shown.choice)));
+    const bar = make("div", { class: "gs-legend-bar", role: "img", "aria-label": `Colours from ${number(scale.levels[0]!)} to ${number(scale.levels[scale.levels.length - 1]!)} ${field.unit}` });
+    const texts = tickTexts(scale.levels);
+    const count = scale.colours.length;
+    const [above, below] = [isAbove(shown), isBelow(shown)];
+    if (above) bar.append(make("div", { class: "gs-legend-band gs-legend-beyond", style: `background:${css(scale.over)}` }, make("span", {}, `> ${texts[count]!}`)));
+    for (let i = count - 1; i >= 0; i--) {
+      const band = make("div", { class: "gs-legend-band", style: `background:${css(scale.colours[i]!)}` });
+      if (i < count - 1 || !above) band.append(make("span", {}, texts[i + 1]!));
+      if (i === 0 && !below) band.append(make("span", { class: "gs-legend-last" }, texts[0]!));
+      bar.append(band);
+    }
+    if (below) bar.append(make("div", { class: "gs-legend-band gs-legend-beyond", style: `background:${css(scale.under)}` }, make("span", {}, texts[0]!)));
+    element.append(bar);
+    const notes = make("div", { class: "gs-legend-notes" });
+    notes.append(make("div", {}, `max ${number(scale.max)}`), make("div", {}, `min ${number(scale.min)}`));
+    if (above) notes.append(make("div", {}, `above the scale: up to ${number(scale.max)} ${field.unit}`));
+    if (shown.lifted) notes.append(make("div", {}, make("span", { class: "gs-legend-hatch" }), typeof shown.choice === "number" ? "no contact" : "no contact in some combination"));
+    element.append(notes);
+  }
+}
+
+function isAbove({ scale }: Shown): boolean {
+  return scale.max > scale.levels[scale.levels.length - 1]! + 2e-3 * scale.step;
+}
+
+function isBelow({ scale }: Shown): boolean {
+  return scale.min < scale.levels[0]! - 2e-3 * scale.step;
+}

@@ -1,0 +1,462 @@
+// The plate in plan: a field in colours, and above it the outline, columns, supports, loads, axes.
+import { CONTACT, type Choice, type FieldInfo, extremes, fieldOf, isEnvelope, values } from "./fields";
+import { edgeNodes } from "./faces";
+import { GlPainter } from "./gl-painter";
+import { look } from "./look";
+import { ALL_LAYERS, AXES, type Layers, type Marks, drawOverlay } from "./overlay";
+import type { Camera, Painter, Picture } from "./painter";
+import { RasterPainter } from "./raster";
+import { type Scale, number, scaleOf } from "./scale";
+import type { Plan, Point, Scene } from "./scene";
+import { type Theme, theme } from "./theme";
+import "./plan-view.css";
+
+export type Tool = "pan" | "pick" | "section";
+
+/** What a view shows, for a legend. */
+export interface Shown {
+  choice: Choice;
+  field: FieldInfo;
+  scale: Scale;
+  lifted: boolean; // whether some of the plate has no contact
+}
+
+const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "Liberation Sans", "DejaVu Sans", sans-serif';
+/** A press that moves less than this [px] is a click. */
+const CLICK = 4;
+const STILL = 140; // ms without movement until the picture is drawn sharp
+
+export class PlanView {
+  /** A point of the plan was picked [m]. */
+  onPick?: (x: number, y: number) => void;
+  /** A section was cut between two points [m]. */
+  onSection?: (start: Point, end: Point) => void;
+  /** The view was moved, zoomed or resized. */
+  onView?: () => void;
+  /** The pointer is over a point of the plan [m]; null: it left. */
+  onHover?: (at: Point | null) => void;
+  /** Another field, combination or scale is shown; null: none. */
+  onShow?: (shown: Shown | null) => void;
+  /** Asked first of each press, move and release; true: the view leaves the event alone. */
+  onPointer?: (event: PointerEvent, x: number, y: number) => boolean;
+
+  readonly element = document.createElement("div");
+  private readonly overlay = document.createElement("canvas");
+  private painter: Painter;
+  private scene: Scene | null = null;
+  private plan: Plan | null = null;
+  private what: { choice: Choice; field: string } | null = null;
+  private picture: Picture | null = null;
+  private seen: Shown | null = null;
+  private camera: Camera = { x: 0, y: 0, scale: 40 };
+  private fitted = false; // whether the user has left the view as `fit` made it
+  private size: [number, number] = [0, 0];
+  private tool: Tool = "pan";
+  private theme: Theme = theme();
+  private layers: Layers = { ...ALL_LAYERS };
+  private options = { lines: true, mesh: false, contact: true };
+  private range: Range = "auto";
+  private marks: Marks = { pick: null, section: null, extremes: [], cases: null };
+  private sectionStart: Point | null = null;
+  private readonly pointers = new Map<number, Point>();
+  private pressed: { at: Point; moved: boolean } | null = null;
+  private frame = 0;
+  private still = 0;
+  private moving = false;
+  private readonly resized: ResizeObserver;
+  private readonly ended = new AbortController();
+
+  constructor(container: HTMLElement) {
+    const { element, overlay } = this;
+    element.className = "gs-plan";
+    element.tabIndex = 0;
+    element.setAttribute("role", "application");
+    element.setAttribute("aria-label", "Plan view. Arrow keys move it, plus and minus zoom, 0 shows all.");
+    this.painter = makePainter();
+    overlay.className = "gs-overlay";
+    element.append(this.painter.canvas, overlay);
+    container.append(element);
+    this.listen();
+    this.resized = new ResizeObserver(() => this.resize());
+    this.resized.observe(element);
+    this.setTheme(this.theme);
+    this.resize();
+  }
+
+  /** Whether WebGL draws; otherwise the processor does. */
+  get accelerated(): boolean {
+    return this.painter instanceof GlPainter;
+  }
+
+  get shown(): Shown | null {
+    return this.seen;
+  }
+
+  /** Show a scene, with its plan; null takes the field away and leaves the plan. */
+  setScene(scene: Scene | null): void {
+    this.scene = scene;
+    this.what = null;
+    this.painter.setMesh(scene?.mesh ?? null);
+    if (scene) this.setPlan(scene.head.plan);
+    this.refresh();
+  }
+
+  /** Show a plan; the field, if there is one, stays. */
+  setPlan(plan: Plan | null): void {
+    const first = this.plan === null && plan !== null;
+    const moved = plan !== null && this.plan !== null && String(plan.bounds) !== String(this.plan.bounds);
+    this.plan = plan;
+    if (first || (moved && this.fitted)) this.fit();
+    this.request();
+  }
+
+  /** Show a field of a combination or an envelope. */
+  show(choice: Choice, field: string): void {
+    this.what = { choice, field };
+    this.refresh();
+  }
+
+  setTool(tool: Tool): void {
+    this.tool = tool;
+    this.sectionStart = null;
+    this.element.dataset["tool"] = tool;
+  }
+
+  setTheme(to: Theme): void {
+    this.theme = to;
+    this.painter.setTheme(to);
+    this.request();
+  }
+
+  /** Choose what is drawn above the field. */
+  setLayers(layers: Partial<Layers>): void {
+    Object.assign(this.layers, layers);
+    this.request();
+  }
+
+  /** Choose lines between bands, the elements' sides, the contact boundary. */
+  setOptions(options: Partial<{ lines: boolean; mesh: boolean; contact: boolean }>): void {
+    Object.assign(this.options, options);
+    this.refresh();
+  }
+
+  /** "auto": the scale fits the combination shown; "common": all combinations; or from a number to another. */
+  setRange(range: Range): void {
+    this.range = range;
+    this.refresh();
+  }
+
+  /** Mark a picked point, or none. */
+  markPick(point: Point | null): void {
+    this.marks.pick = point;
+    this.request();
+  }
+
+  /** Mark a section, or none. */
+  markSection(section: [Point, Point] | null): void {
+    this.marks.section = section;
+    this.request();
+  }
+
+  /** Show the whole plate. */
+  fit(): void {
+    const [x0, y0, x1, y1] = this.plan?.bounds ?? [-5, -5, 5, 5];
+    const [width, height] = this.size;
+    this.camera = fitted([x0, y0, x1, y1], width, height, this.layers.axes);
+    this.fitted = true;
+    this.changed();
+  }
+
+  /** Return the plan's point [m] under a pixel, counted from the view's left top. */
+  toPlan(px: number, py: number): Point {
+    const [width, height] = this.size;
+    return [this.camera.x + (px - width / 2) / this.camera.scale, this.camera.y - (py - height / 2) / this.camera.scale];
+  }
+
+  /** Return the pixel of a point [m], counted from the view's left top. */
+  toPixel(x: number, y: number): Point {
+    const [width, height] = this.size;
+    return [width / 2 + (x - this.camera.x) * this.camera.scale, height / 2 - (y - this.camera.y) * this.camera.scale];
+  }
+
+  /** Pixels per metre. */
+  get zoom(): number {
+    return this.camera.scale;
+  }
+
+  /** Draw what is seen into a canvas of its own, on white, `ratio` dots per pixel: for paper. */
+  snapshot(width: number, height: number, ratio: number): HTMLCanvasElement {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+    const context = canvas.getContext("2d")!;
+    // the part that is seen now, wholly
+    const scale = this.camera.scale * Math.min(width / Math.max(this.size[0], 1), height / Math.max(this.size[1], 1));
+    const camera = this.fitted && this.plan ? fitted(this.plan.bounds, width, height, this.layers.axes) : { ...this.camera, scale };
+    const painter = this.painter;
+    painter.setTheme("light");
+    painter.draw(camera, width, height, ratio, false);
+    context.drawImage(painter.canvas, 0, 0, canvas.width, canvas.height);
+    context.scale(ratio, ratio);
+    drawOverlay({ context, camera, width, height, look: look("light"), font: FONT }, this.plan, this.layers, this.marks);
+    painter.setTheme(this.theme);
+    this.draw();
+    return canvas;
+  }
+
+  dispose(): void {
+    this.ended.abort();
+    this.resized.disconnect();
+    cancelAnimationFrame(this.frame);
+    clearTimeout(this.still);
+    this.painter.dispose();
+    this.element.remove();
+  }
+
+  /** Find what is to be shown anew: values, scale, marks. */
+  private refresh(): void {
+    const { scene, what } = this;
+    this.picture = null;
+    this.seen = null;
+    this.marks.extremes = [];
+    this.marks.cases = null;
+    if (scene && what) {
+      const field = fieldOf(scene, what.field);
+      const of = values(scene, what.choice, what.field);
+      const hasContact = scene.head.fields.some((each) => each.name === CONTACT);
+      const contact = hasContact ? values(scene, what.choice, CONTACT) : null;
+      const lifted = contact !== null && extremes(contact).max > 0;
+      const ends = extremes(of);
+      const scale = scaleFor(scene, what.choice, field, of, this.range);
+      this.picture = { values: of, contact: this.options.contact && lifted ? contact : null, scale, lines: this.options.lines, mesh: this.options.mesh };
+      this.seen = { choice: what.choice, field, scale, lifted };
+      const place = (node: number): Point => [scene.mesh.nodes[2 * node]!, scene.mesh.nodes[2 * node + 1]!];
+      this.marks.extremes = [
+        { point: place(ends.maxNode), text: `max ${number(ends.max)}`, largest: true },
+        { point: place(ends.minNode), text: `min ${number(ends.min)}`, largest: false },
+      ];
+      const factors = isEnvelope(what.choice) ? null : scene.head.combinations[what.choice]?.factors;
+      if (factors?.length) this.marks.cases = new Set(factors.filter(([, factor]) => factor !== 0).map(([name]) => name));
+    }
+    this.painter.setPicture(this.picture);
+    this.onShow?.(this.seen);
+    this.request();
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (!width || !height) return;
+    this.size = [width, height];
+    if (this.fitted) this.fit();
+    else this.changed();
+  }
+
+  private changed(): void {
+    this.request();
+    this.onView?.();
+  }
+
+  /** Draw with the next frame. */
+  private request(): void {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.draw();
+    });
+  }
+
+  /** Draw roughly until nothing has moved for a while. */
+  private movingNow(): void {
+    this.moving = true;
+    clearTimeout(this.still);
+    this.still = window.setTimeout(() => {
+      this.moving = false;
+      this.request();
+    }, STILL);
+  }
+
+  private draw(): void {
+    const [width, height] = this.size;
+    if (!width || !height) return;
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    this.painter.draw(this.camera, width, height, ratio, this.moving);
+    const { overlay } = this;
+    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (overlay.width !== w || overlay.height !== h) [overlay.width, overlay.height] = [w, h];
+    const context = overlay.getContext("2d")!;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, w, h);
+    context.scale(ratio, ratio);
+    drawOverlay({ context, camera: this.camera, width, height, look: look(this.theme), font: FONT }, this.plan, this.layers, this.marks);
+  }
+
+  private move(dx: number, dy: number): void {
+    this.camera.x -= dx / this.camera.scale;
+    this.camera.y += dy / this.camera.scale;
+    this.fitted = false;
+    this.movingNow();
+    this.changed();
+  }
+
+  private zoomAt([px, py]: Point, factor: number): void {
+    const [x, y] = this.toPlan(px, py);
+    const [x0, y0, x1, y1] = this.plan?.bounds ?? [-5, -5, 5, 5];
+    const whole = Math.min(...this.size) / Math.max(x1 - x0, y1 - y0, 1e-6);
+    this.camera.scale = Math.min(Math.max(this.camera.scale * factor, whole / 20), whole * 2000);
+    const [nx, ny] = this.toPlan(px, py);
+    this.camera.x += x - nx;
+    this.camera.y += y - ny;
+    this.fitted = false;
+    this.movingNow();
+    this.changed();
+  }
+
+  private listen(): void {
+    const { element } = this;
+    const options = { signal: this.ended.signal };
+    const place = (event: MouseEvent): Point => {
+      const box = element.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top];
+    };
+    element.addEventListener("pointerdown", (event) => {
+      const at = place(event);
+      if (this.onPointer?.(event, ...this.toPlan(...at))) return;
+      if (event.button > 1) return;
+      element.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, at);
+      this.pressed = { at, moved: this.pointers.size > 1 };
+    }, options);
+    element.addEventListener("pointermove", (event) => {
+      const at = place(event);
+      if (this.onPointer?.(event, ...this.toPlan(...at))) return;
+      const before = this.pointers.get(event.pointerId);
+      if (!before) {
+        this.hover(this.toPlan(...at));
+        return;
+      }
+      const others = [...this.pointers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
+      this.pointers.set(event.pointerId, at);
+      const other = others[0];
+      if (other) {
+        // two fingers: the point between them stays under them
+        const far = (point: Point) => Math.max(Math.hypot(point[0] - other[0], point[1] - other[1]), 1);
+        this.move((at[0] - before[0]) / 2, (at[1] - before[1]) / 2);
+        this.zoomAt([(at[0] + other[0]) / 2, (at[1] + other[1]) / 2], far(at) / far(before));
+        return;
+      }
+      const { pressed } = this;
+      if (pressed && !pressed.moved && Math.hypot(at[0] - pressed.at[0], at[1] - pressed.at[1]) < CLICK) return;
+      if (pressed && !pressed.moved) {
+        pressed.moved = true;
+        this.move(at[0] - pressed.at[0], at[1] - pressed.at[1]);
+        return;
+      }
+      this.move(at[0] - before[0], at[1] - before[1]);
+    }, options);
+    const release = (event: PointerEvent) => {
+      const at = place(event);
+      if (this.onPointer?.(event, ...this.toPlan(...at))) return;
+      if (!this.pointers.delete(event.pointerId)) return;
+      const { pressed } = this;
+      if (!this.pointers.size) this.pressed = null;
+      if (event.type === "pointerup" && pressed && !pressed.moved && event.button === 0) this.click(this.toPlan(...at));
+    };
+    element.addEventListener("pointerup", release, options);
+    element.addEventListener("pointercancel", release, options);
+    element.addEventListener("pointerleave", () => this.hover(null), options);
+    element.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 160 : 1;
+      this.zoomAt(place(event), Math.exp(-Math.min(Math.max(event.deltaY * lines, -300), 300) * (event.ctrlKey ? 0.01 : 0.0015)));
+    }, { ...options, passive: false });
+    element.addEventListener("dblclick", () => { if (this.tool === "pan") this.fit(); }, options);
+    element.addEventListener("keydown", (event) => { if (this.key(event)) event.preventDefault(); }, options);
+  }
+
+  private hover(at: Point | null): void {
+    if (this.sectionStart && at) {
+      this.marks.section = [this.sectionStart, at];
+      this.request();
+    }
+    this.onHover?.(at);
+  }
+
+  private click(at: Point): void {
+    if (this.tool === "pick") {
+      this.marks.pick = at;
+      this.request();
+      this.onPick?.(...at);
+    } else if (this.tool === "section") {
+      if (!this.sectionStart) {
+        this.sectionStart = at;
+        this.marks.section = [at, at];
+      } else {
+        const start = this.sectionStart;
+        this.sectionStart = null;
+        this.marks.section = [start, at];
+        this.onSection?.(start, at);
+      }
+      this.request();
+    }
+  }
+
+  private key(event: KeyboardEvent): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const step = event.shiftKey ? 200 : 50;
+    const middle: Point = [this.size[0] / 2, this.size[1] / 2];
+    switch (event.key) {
+      case "ArrowLeft": this.move(step, 0); return true;
+      case "ArrowRight": this.move(-step, 0); return true;
+      case "ArrowUp": this.move(0, step); return true;
+      case "ArrowDown": this.move(0, -step); return true;
+      case "+": case "=": this.zoomAt(middle, 1.25); return true;
+      case "-": this.zoomAt(middle, 0.8); return true;
+      case "0": this.fit(); return true;
+      case "Escape":
+        if (!this.sectionStart) return false;
+        this.sectionStart = null;
+        this.markSection(null);
+        return true;
+      default: return false;
+    }
+  }
+}
+
+export type Range = "auto" | "common" | readonly [number, number];
+
+function makePainter(): Painter {
+  try {
+    return new GlPainter();
+  } catch {
+    return new RasterPainter();
+  }
+}
+
+function fitted([x0, y0, x1, y1]: readonly [number, number, number, number], width: number, height: number, axes: boolean): Camera {
+  const [left, bottom] = axes ? [AXES.left, AXES.bottom] : [0, 0];
+  const rim = 18;
+  const scale = Math.max(1e-6, Math.min(
+    (width - left - 2 * rim) / Math.max(x1 - x0, 1e-6), (height - bottom - 2 * rim) / Math.max(y1 - y0, 1e-6),
+  ));
+  return { x: (x0 + x1) / 2 - left / 2 / scale, y: (y0 + y1) / 2 - bottom / 2 / scale, scale };
+}
+
+const EDGES = new WeakMap<Scene, Uint8Array>();
+
+/** Return the colour scale of nodal values: round, and not stretched by the line force at the plate's edges. */
+export function scaleFor(scene: Scene, choice: Choice, field: FieldInfo, of: Float32Array, range: Range): Scale {
+  const { min, max } = extremes(of);
+  if (typeof range !== "string") return { ...scaleOf(range[0], range[1], field.signed, range), min, max };
+  let [low, high] = [min, max];
+  if (range === "common") {
+    low = extremes(values(scene, "smallest", field.name)).min;
+    high = extremes(values(scene, "largest", field.name)).max;
+  } else if (field.name === "pressure" && scene.head.edge_force) {
+    let edges = EDGES.get(scene);
+    if (!edges) EDGES.set(scene, (edges = edgeNodes(scene.mesh)));
+    let inside = -Infinity;
+    for (let i = 0; i < of.length; i++) if (!edges[i] && of[i]! > inside) inside = of[i]!;
+    if (inside > low && inside < max) return { ...scaleOf(Math.min(low, 0), inside, field.signed, [Math.min(low, 0), inside]), min, max };
+  }
+  if (field.name === "pressure" && low > 0) low = 0;
+  void choice;
+  return { ...scaleOf(low, high, field.signed), min, max };
+}

@@ -1,0 +1,195 @@
+// A field on the mesh, drawn by the processor alone: for browsers without WebGL, and as the shader's twin in tests.
+import { facesOf, linesOf } from "./faces";
+import { look } from "./look";
+import type { Camera, Painter, Picture } from "./painter";
+import { type Rgb, type Scale, bandOf } from "./scale";
+import type { Mesh } from "./scene";
+import type { Theme } from "./theme";
+
+const NOTHING = 255; // where there is no plate
+const OVER = 254;
+const UNDER = 253;
+
+/** What each pixel shows: its band (NOTHING, OVER, UNDER apart), and whether it is lifted (1) or not. */
+export interface Raster {
+  width: number;
+  height: number;
+  bands: Uint8Array;
+  lifted: Uint8Array | null;
+}
+
+/** Fill all triangles of a mesh, the values between their corners linear; pixels count by their centres. */
+export function rasterise(mesh: Mesh, faces: Uint32Array, picture: Picture, camera: Camera, width: number, height: number): Raster {
+  const bands = new Uint8Array(width * height).fill(NOTHING);
+  const lifted = picture.contact ? new Uint8Array(width * height) : null;
+  const { nodes } = mesh;
+  const { values, contact, scale } = picture;
+  const band = bandFinder(scale);
+  const [left, top] = [width / 2 - camera.x * camera.scale, height / 2 + camera.y * camera.scale];
+  for (let f = 0; f < faces.length; f += 3) {
+    const [a, b, c] = [faces[f]!, faces[f + 1]!, faces[f + 2]!];
+    const ax = left + nodes[2 * a]! * camera.scale, ay = top - nodes[2 * a + 1]! * camera.scale;
+    const bx = left + nodes[2 * b]! * camera.scale, by = top - nodes[2 * b + 1]! * camera.scale;
+    const cx = left + nodes[2 * c]! * camera.scale, cy = top - nodes[2 * c + 1]! * camera.scale;
+    const y0 = Math.max(0, Math.ceil(Math.min(ay, by, cy) - 0.5));
+    const y1 = Math.min(height - 1, Math.floor(Math.max(ay, by, cy) - 0.5));
+    if (y0 > y1 || Math.max(ax, bx, cx) < 0 || Math.min(ax, bx, cx) > width) continue;
+    const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    if (area === 0) continue;
+    // the value is a plane over the pixels
+    const plane = (of: Float32Array): [number, number, number] => {
+      const [p, q] = [of[b]! - of[a]!, of[c]! - of[a]!];
+      const dx = (p * (cy - ay) - q * (by - ay)) / area;
+      const dy = (q * (bx - ax) - p * (cx - ax)) / area;
+      return [of[a]! - dx * ax - dy * ay, dx, dy];
+    };
+    const [v0, vx, vy] = plane(values);
+    const [g0, gx, gy] = contact ? plane(contact) : [0, 0, 0];
+    for (let y = y0; y <= y1; y++) {
+      const middle = y + 0.5;
+      let [from, to] = [Infinity, -Infinity];
+      const cross = (px: number, py: number, qx: number, qy: number) => {
+        if (py === qy || (py < middle) === (qy < middle)) return;
+        const x = px + ((middle - py) / (qy - py)) * (qx - px);
+        if (x < from) from = x;
+        if (x > to) to = x;
+      };
+      cross(ax, ay, bx, by);
+      cross(bx, by, cx, cy);
+      cross(cx, cy, ax, ay);
+      const x0 = Math.max(0, Math.ceil(from - 0.5)), x1 = Math.min(width - 1, Math.ceil(to - 0.5) - 1);
+      const row = y * width;
+      for (let x = x0; x <= x1; x++) {
+        bands[row + x] = band(v0 + vx * (x + 0.5) + vy * middle);
+        if (lifted && g0 + gx * (x + 0.5) + gy * middle > 0) lifted[row + x] = 1;
+      }
+    }
+  }
+  return { width, height, bands, lifted };
+}
+
+/** Colour a raster: bands with thin lines between them, stripes where the plate has lifted, its boundary. */
+export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio: number, paper: Rgb): Uint8ClampedArray<ArrayBuffer> {
+  const { width, height, bands, lifted } = raster;
+  const palette: Rgb[] = [];
+  picture.scale.colours.forEach((colour, i) => { palette[i] = colour; });
+  palette[OVER] = picture.scale.over;
+  palette[UNDER] = picture.scale.under;
+  const pixels = new Uint8ClampedArray(4 * width * height);
+  const pitch = 9 * ratio;
+  const anchor = width / 2 - camera.x * camera.scale - (height / 2 + camera.y * camera.scale);
+  const half = Math.max(1, Math.round(ratio));
+  for (let y = 0, i = 0; y < height; y++)
+    for (let x = 0; x < width; x++, i++) {
+      const band = bands[i]!;
+      if (band === NOTHING) continue; // stays transparent
+      let [red, green, blue] = palette[band]!;
+      const right = x + 1 < width ? bands[i + 1]! : band;
+      const below = y + 1 < height ? bands[i + width]! : band;
+      if (picture.lines && ((right !== band && right < UNDER) || (below !== band && below < UNDER)) && band < UNDER)
+        [red, green, blue] = [red * 0.68, green * 0.68, blue * 0.68];
+      if (lifted) {
+        if (lifted[i]) {
+          const along = x - y - anchor;
+          const stripe = along - Math.floor(along / pitch) * pitch < 1.5 * ratio;
+          const part = stripe ? 0.45 : 0.45;
+          [red, green, blue] = [0, 1, 2].map((k) => paper[k]! + part * ([red, green, blue][k]! - paper[k]!)) as Rgb;
+          if (stripe) [red, green, blue] = [red * 0.5 + 32, green * 0.5 + 32, blue * 0.5 + 32];
+        }
+        for (let d = 1; d <= half; d++) {
+          const other = x + d < width && bands[i + d] !== NOTHING && lifted[i + d] !== lifted[i];
+          const under = y + d < height && bands[i + d * width] !== NOTHING && lifted[i + d * width] !== lifted[i];
+          if (other || under) [red, green, blue] = [0, 0, 0];
+        }
+      }
+      pixels[4 * i] = red;
+      pixels[4 * i + 1] = green;
+      pixels[4 * i + 2] = blue;
+      pixels[4 * i + 3] = 255;
+    }
+  return pixels;
+}
+
+/** Paints as the shader does, but slowly: while moving, the last sharp drawing is moved and stretched instead. */
+export class RasterPainter implements Painter {
+  readonly canvas = document.createElement("canvas");
+  private readonly context = this.canvas.getContext("2d")!;
+  private readonly sharp = document.createElement("canvas");
+  private sharpCamera: Camera | null = null;
+  private mesh: Mesh | null = null;
+  private faces: Uint32Array = new Uint32Array();
+  private sides: Uint32Array | null = null;
+  private picture: Picture | null = null;
+  private paper = look("light").paper;
+
+  setMesh(mesh: Mesh | null): void {
+    this.mesh = mesh;
+    this.faces = mesh ? facesOf(mesh) : new Uint32Array();
+    this.sides = null;
+    this.sharpCamera = null;
+  }
+
+  setPicture(picture: Picture | null): void {
+    this.picture = picture;
+    this.sharpCamera = null;
+  }
+
+  setTheme(theme: Theme): void {
+    this.paper = look(theme).paper;
+    this.sharpCamera = null;
+  }
+
+  draw(camera: Camera, width: number, height: number, ratio: number, moving: boolean): void {
+    const [w, h] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
+    if (this.canvas.width !== w || this.canvas.height !== h) {
+      [this.canvas.width, this.canvas.height] = [w, h];
+      this.sharpCamera = null;
+    }
+    this.context.fillStyle = this.paper;
+    this.context.fillRect(0, 0, w, h);
+    if (!this.mesh || !this.picture) return;
+    if (moving && this.sharpCamera) {
+      const before = this.sharpCamera;
+      const zoom = camera.scale / before.scale;
+      const x = w / 2 + (before.x - camera.x) * camera.scale * ratio - (w / 2) * zoom;
+      const y = h / 2 - (before.y - camera.y) * camera.scale * ratio - (h / 2) * zoom;
+      this.context.drawImage(this.sharp, x, y, w * zoom, h * zoom);
+      return;
+    }
+    const inPixels = { ...camera, scale: camera.scale * ratio };
+    const raster = rasterise(this.mesh, this.faces, this.picture, inPixels, w, h);
+    const paper = [1, 3, 5].map((at) => parseInt(this.paper.slice(at, at + 2), 16)) as Rgb;
+    [this.sharp.width, this.sharp.height] = [w, h];
+    const sharp = this.sharp.getContext("2d")!;
+    sharp.putImageData(new ImageData(coloured(raster, this.picture, inPixels, ratio, paper), w, h), 0, 0);
+    if (this.picture.mesh) this.drawSides(sharp, inPixels, w, h, ratio);
+    this.sharpCamera = { ...camera };
+    this.context.drawImage(this.sharp, 0, 0);
+  }
+
+  dispose(): void {
+    this.canvas.remove();
+  }
+
+  private drawSides(context: CanvasRenderingContext2D, camera: Camera, width: number, height: number, ratio: number): void {
+    const { nodes } = this.mesh!;
+    this.sides ??= linesOf(this.mesh!);
+    context.strokeStyle = "rgb(0 0 0 / 0.28)";
+    context.lineWidth = ratio;
+    context.beginPath();
+    for (let k = 0; k < this.sides.length; k += 2) {
+      const [a, b] = [2 * this.sides[k]!, 2 * this.sides[k + 1]!];
+      context.moveTo(width / 2 + (nodes[a]! - camera.x) * camera.scale, height / 2 - (nodes[a + 1]! - camera.y) * camera.scale);
+      context.lineTo(width / 2 + (nodes[b]! - camera.x) * camera.scale, height / 2 - (nodes[b + 1]! - camera.y) * camera.scale);
+    }
+    context.stroke();
+  }
+}
+
+function bandFinder(scale: Scale): (value: number) => number {
+  const count = scale.colours.length;
+  return (value) => {
+    const band = bandOf(scale, value);
+    return band < 0 ? UNDER : band === count ? OVER : band;
+  };
+}
