@@ -6,7 +6,7 @@ import type { Scene } from "./scene";
 /** Fill a list with the fields of a scene; `chosen` stays chosen if it is there. Returns the one that is chosen then. */
 export function fillFields(select: HTMLSelectElement, scene: Scene, chosen?: string): string {
   const fields = fieldsOf(scene);
-  const option = (field: (typeof fields)[number]) => make("option", { value: field.name, title: field.meaning }, `${symbolText(field.symbol)} \u2013 ${field.meaning}`);
+  const option = (field: (typeof fields)[number]) => make("option", { value: field.name, title: field.meaning }, `${symbolText(field.symbol)} \u2013 ${field.meaning.split(/[,(]/)[0]!.trim()}`);
   select.replaceChildren(
     make("optgroup", { label: "Results" }, ...fields.filter((field) => !field.derived).map(option)),
     make("optgroup", { label: "Derived moments" }, ...fields.filter((field) => field.derived).map(option)),

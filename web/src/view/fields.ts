@@ -1,6 +1,6 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
 import type { Locator, Spot } from "./locate";
-import { block, type Combination, type Scene } from "./scene";
+import { block, type Combination, type Extreme, type Scene } from "./scene";
 
 /** A combination by its index in the head, or an envelope over all certified combinations (of one limit state). */
 export type Choice = number | Envelope;
@@ -24,10 +24,10 @@ const MOMENTS = ["moment_x", "moment_y", "moment_xy"] as const;
 const DERIVED: readonly { name: string; symbol: string; meaning: string }[] = [
   { name: "m_1", symbol: "m_1", meaning: "larger principal moment" },
   { name: "m_2", symbol: "m_2", meaning: "smaller principal moment" },
-  { name: "bottom_x", symbol: "m_x bottom", meaning: "design moment of the bottom reinforcement along x (Wood and Armer)" },
-  { name: "bottom_y", symbol: "m_y bottom", meaning: "design moment of the bottom reinforcement along y (Wood and Armer)" },
-  { name: "top_x", symbol: "m_x top", meaning: "design moment of the top reinforcement along x (Wood and Armer)" },
-  { name: "top_y", symbol: "m_y top", meaning: "design moment of the top reinforcement along y (Wood and Armer)" },
+  { name: "bottom_x", symbol: "m_x bottom", meaning: "design moment bottom x, for reinforcement along x (Wood and Armer)" },
+  { name: "bottom_y", symbol: "m_y bottom", meaning: "design moment bottom y, for reinforcement along y (Wood and Armer)" },
+  { name: "top_x", symbol: "m_x top", meaning: "design moment top x, for reinforcement along x (Wood and Armer)" },
+  { name: "top_y", symbol: "m_y top", meaning: "design moment top y, for reinforcement along y (Wood and Armer)" },
 ];
 
 /** Return the fields that can be shown: those of the scene, then what is derived of the moments. */
@@ -37,6 +37,25 @@ export function fieldsOf(scene: Scene): FieldInfo[] {
   if (!moment || !MOMENTS.every((name) => basic.some((field) => field.name === name))) return basic;
   const averaged = "derived from m_x, m_y and m_xy at the nodes";
   return [...basic, ...DERIVED.map((each) => ({ ...each, unit: moment.unit, averaged, signed: true, derived: true }))];
+}
+
+/** Where a field is smallest and largest: value, x, y. */
+export interface Ends {
+  min: Extreme;
+  max: Extreme;
+  inside: Extreme | null; // the largest with edge nodes left out, where these hold a line force
+}
+
+/** Return where a field of a combination or an envelope is smallest and largest at nodes. */
+export function endsOf(scene: Scene, choice: Choice, name: string): Ends {
+  const of = values(scene, choice, name);
+  const told = isEnvelope(choice) ? undefined : scene.head.combinations[choice]?.extremes[name];
+  const { min, max, minNode, maxNode } = extremes(of);
+  const at = (node: number): [number, number] => [scene.mesh.nodes[2 * node]!, scene.mesh.nodes[2 * node + 1]!];
+  const insides = members(scene, choice).map((each) => scene.head.combinations[each]?.extremes[name]?.inside?.max).filter((each) => each !== undefined);
+  const smallest = isEnvelope(choice) && parts(choice)[0] === "smallest";
+  const inside = insides.length && !smallest ? insides.reduce((most, each) => (each[0] > most[0] ? each : most)) : null;
+  return { min: told?.min ?? [min, ...at(minNode)], max: told?.max ?? [max, ...at(maxNode)], inside };
 }
 
 /** Return what is known of a field by its name. */

@@ -6,7 +6,7 @@ import {
 import type { Camera, Painter, Picture } from "./painter";
 import { BEYOND } from "./scale";
 import type { Mesh } from "./scene";
-import { facesOf, linesOf } from "./faces";
+import { SMALL, type Tiling, linesOf, partsIn, tilingOf } from "./faces";
 import type { Theme } from "./theme";
 
 const VERTEX = `
@@ -108,9 +108,13 @@ export class GlPainter implements Painter {
   private readonly material = new RawShaderMaterial({
     glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, depthTest: false, depthWrite: false, side: 2,
   });
-  private readonly faces = new Faces(new BufferGeometry(), this.material);
+  // a list of materials: then only the geometry's groups are drawn
+  private readonly faces = new Faces(new BufferGeometry(), [this.material]);
   private readonly sides = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.28, depthTest: false }));
   private mesh: Mesh | null = null;
+  private tiling: Tiling | null = null;
+  private costs: number[] = [];
+  private draws = 0;
   private sidesOf: Mesh | null = null;
   private size = "";
 
@@ -126,8 +130,15 @@ export class GlPainter implements Painter {
     this.setTheme("light");
   }
 
+  get cost(): number {
+    return this.costs.length ? Math.min(...this.costs) : 0;
+  }
+
   setMesh(mesh: Mesh | null): void {
     this.mesh = mesh;
+    this.tiling = mesh ? tilingOf(mesh) : null;
+    this.costs = [];
+    this.draws = 0;
     this.faces.geometry.dispose();
     this.faces.geometry = new BufferGeometry();
     this.faces.visible = this.sides.visible = false;
@@ -139,7 +150,7 @@ export class GlPainter implements Painter {
       places[3 * i + 1] = mesh.nodes[2 * i + 1]!;
     }
     geometry.setAttribute("position", new BufferAttribute(places, 3));
-    geometry.setIndex(new BufferAttribute(facesOf(mesh), 1));
+    geometry.setIndex(new BufferAttribute(this.tiling!.faces, 1));
   }
 
   setPicture(picture: Picture | null): void {
@@ -179,7 +190,36 @@ export class GlPainter implements Painter {
     this.uniforms.uRatio.value = ratio;
     // stripes stay where they are on the plate while it is moved
     this.uniforms.uAnchor.value.set((width / 2 - camera.x * camera.scale) * ratio, (height / 2 - camera.y * camera.scale) * ratio);
+    if (this.tiling && this.faces.visible) {
+      const { geometry } = this.faces;
+      geometry.clearGroups();
+      const coarse = this.tiling.side * camera.scale * ratio < SMALL;
+      for (const [start, count] of partsIn(this.tiling, [camera.x - dx, camera.y - dy, camera.x + dx, camera.y + dy], coarse))
+        geometry.addGroup(start, count, 0);
+    }
     this.renderer.render(this.world, this.camera);
+    this.draws += 1;
+    // the first drawing sends everything to the graphics card; of later ones some are timed
+    if (this.draws > 1 && (this.draws < 8 || this.draws % 60 === 0)) this.time();
+  }
+
+  /** Find out how long the drawing just begun takes, without waiting for it. */
+  private time(): void {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!sync) return;
+    gl.flush();
+    const begun = performance.now();
+    const look = (): void => {
+      const state = gl.clientWaitSync(sync, 0, 0);
+      if (state === gl.TIMEOUT_EXPIRED && performance.now() - begun < 2000) {
+        setTimeout(look, 1);
+        return;
+      }
+      gl.deleteSync(sync);
+      this.costs = [...this.costs.slice(-2), performance.now() - begun];
+    };
+    setTimeout(look, 1);
   }
 
   dispose(): void {

@@ -12,3 +12,4 @@ export { fillCombinations, fillFields } from "./controls";
 export { number } from "./scale";
 export { make, symbol, symbolText } from "./dom";
 export { onTheme, setTheme, startTheme, theme, type Theme } from "./theme";
+export { Viewer, type ViewerOptions } from "./viewer";

@@ -2,7 +2,7 @@
 import { symbol, make } from "./dom";
 import { choiceName } from "./fields";
 import type { Shown } from "./plan-view";
-import { css, number, tickTexts } from "./scale";
+import { BEYOND, type Scale, css, number, tickTexts } from "./scale";
 import type { Scene } from "./scene";
 import "./legend.css";
 
@@ -23,8 +23,8 @@ export class Legend {
     element.append(make("div", { class: "gs-legend-title", title: field.meaning }, symbol(field.symbol), ` [${field.unit}]`));
     if (scene && scene.head.combinations.length > 1) element.append(make("div", { class: "gs-legend-of" }, choiceName(scene, shown.choice)));
     const bar = make("div", { class: "gs-legend-bar", role: "img", "aria-label": `Colours from ${number(scale.levels[0]!)} to ${number(scale.levels[scale.levels.length - 1]!)} ${field.unit}` });
-    const texts = tickTexts(scale.levels);
     const count = scale.colours.length;
+    const texts = levelTexts(scale);
     const [above, below] = [isAbove(shown), isBelow(shown)];
     if (above) bar.append(make("div", { class: "gs-legend-band gs-legend-beyond", style: `background:${css(scale.over)}` }, make("span", {}, `> ${texts[count]!}`)));
     for (let i = count - 1; i >= 0; i--) {
@@ -36,17 +36,28 @@ export class Legend {
     if (below) bar.append(make("div", { class: "gs-legend-band gs-legend-beyond", style: `background:${css(scale.under)}` }, make("span", {}, texts[0]!)));
     element.append(bar);
     const notes = make("div", { class: "gs-legend-notes" });
-    notes.append(make("div", {}, `max ${number(scale.max)}`), make("div", {}, `min ${number(scale.min)}`));
-    if (above) notes.append(make("div", {}, `above the scale: up to ${number(scale.max)} ${field.unit}`));
+    notes.append(make("div", {}, `largest ${number(scale.max)}`), make("div", {}, `smallest ${number(scale.min)}`));
+    if (above) notes.append(make("div", {}, edgeForce(shown, scene) ? `above the scale: edge line force, up to ${number(scale.max)} ${field.unit}` : `above the scale: up to ${number(scale.max)} ${field.unit}`));
+    if (below) notes.append(make("div", {}, `below the scale: down to ${number(scale.min)} ${field.unit}`));
     if (shown.lifted) notes.append(make("div", {}, make("span", { class: "gs-legend-hatch" }), typeof shown.choice === "number" ? "no contact" : "no contact in some combination"));
     element.append(notes);
   }
 }
 
+/** Return the limits of the bands in words; ends that were cut are no round numbers and have decimals of their own. */
+function levelTexts({ levels, origin, step }: Scale): string[] {
+  const round = levels.map((_, i) => Number((origin + i * step).toPrecision(12)));
+  return tickTexts(round).map((text, i) => (Math.abs(round[i]! - levels[i]!) > 1e-9 * step ? number(levels[i]!) : text));
+}
+
+function edgeForce({ field }: Shown, scene: Scene | null): boolean {
+  return field.name === "pressure" && scene?.head.edge_force === true;
+}
+
 function isAbove({ scale }: Shown): boolean {
-  return scale.max > scale.levels[scale.levels.length - 1]! + 2e-3 * scale.step;
+  return scale.max > scale.levels[scale.levels.length - 1]! + BEYOND * scale.step;
 }
 
 function isBelow({ scale }: Shown): boolean {
-  return scale.min < scale.levels[0]! - 2e-3 * scale.step;
+  return scale.min < scale.levels[0]! - BEYOND * scale.step;
 }

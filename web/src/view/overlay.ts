@@ -1,7 +1,7 @@
 // What is drawn above the field: outline, openings, columns, supports, loads, marks, axes. Pure drawing on a 2-D canvas.
 import type { Look } from "./look";
 import type { Camera } from "./painter";
-import { number, roundStep, roundTicks, tickTexts } from "./scale";
+import { neat, roundStep, roundTicks, tickTexts } from "./scale";
 import type { Plan, Point, Ring } from "./scene";
 
 /** What of the plan is drawn. */
@@ -24,6 +24,7 @@ export const ALL_LAYERS: Layers = {
 /** Marks that the user sets, and those of the field. */
 export interface Marks {
   pick: Point | null;
+  place: Point | null; // that a chart points at
   section: [Point, Point] | null;
   extremes: { point: Point; text: string; largest: boolean }[];
   cases: ReadonlySet<string> | null; // load cases that take part; null: all
@@ -46,7 +47,10 @@ export function pixel(sheet: Pick<Sheet, "camera" | "width" | "height">, x: numb
   return [width / 2 + (x - camera.x) * camera.scale, height / 2 - (y - camera.y) * camera.scale];
 }
 
-/** Draw the plan and the marks. */
+/** Height of the strip at the bottom that holds the axis and, above it, the scale bar [px]. */
+export const STRIP = AXES.bottom + 40;
+
+/** Draw the plan and the marks; all of it moves with the plan. */
 export function drawOverlay(sheet: Sheet, plan: Plan | null, layers: Layers, marks: Marks): void {
   const { context } = sheet;
   context.lineJoin = context.lineCap = "round";
@@ -63,8 +67,8 @@ export function drawOverlay(sheet: Sheet, plan: Plan | null, layers: Layers, mar
   if (layers.extremes) for (const mark of marks.extremes) drawExtreme(sheet, mark, labels);
   labels.draw();
   if (marks.section) drawSection(sheet, marks.section);
+  if (marks.place) drawPlace(sheet, marks.place);
   if (marks.pick) drawPick(sheet, marks.pick);
-  if (layers.axes) drawAxes(sheet);
 }
 
 /** Texts that are drawn last, each only if it has room. */
@@ -88,7 +92,9 @@ class Labels {
     for (const { text, x, y, colour, align } of this.texts.sort((one, other) => other.weight - one.weight)) {
       if (x < -200 || y < -20 || x > width + 200 || y > height + 20) continue;
       const long = context.measureText(text).width;
-      const left = align === "center" ? x - long / 2 : align === "right" ? x - long : x;
+      let left = align === "center" ? x - long / 2 : align === "right" ? x - long : x;
+      // a text that would leave the view goes to its mark's other side
+      if (align === "left" && left + long > width - 2 && x < width) left = x - long - 16;
       const box: [number, number, number, number] = [left - 2, y - 8, left + long + 2, y + 8];
       if (this.boxes.some((other) => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3])) continue;
       this.boxes.push(box);
@@ -151,7 +157,7 @@ function drawZones(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): vo
   for (const zone of plan.zones) {
     const [x0, , , y1] = boundsOf(zone.ring);
     const [px, py] = pixel(sheet, x0, y1);
-    labels.add(`t = ${number(zone.thickness * 1000)} mm`, [px + 5, py + 11], sheet.look.ink, 3);
+    labels.add(`t = ${neat(zone.thickness * 1000)} mm`, [px + 5, py + 11], sheet.look.ink, 3);
   }
 }
 
@@ -191,18 +197,20 @@ function drawOutput(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): v
       [strip.start[0] + nx, strip.start[1] + ny], [strip.end[0] + nx, strip.end[1] + ny],
       [strip.end[0] - nx, strip.end[1] - ny], [strip.start[0] - nx, strip.start[1] - ny],
     ];
-    stroke(sheet, [ring], look.section, 1, [3, 3]);
+    stroke(sheet, [ring], look.section, 1, [3, 3], true, 1.5);
   }
   for (const { x, y } of plan.points) {
     const [px, py] = pixel(sheet, x, y);
-    context.strokeStyle = look.section;
-    context.lineWidth = 1.6;
     context.beginPath();
     context.moveTo(px - 4, py - 4);
     context.lineTo(px + 4, py + 4);
     context.moveTo(px - 4, py + 4);
     context.lineTo(px + 4, py - 4);
-    context.stroke();
+    for (const [width, colour] of [[4.5, look.halo], [1.7, look.section]] as const) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      context.stroke();
+    }
   }
   if (!layers.labels) return;
   for (const each of [...plan.lines, ...plan.strips]) {
@@ -231,6 +239,7 @@ function drawLoads(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers, cas
       const [px, py] = pixel(sheet, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
       if (layers.labels) labels.add(load.text, [px + 6, py - 10], look.load, 1.5);
     } else if (load.points?.length) {
+      if (load.footprint) stroke(sheet, [load.footprint], look.load, 1.1, [4, 3], true, 1.5);
       const [px, py] = pixel(sheet, ...load.points[0]!);
       triangle(sheet, px, py, 6, look.load, false);
       if (layers.labels) labels.add(load.text, [px + 9, py - 9], look.load, 1.5);
@@ -316,6 +325,18 @@ function drawPick(sheet: Sheet, point: Point): void {
   }
 }
 
+function drawPlace(sheet: Sheet, point: Point): void {
+  const { context, look } = sheet;
+  const [px, py] = pixel(sheet, ...point);
+  context.beginPath();
+  context.arc(px, py, 5, 0, 2 * Math.PI);
+  context.fillStyle = look.section;
+  context.lineWidth = 2;
+  context.strokeStyle = look.paper;
+  context.fill();
+  context.stroke();
+}
+
 function drawSection(sheet: Sheet, [start, end]: [Point, Point]): void {
   const { context, look } = sheet;
   const [ax, ay] = pixel(sheet, ...start);
@@ -336,14 +357,13 @@ function drawSection(sheet: Sheet, [start, end]: [Point, Point]): void {
   }
 }
 
-function drawAxes(sheet: Sheet): void {
+/** Draw the axes and the scale bar, which stay at the view's edges. */
+export function drawAxes(sheet: Sheet): void {
   const { context, camera, width, height, look, font } = sheet;
   const { left, bottom } = AXES;
   context.fillStyle = look.paper;
-  context.globalAlpha = 0.88;
   context.fillRect(0, 0, left, height);
   context.fillRect(left, height - bottom, width - left, bottom);
-  context.globalAlpha = 1;
   context.strokeStyle = look.ink2;
   context.fillStyle = look.ink2;
   context.lineWidth = 1;
@@ -383,12 +403,12 @@ function drawScaleBar(sheet: Sheet): void {
   const { context, camera, width, height, look, font } = sheet;
   const long = roundStep(50 / camera.scale);
   const pixels = long * camera.scale;
-  const [right, y] = [width - 14, height - AXES.bottom - 14];
-  const text = `${number(long, 2)} m`;
+  const [right, y] = [width - 12, height - AXES.bottom - 10];
+  const text = `${neat(long)} m`;
   context.font = `11px ${font}`;
   const room = Math.max(pixels, context.measureText(text).width) + 12;
   context.fillStyle = look.halo;
-  context.fillRect(right - room + 6, y - 20, room, 28);
+  context.fillRect(right - room + 6, y - 17, room, 23);
   context.strokeStyle = look.ink;
   context.lineWidth = 1.5;
   context.beginPath();

@@ -21,10 +21,12 @@ export interface Picture {
 
 export interface Painter {
   readonly canvas: HTMLCanvasElement;
+  /** What drawing takes [ms], as far as is known. */
+  readonly cost: number;
   setMesh(mesh: Mesh | null): void;
   setPicture(picture: Picture | null): void;
   setTheme(theme: Theme): void;
-  /** Draw now. `moving`: more drawings follow at once, so speed counts more than sharpness. */
-  draw(camera: Camera, width: number, height: number, ratio: number, moving: boolean): void;
+  /** Draw now, `ratio` dots for each of width x height pixels. */
+  draw(camera: Camera, width: number, height: number, ratio: number): void;
   dispose(): void;
 }

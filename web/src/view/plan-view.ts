@@ -1,13 +1,12 @@
 // The plate in plan: a field in colours, and above it the outline, columns, supports, loads, axes.
-import { CONTACT, type Choice, type FieldInfo, extremes, fieldOf, isEnvelope, values } from "./fields";
-import { edgeNodes } from "./faces";
+import { CONTACT, type Choice, type Ends, type FieldInfo, endsOf, extremes, fieldOf, isEnvelope, members, values } from "./fields";
 import { GlPainter } from "./gl-painter";
 import { look } from "./look";
-import { ALL_LAYERS, AXES, type Layers, type Marks, drawOverlay } from "./overlay";
+import { ALL_LAYERS, AXES, type Layers, type Marks, STRIP, drawAxes, drawOverlay } from "./overlay";
 import type { Camera, Painter, Picture } from "./painter";
 import { RasterPainter } from "./raster";
 import { type Scale, number, scaleOf } from "./scale";
-import type { Plan, Point, Scene } from "./scene";
+import type { Extreme, Plan, Point, Scene } from "./scene";
 import { type Theme, theme } from "./theme";
 import "./plan-view.css";
 
@@ -24,6 +23,10 @@ export interface Shown {
 const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "Liberation Sans", "DejaVu Sans", sans-serif';
 /** A press that moves less than this [px] is a click. */
 const CLICK = 4;
+/** Where drawing takes longer [ms], a moving picture is not drawn anew for every frame. */
+const SLOW = 22;
+/** ... and what lies above it only so often [ms]; between, it is moved. */
+const SELDOM = 120;
 const STILL = 140; // ms without movement until the picture is drawn sharp
 
 export class PlanView {
@@ -42,6 +45,7 @@ export class PlanView {
 
   readonly element = document.createElement("div");
   private readonly overlay = document.createElement("canvas");
+  private readonly axes = [document.createElement("canvas"), document.createElement("canvas")] as const; // left, bottom
   private painter: Painter;
   private scene: Scene | null = null;
   private plan: Plan | null = null;
@@ -56,13 +60,15 @@ export class PlanView {
   private layers: Layers = { ...ALL_LAYERS };
   private options = { lines: true, mesh: false, contact: true };
   private range: Range = "auto";
-  private marks: Marks = { pick: null, section: null, extremes: [], cases: null };
+  private marks: Marks = { pick: null, place: null, section: null, extremes: [], cases: null };
   private sectionStart: Point | null = null;
   private readonly pointers = new Map<number, Point>();
   private pressed: { at: Point; moved: boolean } | null = null;
   private frame = 0;
   private still = 0;
   private moving = false;
+  private drawn: { camera: Camera; when: number } | null = null; // what the overlay shows
+  private sharp: { camera: Camera; when: number } | null = null; // what the painter drew last
   private readonly resized: ResizeObserver;
   private readonly ended = new AbortController();
 
@@ -72,9 +78,11 @@ export class PlanView {
     element.tabIndex = 0;
     element.setAttribute("role", "application");
     element.setAttribute("aria-label", "Plan view. Arrow keys move it, plus and minus zoom, 0 shows all.");
-    this.painter = makePainter();
+    this.painter = this.makePainter();
     overlay.className = "gs-overlay";
-    element.append(this.painter.canvas, overlay);
+    this.axes[0].className = "gs-axis-left";
+    this.axes[1].className = "gs-axis-bottom";
+    element.append(this.painter.canvas, overlay, ...this.axes);
     container.append(element);
     this.listen();
     this.resized = new ResizeObserver(() => this.resize());
@@ -95,6 +103,7 @@ export class PlanView {
   /** Show a scene, with its plan; null takes the field away and leaves the plan. */
   setScene(scene: Scene | null): void {
     this.scene = scene;
+    this.sharp = null;
     this.what = null;
     this.painter.setMesh(scene?.mesh ?? null);
     if (scene) this.setPlan(scene.head.plan);
@@ -158,6 +167,12 @@ export class PlanView {
     this.request();
   }
 
+  /** Mark a place for as long as a chart points at it; null: no more. */
+  markPlace(point: Point | null): void {
+    this.marks.place = point;
+    this.request();
+  }
+
   /** Show the whole plate. */
   fit(): void {
     const [x0, y0, x1, y1] = this.plan?.bounds ?? [-5, -5, 5, 5];
@@ -194,10 +209,12 @@ export class PlanView {
     const camera = this.fitted && this.plan ? fitted(this.plan.bounds, width, height, this.layers.axes) : { ...this.camera, scale };
     const painter = this.painter;
     painter.setTheme("light");
-    painter.draw(camera, width, height, ratio, false);
+    painter.draw(camera, width, height, ratio);
     context.drawImage(painter.canvas, 0, 0, canvas.width, canvas.height);
     context.scale(ratio, ratio);
-    drawOverlay({ context, camera, width, height, look: look("light"), font: FONT }, this.plan, this.layers, this.marks);
+    const sheet = { context, camera, width, height, look: look("light"), font: FONT };
+    drawOverlay(sheet, this.plan, this.layers, this.marks);
+    if (this.layers.axes) drawAxes(sheet);
     painter.setTheme(this.theme);
     this.draw();
     return canvas;
@@ -225,19 +242,15 @@ export class PlanView {
       const hasContact = scene.head.fields.some((each) => each.name === CONTACT);
       const contact = hasContact ? values(scene, what.choice, CONTACT) : null;
       const lifted = contact !== null && extremes(contact).max > 0;
-      const ends = extremes(of);
-      const scale = scaleFor(scene, what.choice, field, of, this.range);
+      const scale = scaleFor(scene, what.choice, field, this.range);
       this.picture = { values: of, contact: this.options.contact && lifted ? contact : null, scale, lines: this.options.lines, mesh: this.options.mesh };
       this.seen = { choice: what.choice, field, scale, lifted };
-      const place = (node: number): Point => [scene.mesh.nodes[2 * node]!, scene.mesh.nodes[2 * node + 1]!];
-      this.marks.extremes = [
-        { point: place(ends.maxNode), text: `max ${number(ends.max)}`, largest: true },
-        { point: place(ends.minNode), text: `min ${number(ends.min)}`, largest: false },
-      ];
+      this.marks.extremes = extremeMarks(endsOf(scene, what.choice, what.field));
       const factors = isEnvelope(what.choice) ? null : scene.head.combinations[what.choice]?.factors;
       if (factors?.length) this.marks.cases = new Set(factors.filter(([, factor]) => factor !== 0).map(([name]) => name));
     }
     this.painter.setPicture(this.picture);
+    this.sharp = null;
     this.onShow?.(this.seen);
     this.request();
   }
@@ -277,15 +290,46 @@ export class PlanView {
     const [width, height] = this.size;
     if (!width || !height) return;
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
-    this.painter.draw(this.camera, width, height, ratio, this.moving);
-    const { overlay } = this;
-    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (overlay.width !== w || overlay.height !== h) [overlay.width, overlay.height] = [w, h];
-    const context = overlay.getContext("2d")!;
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, w, h);
-    context.scale(ratio, ratio);
-    drawOverlay({ context, camera: this.camera, width, height, look: look(this.theme), font: FONT }, this.plan, this.layers, this.marks);
+    this.paint(width, height, ratio);
+    const { overlay, camera, drawn } = this;
+    const now = performance.now();
+    if (this.moving && this.painter.cost > SLOW && drawn && drawn.camera.scale === camera.scale && now - drawn.when < SELDOM) {
+      overlay.style.transform = `translate(${(drawn.camera.x - camera.x) * camera.scale}px, ${(camera.y - drawn.camera.y) * camera.scale}px)`;
+      return;
+    }
+    const sheet = { camera, width, height, look: look(this.theme), font: FONT };
+    overlay.style.transform = "";
+    drawOverlay({ ...sheet, context: cleared(overlay, width, height, ratio) }, this.plan, this.layers, this.marks);
+    this.drawn = { camera: { ...camera }, when: now };
+    const [left, bottom] = this.axes;
+    left.hidden = bottom.hidden = !this.layers.axes;
+    if (!this.layers.axes) return;
+    drawAxes({ ...sheet, context: cleared(left, AXES.left + 2, height, ratio) });
+    const strip = cleared(bottom, width, STRIP, ratio);
+    strip.translate(0, STRIP - height);
+    drawAxes({ ...sheet, context: strip });
+  }
+
+  /**
+   * Draw the field. Where that takes long (no graphics card), the last drawing is moved and stretched instead while the
+   * view moves, and drawn anew when it is still or shows too little.
+   */
+  private paint(width: number, height: number, ratio: number): void {
+    const { painter, camera, sharp } = this;
+    const now = performance.now();
+    if (this.moving && sharp && painter.cost > SLOW) {
+      const zoom = camera.scale / sharp.camera.scale;
+      const [dx, dy] = [(sharp.camera.x - camera.x) * camera.scale, (camera.y - sharp.camera.y) * camera.scale];
+      const enough = zoom > 0.6 && zoom < 2 && Math.abs(dx) < width / 3 && Math.abs(dy) < height / 3;
+      if (enough || now - sharp.when < 4 * painter.cost) {
+        painter.canvas.style.transform = `translate(${dx}px, ${dy}px) scale(${zoom})`;
+        return;
+      }
+    }
+    painter.draw(camera, width, height, ratio);
+    painter.canvas.style.transform = "";
+    this.sharp = { camera: { ...camera }, when: now };
+    this.element.dataset["cost"] = painter.cost.toFixed(1);
   }
 
   private move(dx: number, dy: number): void {
@@ -307,6 +351,26 @@ export class PlanView {
     this.fitted = false;
     this.movingNow();
     this.changed();
+  }
+
+  /** Return what draws the field; if the graphics card is lost later, the processor takes over. */
+  private makePainter(): Painter {
+    try {
+      const painter = new GlPainter();
+      painter.canvas.addEventListener("webglcontextlost", () => {
+        if (this.painter !== painter || this.ended.signal.aborted) return;
+        this.painter = new RasterPainter();
+        painter.canvas.replaceWith(this.painter.canvas);
+        this.painter.setTheme(this.theme);
+        this.painter.setMesh(this.scene?.mesh ?? null);
+        this.painter.setPicture(this.picture);
+        this.sharp = null;
+        this.request();
+      });
+      return painter;
+    } catch {
+      return new RasterPainter();
+    }
   }
 
   private listen(): void {
@@ -422,41 +486,50 @@ export class PlanView {
 
 export type Range = "auto" | "common" | readonly [number, number];
 
-function makePainter(): Painter {
-  try {
-    return new GlPainter();
-  } catch {
-    return new RasterPainter();
-  }
-}
-
 function fitted([x0, y0, x1, y1]: readonly [number, number, number, number], width: number, height: number, axes: boolean): Camera {
   const [left, bottom] = axes ? [AXES.left, AXES.bottom] : [0, 0];
-  const rim = 18;
+  const rim = 22;
+  const bar = axes ? 14 : 0; // more, for the scale bar
   const scale = Math.max(1e-6, Math.min(
-    (width - left - 2 * rim) / Math.max(x1 - x0, 1e-6), (height - bottom - 2 * rim) / Math.max(y1 - y0, 1e-6),
+    (width - left - 2 * rim) / Math.max(x1 - x0, 1e-6), (height - bottom - bar - 2 * rim) / Math.max(y1 - y0, 1e-6),
   ));
-  return { x: (x0 + x1) / 2 - left / 2 / scale, y: (y0 + y1) / 2 - bottom / 2 / scale, scale };
+  return { x: (x0 + x1) / 2 - left / 2 / scale, y: (y0 + y1) / 2 - (bottom + bar) / 2 / scale, scale };
 }
 
-const EDGES = new WeakMap<Scene, Uint8Array>();
+/** Return the marks of the smallest and the largest value; none of a zero, which a whole part of the plate may have. */
+function extremeMarks({ min, max, inside }: Ends): Marks["extremes"] {
+  const mark = ([value, x, y]: Extreme, word: string, largest: boolean) => ({ point: [x, y] as Point, text: `${word} ${number(value)}`, largest });
+  const small = 1e-6 * Math.max(Math.abs(min[0]), Math.abs(max[0]));
+  const top = inside ?? max;
+  return [
+    ...(top[0] - min[0] > small && Math.abs(top[0]) > small ? [mark(top, inside ? "max inside" : "max", true)] : []),
+    ...(top[0] - min[0] > small && Math.abs(min[0]) > small ? [mark(min, "min", false)] : []),
+  ];
+}
 
-/** Return the colour scale of nodal values: round, and not stretched by the line force at the plate's edges. */
-export function scaleFor(scene: Scene, choice: Choice, field: FieldInfo, of: Float32Array, range: Range): Scale {
-  const { min, max } = extremes(of);
+/** Return a canvas's context, all clear, drawing in pixels of style sheets. */
+function cleared(canvas: HTMLCanvasElement, width: number, height: number, ratio: number): CanvasRenderingContext2D {
+  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+  const context = canvas.getContext("2d")!;
+  if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, w, h);
+  context.scale(ratio, ratio);
+  return context;
+}
+
+/** Return the colour scale of a field: round, and not stretched by the line force at the plate's edges. */
+export function scaleFor(scene: Scene, choice: Choice, field: FieldInfo, range: Range): Scale {
+  const ends = endsOf(scene, choice, field.name);
+  const [min, max] = [ends.min[0], ends.max[0]];
   if (typeof range !== "string") return { ...scaleOf(range[0], range[1], field.signed, range), min, max };
-  let [low, high] = [min, max];
-  if (range === "common") {
-    low = extremes(values(scene, "smallest", field.name)).min;
-    high = extremes(values(scene, "largest", field.name)).max;
-  } else if (field.name === "pressure" && scene.head.edge_force) {
-    let edges = EDGES.get(scene);
-    if (!edges) EDGES.set(scene, (edges = edgeNodes(scene.mesh)));
-    let inside = -Infinity;
-    for (let i = 0; i < of.length; i++) if (!edges[i] && of[i]! > inside) inside = of[i]!;
-    if (inside > low && inside < max) return { ...scaleOf(Math.min(low, 0), inside, field.signed, [Math.min(low, 0), inside]), min, max };
+  let [low, high, inside] = [min, max, ends.inside?.[0] ?? null];
+  if (range === "common" && members(scene, "largest").length > 1) {
+    const most = endsOf(scene, "largest", field.name);
+    [low, high, inside] = [endsOf(scene, "smallest", field.name).min[0], most.max[0], most.inside?.[0] ?? null];
   }
-  if (field.name === "pressure" && low > 0) low = 0;
-  void choice;
+  // what is never negative is shown from zero
+  if (!field.signed) low = Math.min(low, 0);
+  if (inside !== null && inside < high && inside > low) return { ...scaleOf(low, inside, field.signed, [low, inside]), min, max };
   return { ...scaleOf(low, high, field.signed), min, max };
 }

@@ -1,5 +1,5 @@
 // A field on the mesh, drawn by the processor alone: for browsers without WebGL, and as the shader's twin in tests.
-import { facesOf, linesOf } from "./faces";
+import { SMALL, type Tiling, linesOf, partsIn, tilingOf } from "./faces";
 import { look } from "./look";
 import type { Camera, Painter, Picture } from "./painter";
 import { type Rgb, type Scale, bandOf } from "./scale";
@@ -18,15 +18,17 @@ export interface Raster {
   lifted: Uint8Array | null;
 }
 
-/** Fill all triangles of a mesh, the values between their corners linear; pixels count by their centres. */
-export function rasterise(mesh: Mesh, faces: Uint32Array, picture: Picture, camera: Camera, width: number, height: number): Raster {
+/** Fill triangles (parts: start and count in the list of faces), the values between their corners linear; pixels count by their centres. */
+export function rasterise(
+  mesh: Mesh, faces: Uint32Array, parts: readonly (readonly [number, number])[], picture: Picture, camera: Camera, width: number, height: number,
+): Raster {
   const bands = new Uint8Array(width * height).fill(NOTHING);
   const lifted = picture.contact ? new Uint8Array(width * height) : null;
   const { nodes } = mesh;
   const { values, contact, scale } = picture;
   const band = bandFinder(scale);
   const [left, top] = [width / 2 - camera.x * camera.scale, height / 2 + camera.y * camera.scale];
-  for (let f = 0; f < faces.length; f += 3) {
+  for (const [start, count] of parts) for (let f = start; f < start + count; f += 3) {
     const [a, b, c] = [faces[f]!, faces[f + 1]!, faces[f + 2]!];
     const ax = left + nodes[2 * a]! * camera.scale, ay = top - nodes[2 * a + 1]! * camera.scale;
     const bx = left + nodes[2 * b]! * camera.scale, by = top - nodes[2 * b + 1]! * camera.scale;
@@ -92,8 +94,7 @@ export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio
         if (lifted[i]) {
           const along = x - y - anchor;
           const stripe = along - Math.floor(along / pitch) * pitch < 1.5 * ratio;
-          const part = stripe ? 0.45 : 0.45;
-          [red, green, blue] = [0, 1, 2].map((k) => paper[k]! + part * ([red, green, blue][k]! - paper[k]!)) as Rgb;
+          [red, green, blue] = [paper[0] + 0.45 * (red - paper[0]), paper[1] + 0.45 * (green - paper[1]), paper[2] + 0.45 * (blue - paper[2])];
           if (stripe) [red, green, blue] = [red * 0.5 + 32, green * 0.5 + 32, blue * 0.5 + 32];
         }
         for (let d = 1; d <= half; d++) {
@@ -110,61 +111,47 @@ export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio
   return pixels;
 }
 
-/** Paints as the shader does, but slowly: while moving, the last sharp drawing is moved and stretched instead. */
+/** Paints as the shader does, but slowly. */
 export class RasterPainter implements Painter {
   readonly canvas = document.createElement("canvas");
+  cost = 0;
   private readonly context = this.canvas.getContext("2d")!;
-  private readonly sharp = document.createElement("canvas");
-  private sharpCamera: Camera | null = null;
   private mesh: Mesh | null = null;
-  private faces: Uint32Array = new Uint32Array();
+  private tiling: Tiling | null = null;
   private sides: Uint32Array | null = null;
   private picture: Picture | null = null;
   private paper = look("light").paper;
 
   setMesh(mesh: Mesh | null): void {
     this.mesh = mesh;
-    this.faces = mesh ? facesOf(mesh) : new Uint32Array();
+    this.tiling = mesh ? tilingOf(mesh) : null;
     this.sides = null;
-    this.sharpCamera = null;
   }
 
   setPicture(picture: Picture | null): void {
     this.picture = picture;
-    this.sharpCamera = null;
   }
 
   setTheme(theme: Theme): void {
     this.paper = look(theme).paper;
-    this.sharpCamera = null;
   }
 
-  draw(camera: Camera, width: number, height: number, ratio: number, moving: boolean): void {
+  draw(camera: Camera, width: number, height: number, ratio: number): void {
+    const begun = performance.now();
     const [w, h] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
-    if (this.canvas.width !== w || this.canvas.height !== h) {
-      [this.canvas.width, this.canvas.height] = [w, h];
-      this.sharpCamera = null;
-    }
-    this.context.fillStyle = this.paper;
-    this.context.fillRect(0, 0, w, h);
-    if (!this.mesh || !this.picture) return;
-    if (moving && this.sharpCamera) {
-      const before = this.sharpCamera;
-      const zoom = camera.scale / before.scale;
-      const x = w / 2 + (before.x - camera.x) * camera.scale * ratio - (w / 2) * zoom;
-      const y = h / 2 - (before.y - camera.y) * camera.scale * ratio - (h / 2) * zoom;
-      this.context.drawImage(this.sharp, x, y, w * zoom, h * zoom);
-      return;
-    }
+    if (this.canvas.width !== w || this.canvas.height !== h) [this.canvas.width, this.canvas.height] = [w, h];
+    const { context, mesh, tiling, picture } = this;
+    context.fillStyle = this.paper;
+    context.fillRect(0, 0, w, h);
+    if (!mesh || !tiling || !picture) return;
     const inPixels = { ...camera, scale: camera.scale * ratio };
-    const raster = rasterise(this.mesh, this.faces, this.picture, inPixels, w, h);
+    const [dx, dy] = [w / 2 / inPixels.scale, h / 2 / inPixels.scale];
+    const parts = partsIn(tiling, [camera.x - dx, camera.y - dy, camera.x + dx, camera.y + dy], tiling.side * inPixels.scale < SMALL);
     const paper = [1, 3, 5].map((at) => parseInt(this.paper.slice(at, at + 2), 16)) as Rgb;
-    [this.sharp.width, this.sharp.height] = [w, h];
-    const sharp = this.sharp.getContext("2d")!;
-    sharp.putImageData(new ImageData(coloured(raster, this.picture, inPixels, ratio, paper), w, h), 0, 0);
-    if (this.picture.mesh) this.drawSides(sharp, inPixels, w, h, ratio);
-    this.sharpCamera = { ...camera };
-    this.context.drawImage(this.sharp, 0, 0);
+    const raster = rasterise(mesh, tiling.faces, parts, picture, inPixels, w, h);
+    context.putImageData(new ImageData(coloured(raster, picture, inPixels, ratio, paper), w, h), 0, 0);
+    if (picture.mesh) this.drawSides(context, inPixels, w, h, ratio);
+    this.cost = performance.now() - begun;
   }
 
   dispose(): void {

@@ -23,8 +23,8 @@ const VIRIDIS = [
 const BLUE_RED = [
   "053061", "2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b", "67001f",
 ].map(rgb);
-const OVER: Rgb = [214, 0, 147];
-const UNDER: Rgb = [0, 150, 60];
+const OVER: Rgb = [179, 0, 0];
+const UNDER: Rgb = [120, 120, 120];
 /** Part of a band by which a value must lie beyond the scale to be shown so: what was packed is rounded. */
 export const BEYOND = 2e-3;
 const STEPS = [1, 2, 2.5, 5, 10];
@@ -120,6 +120,11 @@ export function number(value: number, digits = 4): string {
   const size = Math.abs(value);
   const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : plain(value, digits);
   return text.replace(/-/g, "\u2212");
+}
+
+/** Write a measure without needless zeros: 0.5, 800, 12.25. */
+export function neat(value: number, digits = 4): string {
+  return number(Number(value.toPrecision(digits)) === 0 ? 0 : value, digits).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
 }
 
 /** Write the limits of a scale: all with the decimals that the finest of them needs. */

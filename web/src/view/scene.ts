@@ -22,6 +22,7 @@ export interface Load {
   case: string;
   points?: Point[];
   ring?: Ring;
+  footprint?: Ring; // of a point load that has one
   text: string;
 }
 export interface Place { path: string; name: string; x: number; y: number }
@@ -57,6 +58,8 @@ export interface Field {
 
 export type Extreme = [value: number, x: number, y: number];
 
+interface Range { min: Extreme; max: Extreme }
+
 export interface Combination {
   name: string;
   number: number;
@@ -65,7 +68,7 @@ export interface Combination {
   refused: string | null;
   certified: boolean;
   values: Record<string, Block> | null;
-  extremes: Record<string, { min: Extreme; max: Extreme }>;
+  extremes: Record<string, Range & { inside?: Range }>; // inside: edge nodes with a line force left out
 }
 
 export interface Head {

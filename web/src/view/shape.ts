@@ -8,6 +8,9 @@ const ROW = [0, 0, 2, 2, 0, 1, 2, 1, 1] as const;
 /** The eight triangles of a nine-node quadrilateral: all meet in its centre, two along each side. */
 export const TRIANGLES = [0, 4, 8, 4, 1, 8, 1, 5, 8, 5, 2, 8, 2, 6, 8, 6, 3, 8, 3, 7, 8, 7, 0, 8] as const;
 
+/** Two triangles of its corners alone. */
+export const CORNERS = [0, 1, 2, 0, 2, 3] as const;
+
 /** The nodes of an element's four sides: end, end, middle. */
 export const SIDES = [[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]] as const;
 

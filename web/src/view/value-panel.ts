@@ -1,8 +1,8 @@
 // All values at a picked point.
 import { make, symbol } from "./dom";
-import { CONTACT, type Choice, choiceName, direction, fieldsOf, inContact, isEnvelope, valueAt } from "./fields";
+import { type Choice, choiceName, direction, fieldsOf, inContact, isEnvelope, valueAt } from "./fields";
 import type { Locator } from "./locate";
-import { number } from "./scale";
+import { neat, number } from "./scale";
 import type { Point, Scene } from "./scene";
 import "./value-panel.css";
 
@@ -33,11 +33,15 @@ export class ValuePanel {
     const rows = make("tbody", {});
     for (const info of fieldsOf(scene)) {
       const found = valueAt(scene, locator, choice, info.name, spot);
-      const row = make("tr", { title: info.meaning, tabindex: 0 },
+      const row = make("tr", { title: info.meaning },
         make("th", { scope: "row" }, symbol(info.symbol)), make("td", {}, number(found.value)), make("td", { class: "gs-unit" }, info.unit));
       if (several) row.append(make("td", { class: "gs-from", title: scene.head.combinations[found.from]?.name ?? "" }, `(${scene.head.combinations[found.from]?.number ?? ""})`));
       if (info.name === field) row.classList.add("gs-chosen");
-      row.addEventListener("click", () => this.onField?.(info.name));
+      if (this.onField) {
+        row.tabIndex = 0;
+        row.addEventListener("click", () => this.onField?.(info.name));
+        row.addEventListener("keydown", (event) => { if (event.key === "Enter") this.onField?.(info.name); });
+      }
       rows.append(row);
     }
     if (!several) {
@@ -52,11 +56,12 @@ export class ValuePanel {
     if (contact !== null) notes.append(make("div", {}, `contact: ${contact ? "yes" : several ? "not in every combination" : "no"}`));
     const section = sectionText(scene, spot.element);
     if (section) notes.append(make("div", {}, section));
+    if (several) notes.append(make("div", {}, "In brackets: the number of the combination that governs; hold the pointer over it for its name."));
     element.append(notes);
   }
 
   private hint(): void {
-    this.element.replaceChildren(make("p", { class: "gs-values-hint" }, "Choose “Pick” and click on the plate to read all values there."));
+    this.element.replaceChildren(make("p", { class: "gs-values-hint" }, "Click on the plate to read all values there."));
   }
 }
 
@@ -68,11 +73,9 @@ export function sectionText(scene: Scene, element: number): string {
   const zone = of > 0 ? plan.zones[of - 1] : undefined;
   const thickness = zone ? zone.thickness : plan.thickness;
   const name = zone ? (zone.name ?? `zone ${of}`) : "plate";
-  return thickness === undefined ? `section: ${name}` : `section: ${name}, t = ${number(thickness * 1000)} mm`;
+  return thickness === undefined ? `section: ${name}` : `section: ${name}, t = ${neat(thickness * 1000)} mm`;
 }
 
 function metres(value: number): string {
   return value.toFixed(3).replace(/-/, "\u2212");
 }
-
-void CONTACT;
