@@ -7,6 +7,7 @@ import type { Camera, Painter, Picture } from "./painter";
 import { BEYOND } from "./scale";
 import type { Mesh } from "./scene";
 import { SMALL, type Tiling, linesOf, partsIn, tilingOf } from "./faces";
+import { look, rgbOf } from "./look";
 import type { Theme } from "./theme";
 
 const VERTEX = `
@@ -51,7 +52,7 @@ in float vValue;
 in float vContact;
 uniform float uContact;
 uniform vec2 uAnchor;
-uniform vec3 uPaper;
+uniform vec3 uPaper, uHatch;
 out vec4 result;
 ${BANDS}
 void main() {
@@ -61,7 +62,7 @@ void main() {
     if (vContact > 0.0) {
       vec2 p = (gl_FragCoord.xy - uAnchor) / uRatio;
       float stripe = abs(fract((p.x + p.y) / 9.0) - 0.5) * 9.0 * 0.7071;
-      colour = mix(mix(colour, uPaper, 0.55), vec3(0.25), 0.55 * (1.0 - smoothstep(0.3, 1.0, stripe)));
+      colour = mix(mix(colour, uPaper, 0.55), uHatch, 0.6 * (1.0 - smoothstep(0.3, 1.0, stripe)));
     }
     float d = abs(vContact) / max(slope, 1e-30) / uRatio;
     colour = mix(vec3(1.0), colour, smoothstep(1.6, 2.4, d));
@@ -104,7 +105,7 @@ export class GlPainter implements Painter {
   private readonly renderer: WebGLRenderer;
   private readonly world = new World();
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
-  private readonly uniforms = { ...bandUniforms(), uContact: { value: 0 }, uAnchor: { value: new Vector2() }, uPaper: { value: [1, 1, 1] } };
+  private readonly uniforms = { ...bandUniforms(), uContact: { value: 0 }, uAnchor: { value: new Vector2() }, uPaper: { value: [1, 1, 1] }, uHatch: { value: [0.25, 0.25, 0.25] } };
   private readonly material = new RawShaderMaterial({
     glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, depthTest: false, depthWrite: false, side: 2,
   });
@@ -172,9 +173,10 @@ export class GlPainter implements Painter {
   }
 
   setTheme(theme: Theme): void {
-    const paper = theme === "dark" ? 0x16191d : 0xffffff;
+    const { paper, hatch } = look(theme);
     this.renderer.setClearColor(paper, 1);
-    this.uniforms.uPaper.value = [(paper >> 16) / 255, ((paper >> 8) & 255) / 255, (paper & 255) / 255];
+    this.uniforms.uPaper.value = rgbOf(paper).map((part) => part / 255);
+    this.uniforms.uHatch.value = rgbOf(hatch).map((part) => part / 255);
   }
 
   draw(camera: Camera, width: number, height: number, ratio: number): void {

@@ -1,6 +1,6 @@
 // A field on the mesh, drawn by the processor alone: for browsers without WebGL, and as the shader's twin in tests.
 import { SMALL, type Tiling, linesOf, partsIn, tilingOf } from "./faces";
-import { look } from "./look";
+import { look, rgbOf } from "./look";
 import type { Camera, Painter, Picture } from "./painter";
 import { type Rgb, type Scale, bandOf } from "./scale";
 import type { Mesh } from "./scene";
@@ -71,7 +71,7 @@ export function rasterise(
 }
 
 /** Colour a raster: bands with thin lines between them, stripes where the plate has lifted, its boundary. */
-export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio: number, paper: Rgb): Uint8ClampedArray<ArrayBuffer> {
+export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio: number, paper: Rgb, hatch: Rgb): Uint8ClampedArray<ArrayBuffer> {
   const { width, height, bands, lifted } = raster;
   const palette: Rgb[] = [];
   picture.scale.colours.forEach((colour, i) => { palette[i] = colour; });
@@ -95,7 +95,7 @@ export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio
           const along = x - y - anchor;
           const stripe = along - Math.floor(along / pitch) * pitch < 1.5 * ratio;
           [red, green, blue] = [paper[0] + 0.45 * (red - paper[0]), paper[1] + 0.45 * (green - paper[1]), paper[2] + 0.45 * (blue - paper[2])];
-          if (stripe) [red, green, blue] = [red * 0.5 + 32, green * 0.5 + 32, blue * 0.5 + 32];
+          if (stripe) [red, green, blue] = [0.45 * red + 0.55 * hatch[0], 0.45 * green + 0.55 * hatch[1], 0.45 * blue + 0.55 * hatch[2]];
         }
         for (let d = 1; d <= half; d++) {
           const other = x + d < width && bands[i + d] !== NOTHING && lifted[i + d] !== lifted[i];
@@ -120,7 +120,7 @@ export class RasterPainter implements Painter {
   private tiling: Tiling | null = null;
   private sides: Uint32Array | null = null;
   private picture: Picture | null = null;
-  private paper = look("light").paper;
+  private look = look("light");
 
   setMesh(mesh: Mesh | null): void {
     this.mesh = mesh;
@@ -133,7 +133,7 @@ export class RasterPainter implements Painter {
   }
 
   setTheme(theme: Theme): void {
-    this.paper = look(theme).paper;
+    this.look = look(theme);
   }
 
   draw(camera: Camera, width: number, height: number, ratio: number): void {
@@ -141,15 +141,14 @@ export class RasterPainter implements Painter {
     const [w, h] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
     if (this.canvas.width !== w || this.canvas.height !== h) [this.canvas.width, this.canvas.height] = [w, h];
     const { context, mesh, tiling, picture } = this;
-    context.fillStyle = this.paper;
+    context.fillStyle = this.look.paper;
     context.fillRect(0, 0, w, h);
     if (!mesh || !tiling || !picture) return;
     const inPixels = { ...camera, scale: camera.scale * ratio };
     const [dx, dy] = [w / 2 / inPixels.scale, h / 2 / inPixels.scale];
     const parts = partsIn(tiling, [camera.x - dx, camera.y - dy, camera.x + dx, camera.y + dy], tiling.side * inPixels.scale < SMALL);
-    const paper = [1, 3, 5].map((at) => parseInt(this.paper.slice(at, at + 2), 16)) as Rgb;
     const raster = rasterise(mesh, tiling.faces, parts, picture, inPixels, w, h);
-    context.putImageData(new ImageData(coloured(raster, picture, inPixels, ratio, paper), w, h), 0, 0);
+    context.putImageData(new ImageData(coloured(raster, picture, inPixels, ratio, rgbOf(this.look.paper), rgbOf(this.look.hatch)), w, h), 0, 0);
     if (picture.mesh) this.drawSides(context, inPixels, w, h, ratio);
     this.cost = performance.now() - begun;
   }

@@ -39,7 +39,7 @@ export function roundStep(least: number): number {
 
 /** Return round numbers at one distance, at most `most` intervals, from at or below low to at or above high. */
 export function roundLevels(low: number, high: number, most: number): number[] {
-  if (!(high > low)) {
+  if (!(high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) {
     const half = Math.abs(low) * 0.5 || 0.5;
     [low, high] = [low - half, low + half];
   }

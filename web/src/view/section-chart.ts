@@ -6,7 +6,7 @@ import type { Locator } from "./locate";
 import { type Look, look } from "./look";
 import { neat, number } from "./scale";
 import type { Point, Scene } from "./scene";
-import { type Samples, along, peaks, sample } from "./section";
+import { type Samples, along, downwards, limits, peaks, sample } from "./section";
 import { type Theme, theme } from "./theme";
 import "uplot/dist/uPlot.min.css";
 import "./section-chart.css";
@@ -235,17 +235,3 @@ export class SectionChart {
 }
 
 interface Peak { s: number; value: number; curve: number }
-
-/** Return the ends of the axis of values: with zero unless all values are far from it. */
-export function limits(low: number | null, high: number | null): [number, number] {
-  let [from, to] = [low ?? 0, high ?? 0];
-  if (from > 0 && from < 0.7 * to) from = 0;
-  if (to < 0 && to > 0.7 * from) to = 0;
-  const rim = 0.08 * (to - from) || 0.1 * Math.abs(to) || 1;
-  return [from === 0 ? 0 : from - rim, to === 0 ? 0 : to + rim];
-}
-
-/** Settlements and moments are drawn downwards, as the plate settles and where its face is in tension. */
-export function downwards(field: string): boolean {
-  return field === "settlement" || field.startsWith("moment") || /^(m_|bottom|top)/.test(field);
-}

@@ -69,3 +69,18 @@ export function peaks(s: readonly number[], y: readonly (number | null)[]): { mi
   });
   return min && max ? { min, max } : null;
 }
+
+/** Return the ends of the axis of values: with zero unless all values are far from it. */
+export function limits(low: number | null, high: number | null): [number, number] {
+  let [from, to] = [low ?? 0, high ?? 0];
+  if (from > 0 && from < 0.7 * to) from = 0;
+  if (to < 0 && to > 0.7 * from) to = 0;
+  if (from === to) return [from - (0.1 * Math.abs(from) || 1), to + (0.1 * Math.abs(to) || 1)];
+  const rim = 0.08 * (to - from);
+  return [from === 0 ? 0 : from - rim, to === 0 ? 0 : to + rim];
+}
+
+/** Settlements and moments are drawn downwards, as the plate settles and where its face is in tension. */
+export function downwards(field: string): boolean {
+  return field === "settlement" || field.startsWith("moment") || /^(m_|bottom|top)/.test(field);
+}

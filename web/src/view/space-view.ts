@@ -8,7 +8,7 @@ import { make } from "./dom";
 import { SMALL, type Tiling, borderOf, tilingOf } from "./faces";
 import { type Choice, endsOf, fieldOf, values } from "./fields";
 import { BANDS, bandUniforms, setBands } from "./gl-painter";
-import { look } from "./look";
+import { look, rgbOf } from "./look";
 import { type Range, type Shown, scaleFor } from "./plan-view";
 import { neat, roundStep } from "./scale";
 import type { Scene } from "./scene";
@@ -273,7 +273,7 @@ export class SpaceView {
     if (!gl) return;
     const { paper, ink, ink2 } = look(to);
     gl.renderer.setClearColor(paper, 1);
-    gl.uniforms.uInk.value = [1, 3, 5].map((at) => parseInt(ink.slice(at, at + 2), 16) / 255);
+    gl.uniforms.uInk.value = rgbOf(ink).map((part) => part / 255);
     gl.flat.material.color.set(ink2);
     gl.columns.material.color.set(ink);
   }

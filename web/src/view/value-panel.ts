@@ -56,7 +56,7 @@ export class ValuePanel {
     if (contact !== null) notes.append(make("div", {}, `contact: ${contact ? "yes" : several ? "not in every combination" : "no"}`));
     const section = sectionText(scene, spot.element);
     if (section) notes.append(make("div", {}, section));
-    if (several) notes.append(make("div", {}, "In brackets: the number of the combination that governs; hold the pointer over it for its name."));
+    if (several) notes.append(make("div", { class: "gs-screen" }, "In brackets: the number of the combination that governs; hold the pointer over it for its name."));
     element.append(notes);
   }
 
