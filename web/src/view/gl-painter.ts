@@ -1,14 +1,15 @@
-// A field on the mesh, drawn by WebGL: one vertex for each node, eight triangles for each element, colours by bands.
+// A field on the mesh, drawn by the graphics card through WebGL: one vertex for each node, eight triangles for each element, colours by bands.
 import {
   BufferAttribute, BufferGeometry, DataTexture, GLSL3, LineBasicMaterial, LineSegments, Mesh as Faces, NearestFilter,
   OrthographicCamera, RawShaderMaterial, Scene as World, Vector2, WebGLRenderer,
 } from "three";
 import type { Camera, Painter, Picture } from "./painter";
-import { BEYOND } from "./scale";
+import { BEYOND, type Scale } from "./scale";
 import type { Mesh } from "./scene";
 import { SMALL, type Tiling, linesOf, partsIn, tilingOf } from "./faces";
 import { look, rgbOf } from "./look";
 import type { Theme } from "./theme";
+import { contextOf } from "./webgl";
 
 const VERTEX = `
 in vec3 position;
@@ -80,8 +81,7 @@ export function bandUniforms() {
   };
 }
 
-export function setBands(uniforms: ReturnType<typeof bandUniforms>, picture: Picture): void {
-  const { scale } = picture;
+export function setBands(uniforms: ReturnType<typeof bandUniforms>, scale: Scale, lines: boolean): void {
   const count = scale.colours.length;
   const texels = new Uint8Array(4 * count);
   scale.colours.forEach((colour, i) => texels.set([...colour, 255], 4 * i));
@@ -95,7 +95,7 @@ export function setBands(uniforms: ReturnType<typeof bandUniforms>, picture: Pic
   uniforms.uCount.value = count;
   uniforms.uLow.value = scale.levels[0]!;
   uniforms.uHigh.value = scale.levels[count]!;
-  uniforms.uLines.value = picture.lines ? 1 : 0;
+  uniforms.uLines.value = lines ? 1 : 0;
   uniforms.uOver.value = scale.over.map((part) => part / 255);
   uniforms.uUnder.value = scale.under.map((part) => part / 255);
 }
@@ -119,10 +119,9 @@ export class GlPainter implements Painter {
   private sidesOf: Mesh | null = null;
   private size = "";
 
-  /** Throws if the browser has no WebGL 2. */
+  /** Throws if no graphics card stands behind the browser's WebGL 2: without one the processor does better alone. */
   constructor() {
-    const context = this.canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, stencil: false, powerPreference: "high-performance" });
-    if (!context) throw new Error("no WebGL 2");
+    const context = contextOf(this.canvas, { antialias: false, alpha: false, depth: false, stencil: false });
     this.renderer = new WebGLRenderer({ canvas: this.canvas, context, antialias: false, alpha: false, depth: false });
     this.faces.frustumCulled = this.sides.frustumCulled = false;
     this.sides.renderOrder = 1;
@@ -162,7 +161,7 @@ export class GlPainter implements Painter {
     put(geometry, "value", picture.values);
     put(geometry, "contact", picture.contact ?? picture.values);
     this.uniforms.uContact.value = picture.contact ? 1 : 0;
-    setBands(this.uniforms, picture);
+    setBands(this.uniforms, picture.scale, picture.lines);
     if (picture.mesh && this.sidesOf !== this.mesh) {
       this.sides.geometry.dispose();
       this.sides.geometry = new BufferGeometry();

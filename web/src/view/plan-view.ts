@@ -23,8 +23,9 @@ export interface Shown {
 const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "Liberation Sans", "DejaVu Sans", sans-serif';
 /** A press that moves less than this [px] is a click. */
 const CLICK = 4;
-/** Where drawing takes longer [ms], a moving picture is not drawn anew for every frame. */
+/** Where drawing takes longer than this, or frames of a movement follow later than this [ms], not every one is drawn anew. */
 const SLOW = 22;
+const LAG = 30;
 /** ... and what lies above it only so often [ms]; between, it is moved. */
 const SELDOM = 120;
 const STILL = 140; // ms without movement until the picture is drawn sharp
@@ -68,6 +69,10 @@ export class PlanView {
   private still = 0;
   private moving = false;
   private drawn: { camera: Camera; when: number } | null = null; // what the overlay shows
+  private slow = false;
+  private before = 0; // time of the last frame of a movement [ms]
+  private between = 0; // usual time between frames of a movement [ms]
+  private frames = 0;
   private sharp: { camera: Camera; when: number } | null = null; // what the painter drew last
   private readonly resized: ResizeObserver;
   private readonly ended = new AbortController();
@@ -91,7 +96,7 @@ export class PlanView {
     this.resize();
   }
 
-  /** Whether WebGL draws; otherwise the processor does. */
+  /** Whether a graphics card draws; otherwise the processor does. */
   get accelerated(): boolean {
     return this.painter instanceof GlPainter;
   }
@@ -289,11 +294,12 @@ export class PlanView {
   private draw(): void {
     const [width, height] = this.size;
     if (!width || !height) return;
+    this.watch();
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     this.paint(width, height, ratio);
     const { overlay, camera, drawn } = this;
     const now = performance.now();
-    if (this.moving && this.painter.cost > SLOW && drawn && drawn.camera.scale === camera.scale && now - drawn.when < SELDOM) {
+    if (this.moving && this.slow && drawn && drawn.camera.scale === camera.scale && now - drawn.when < SELDOM) {
       overlay.style.transform = `translate(${(drawn.camera.x - camera.x) * camera.scale}px, ${(camera.y - drawn.camera.y) * camera.scale}px)`;
       return;
     }
@@ -310,6 +316,19 @@ export class PlanView {
     drawAxes({ ...sheet, context: strip });
   }
 
+  /** Find out whether this computer is too slow to draw every frame of a movement anew. */
+  private watch(): void {
+    const now = performance.now();
+    if (this.painter.cost > SLOW) this.slow = true;
+    // the browser's own work for each frame counts too, and only the time between frames shows it
+    if (this.moving && this.before && now - this.before < 500) {
+      this.between = this.between ? 0.8 * this.between + 0.2 * (now - this.before) : now - this.before;
+      this.frames += 1;
+      if (this.frames > 8 && this.between > LAG) this.slow = true;
+    }
+    this.before = this.moving ? now : 0;
+  }
+
   /**
    * Draw the field. Where that takes long (no graphics card), the last drawing is moved and stretched instead while the
    * view moves, and drawn anew when it is still or shows too little.
@@ -317,7 +336,7 @@ export class PlanView {
   private paint(width: number, height: number, ratio: number): void {
     const { painter, camera, sharp } = this;
     const now = performance.now();
-    if (this.moving && sharp && painter.cost > SLOW) {
+    if (this.moving && sharp && this.slow) {
       const zoom = camera.scale / sharp.camera.scale;
       const [dx, dy] = [(sharp.camera.x - camera.x) * camera.scale, (camera.y - sharp.camera.y) * camera.scale];
       const enough = zoom > 0.6 && zoom < 2 && Math.abs(dx) < width / 3 && Math.abs(dy) < height / 3;

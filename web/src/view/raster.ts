@@ -115,7 +115,7 @@ export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio
 export class RasterPainter implements Painter {
   readonly canvas = document.createElement("canvas");
   cost = 0;
-  private readonly context = this.canvas.getContext("2d")!;
+  private readonly context = this.canvas.getContext("2d", { willReadFrequently: true })!;
   private mesh: Mesh | null = null;
   private tiling: Tiling | null = null;
   private sides: Uint32Array | null = null;
