@@ -73,9 +73,10 @@ FLOORS = [
         "sections",
         "punching",
         "tilt",
+        "readings",
     ],
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
-    ["views", "study"],
+    ["plots", "views", "study"],
     ["cli", "__main__"],
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}

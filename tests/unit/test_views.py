@@ -1,4 +1,4 @@
-"""What is said about results: summary, JSON, VTU, archive, picture."""
+"""What is said about results: summary, JSON, VTU, archive; and the picture."""
 
 from __future__ import annotations
 
@@ -19,8 +19,10 @@ from rich.console import Console
 import synthetic
 from groundslab.errors import GroundslabError, InputError
 from groundslab.model import Column, LineSupport, PointSupport
+from groundslab.plots import filled, picture
+from groundslab.readings import contact_function
 from groundslab.results import PLATE_FIELDS, SupportResult
-from groundslab.views import archive, overview, picture, progress, summary, table, vtu
+from groundslab.views import archive, overview, progress, summary, table, vtu
 
 
 def rows(results: Any) -> dict[str, summary.Row]:
@@ -484,7 +486,7 @@ class TestPicture:
     def test_triangles_cover_the_plate_once(self) -> None:
         """The triangles all turn the same way and their areas add up to the plate's."""
         nodes, elements = synthetic.grid(3, 2, 9.6, 7.2)
-        a, b, c = (nodes[corner] for corner in picture.triangulate(elements).T)
+        a, b, c = (nodes[corner] for corner in filled.triangulate(elements).T)
         u, v = b - a, c - a
         twice = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
         assert (twice > 0).all()
@@ -493,7 +495,7 @@ class TestPicture:
     def test_contact_boundary_lies_where_winkler_has_it(self) -> None:
         """On Winkler ground the function whose zero is drawn is -k w, straight through the boundary."""
         results = synthetic.results(4)
-        assert np.allclose(picture.contact_function(results), -synthetic.K0 * results.plate.settlement)
+        assert np.allclose(contact_function(results), -synthetic.K0 * results.plate.settlement)
 
 
 def test_heavy_libraries_wait_until_they_are_called() -> None:
@@ -501,7 +503,8 @@ def test_heavy_libraries_wait_until_they_are_called() -> None:
     code = f"""
 import sys
 sys.path.insert(0, {str(Path(synthetic.__file__).parent)!r})
-from groundslab.views import archive, contents, overview, picture, progress, store, summary, table, vtu
+from groundslab.plots import picture
+from groundslab.views import archive, contents, overview, progress, store, summary, table, vtu
 assert not {{"matplotlib", "meshio", "rich", "scipy", "pint", "pydantic"}} & set(sys.modules)
 import synthetic
 picture.draw(synthetic.results())

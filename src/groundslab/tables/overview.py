@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.loadcases import Combination
+from groundslab.readings import holds_line_force
 from groundslab.results import Combined, Results
-from groundslab.tables.quantities import extreme, holds_line_force, nodal, place, ranged, solved
+from groundslab.tables.quantities import extreme, nodal, place, ranged, solved
 from groundslab.tables.table import Cell, Table, table_of
 from groundslab.tilt import tilt
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.design import principal_moments, wood_armer
+from groundslab.readings import holds_line_force
 from groundslab.results import PLATE_FIELDS, Combined, PlateResult, Results
 from groundslab.shape import Array, Flags
 from groundslab.tables.table import Head
@@ -88,11 +89,6 @@ def _one(fields: Mapping[str, Array], name: str) -> Array:
 def solved(combined: Combined) -> list[Results]:
     """Return the results there are, in the order of the combinations."""
     return [combined.results[each.name] for each in combined.combinations if each.name in combined.results]
-
-
-def holds_line_force(results: Results) -> bool:
-    """Return whether the pressure at edge nodes also holds the edge line force of a ground with shear."""
-    return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.on_edge.any())
 
 
 def ranged(results: Results) -> list[tuple[Quantity, str, Flags]]:

@@ -1,1 +1,1 @@
-"""How results are shown and kept: terminal, JSON, VTU, archive, picture, folder."""
+"""How results are shown and kept: terminal, JSON, VTU, archive, folder."""

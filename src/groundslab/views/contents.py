@@ -22,7 +22,8 @@ LONGEST = 40
 
 def of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
     """Return what writes the files of one combination, by their paths; all of them begin with `below`."""
-    from groundslab.views import archive, picture, vtu
+    from groundslab.plots import picture
+    from groundslab.views import archive, vtu
 
     writers: dict[str, Writer] = {
         f"{below}plate.vtu": partial(vtu.write_plate, results),

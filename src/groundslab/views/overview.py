@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.errors import NotCertified, NotConverged
+from groundslab.readings import goes_below_zero
+from groundslab.readings import require_finite as require_one_finite
 from groundslab.views import summary
 from groundslab.views.summary import Row, Section
 
@@ -62,7 +64,7 @@ def require_finite(combined: Combined) -> None:
     """Raise GroundslabError if any number of any combination's results is infinite or not a number."""
     for entry in entries(combined):
         if entry.results is not None:
-            summary.require_finite(entry.results)
+            require_one_finite(entry.results)
 
 
 def figures(results: Results) -> Figures:
@@ -72,7 +74,7 @@ def figures(results: Results) -> Figures:
     return Figures(
         load=results.certificate.load,
         settlement=float(plate.settlement.max()),
-        uplift=-low if summary.goes_below_zero(plate.settlement) else 0.0,
+        uplift=-low if goes_below_zero(plate.settlement) else 0.0,
         contact=float(plate.area[plate.in_contact].sum() / plate.area.sum()),
         iterations=len(results.steps),
     )

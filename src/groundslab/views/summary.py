@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from groundslab import __version__
-from groundslab.errors import GroundslabError
+from groundslab.readings import goes_below_zero, holds_line_force, require_finite
 from groundslab.results import PLATE_FIELDS
 
 if TYPE_CHECKING:
@@ -17,11 +17,7 @@ if TYPE_CHECKING:
     from groundslab.results import (
         Array,
         Certificate,
-        Constants,
-        ElementResult,
         Flags,
-        GroundResult,
-        PlateResult,
         Results,
         SupportResult,
     )
@@ -167,34 +163,6 @@ def dumps(document: dict[str, Any]) -> str:
     return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
 
 
-def require_finite(results: Results) -> None:
-    """Raise GroundslabError if any number of the results is infinite or not a number."""
-    parts: dict[str, PlateResult | ElementResult | GroundResult | Constants | Certificate] = {
-        "plate": results.plate,
-        "elements": results.elements,
-        "ground": results.ground,
-        "constants": results.constants,
-        "certificate": results.certificate,
-    }
-    for part, values in parts.items():
-        for item in fields(values):
-            value = getattr(values, item.name)
-            if value is not None and not np.all(np.isfinite(value)):
-                raise GroundslabError(
-                    f"{part}.{item.name} of the results holds a number that is not finite; nothing is shown or written"
-                )
-
-
-def edge_carries_line_force(results: Results) -> bool:
-    """Return whether the pressure at edge nodes also holds the edge line force of a ground with shear."""
-    return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.on_edge.any())
-
-
-def goes_below_zero(values: Array) -> bool:
-    """Return whether the smallest of the values is negative by more than rounding."""
-    return bool(values.min() < -1e-9 * np.abs(values).max())
-
-
 def extreme(nodes: Array, values: Array, kind: Literal["largest", "smallest"]) -> tuple[float, tuple[float, float]]:
     """Return the largest or smallest of the nodal values and its place [m].
 
@@ -276,7 +244,7 @@ def _contact(results: Results) -> Section:
     rows = [Row("share", "plate's area in contact", share, PERCENT)]
     rows.append(Row("largest_gap", "largest gap", gap, _unit("gap"), "g", place if gap > 0 else None))
     notes: tuple[str, ...] = ()
-    line_force = edge_carries_line_force(results)
+    line_force = holds_line_force(results)
     inside = ~plate.on_edge if line_force else np.ones_like(plate.on_edge)
     rows += _pressures(plate.nodes, plate.pressure, inside, unit, "", " inside" if line_force else "")
     if line_force:
