@@ -43,6 +43,7 @@ if TYPE_CHECKING:
         Winkler,
         Zone,
     )
+    from groundslab.plots import plot
     from groundslab.results import Combined, Results
     from groundslab.tables import tables_of
 
@@ -83,6 +84,7 @@ __all__ = [
     "Zone",
     "__version__",
     "load",
+    "plot",
     "solve",
     "solve_combinations",
     "tables_of",
@@ -98,6 +100,7 @@ _HOME = {
     "Combined": "results",
     "Results": "results",
     "load": "casefile",
+    "plot": "plots",
     "solve": "analysis",
     "solve_combinations": "analysis",
     "tables_of": "tables",

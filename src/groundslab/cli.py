@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, plot, check, new, dxf, verify, schema.
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 130 interrupted.
@@ -37,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # A title may hold letters that the terminal's encoding lacks.
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")
-    options = _parser().parse_args(arguments)
+    options = _options(sys.argv[1:] if arguments is None else arguments)
     try:
         code: int = options.run(options)
     except InputError as error:
@@ -64,6 +64,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return code
 
 
+def _options(arguments: Sequence[str]) -> argparse.Namespace:
+    """Return the arguments by name; fields may stand behind options, and coordinates may begin with a minus."""
+    joined: list[str] = []
+    for argument in arguments:
+        if joined and joined[-1] == "--line":
+            joined[-1] = f"--line={argument}"
+        else:
+            joined.append(argument)
+    parser = _parser()
+    options, left = parser.parse_known_args(joined)
+    if left and (not hasattr(options, "fields") or any(word.startswith("-") for word in left)):
+        parser.error(f"unrecognized arguments: {' '.join(left)}")
+    if left:
+        options.fields += left
+    return options
+
+
 def _parser() -> argparse.ArgumentParser:
     """Return the description of the command line."""
     parser = argparse.ArgumentParser(
@@ -85,6 +102,8 @@ def _parser() -> argparse.ArgumentParser:
     solve.add_argument("--json", action="store_true", help="print the summary as JSON, and nothing else")
     solve.add_argument("--plot", action="store_true", help="add picture.png to the results of each combination")
     solve.add_argument("--quiet", action="store_true", help="print neither summary nor progress")
+
+    _describe_plot(_command(commands, "plot", _plot, "draw figures of results: PDF, SVG or PNG"))
 
     check = _command(commands, "check", _check, "read a case file and say everything that is wrong with it")
     check.add_argument("case", help="case file (TOML)")
@@ -112,6 +131,49 @@ def _parser() -> argparse.ArgumentParser:
 
     _command(commands, "schema", _schema, "print the JSON schema of a case file")
     return parser
+
+
+def _describe_plot(plot: argparse.ArgumentParser) -> None:
+    """Add what the command plot understands."""
+    plot.add_argument("folder", metavar="FOLDER", help="folder of results that groundslab solve wrote")
+    plot.add_argument(
+        "fields",
+        nargs="*",
+        metavar="FIELD",
+        help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
+        "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
+        "design moments bottom_x, bottom_y, top_x, top_y (default: a usual choice for the kind)",
+    )
+    plot.add_argument(
+        "--kind",
+        metavar="KIND",
+        help="plan, deformed (the plate in space), lines (values along section lines), soil (layers, moduli, mode) or "
+        "convergence (default: plan; lines if --line is given)",
+    )
+    plot.add_argument(
+        "--combination",
+        action="append",
+        metavar="NAME",
+        help="combination to draw, may be repeated (default: all that have a certified result)",
+    )
+    plot.add_argument(
+        "--envelope",
+        metavar="STATE",
+        help="draw the largest and smallest values over the combinations of a limit state: ultimate, characteristic, "
+        "frequent or quasi-permanent; for plan and lines",
+    )
+    plot.add_argument(
+        "--line",
+        action="append",
+        metavar="X1,Y1,X2,Y2",
+        help="section line in metres, may be repeated (default: those that the case names)",
+    )
+    plot.add_argument(
+        "--out",
+        metavar="FILE",
+        help="file to write, which ends with .pdf (pages of A4 width), .svg or .png (one sheet); an existing one is "
+        "replaced (default: a PDF beside the folder)",
+    )
 
 
 def _command(
@@ -225,6 +287,41 @@ def _progress(quiet: bool, count: int) -> AbstractContextManager[Shown | None]:
     from groundslab.views.progress import progress
 
     return progress(count=count)
+
+
+def _plot(options: argparse.Namespace) -> int:
+    """Draw figures of a folder of results into a file."""
+    from pathlib import Path
+
+    from groundslab import plots
+    from groundslab.plots.files import format_of
+    from groundslab.plots.wish import wish_of
+    from groundslab.views import store
+
+    folder = Path(os.path.realpath(options.folder))
+    lines = [_coordinates(text) for text in options.line] if options.line else None
+    combined = store.load(options.folder)
+    wish = wish_of(combined, options.fields, options.kind, options.combination, options.envelope, lines)
+    what = "-".join(amount.name for amount in wish.amounts) if options.fields and wish.kind == "plan" else wish.kind
+    file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
+    format_of(file)
+    if folder in Path(os.path.realpath(file)).parents:
+        mend = "solve could not replace the folder any more"
+        raise InputError([Fault("--out", f"{file}, inside the folder of results", "a place outside it", mend)])
+    pages = len(plots.write(wish, file))
+    _say(f"wrote {file}" + (f", {pages} pages" if pages > 1 else ""))
+    return FINE
+
+
+def _coordinates(text: str) -> list[float]:
+    """Return the coordinates of a section line."""
+    try:
+        values = [float(part) for part in text.split(",")]
+    except ValueError:
+        values = []
+    if len(values) != 4:
+        raise InputError([Fault("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
+    return values
 
 
 def _check(options: argparse.Namespace) -> int:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.errors import Fault, GroundslabError, InputError, NotCertified
 from groundslab.mesh import Mesh, values_at
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from groundslab.loadcases import Combination
@@ -224,6 +225,12 @@ class Results:
     factors: tuple[tuple[str, float], ...]
     supports: tuple[SupportResult, ...]
 
+    def plot(self, *fields: str, **wanted: Any) -> Figure:
+        """Return a figure of these results: `groundslab.plot` with them."""
+        import groundslab
+
+        return groundslab.plot(self, *fields, **wanted)
+
 
 @dataclass(frozen=True, slots=True)
 class Combined:
@@ -239,3 +246,20 @@ class Combined:
         if combination in self.refused:
             raise self.refused[combination]
         return self.results[combination]
+
+    def plot(self, *fields: str, **wanted: Any) -> Figure:
+        """Return a figure of the combinations' results: `groundslab.plot` with them."""
+        import groundslab
+
+        return groundslab.plot(self, *fields, **wanted)
+
+
+def alone(results: Results) -> Combined:
+    """Return the results of one combination as those of all there are."""
+    from groundslab.loadcases import Combination
+
+    about = {"name": results.combination, "limit_state": results.limit_state}
+    combination = Combination(**about, factors=dict(results.factors) or {"": 1.0})
+    if results.certificate.holds:
+        return Combined(results.model, (combination,), {combination.name: results}, {})
+    return Combined(results.model, (combination,), {}, {combination.name: NotCertified(results)})

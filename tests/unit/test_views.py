@@ -1,4 +1,4 @@
-"""What is said about results: summary, JSON, VTU, archive; and the picture."""
+"""What is said about results: summary, JSON, VTU, archive."""
 
 from __future__ import annotations
 
@@ -18,9 +18,6 @@ from rich.console import Console
 
 import synthetic
 from groundslab.errors import GroundslabError, InputError
-from groundslab.model import Column, LineSupport, PointSupport
-from groundslab.plots import filled, picture
-from groundslab.readings import contact_function
 from groundslab.results import PLATE_FIELDS, SupportResult
 from groundslab.views import archive, overview, progress, summary, table, vtu
 
@@ -425,87 +422,15 @@ class TestArchive:
             archive.load(path)
 
 
-class TestPicture:
-    """The picture in plan."""
-
-    @pytest.mark.parametrize(("n", "shear", "lifts"), [(2, False, True), (3, True, True), (2, True, False)])
-    def test_is_a_png_with_titles_and_units(self, tmp_path: Path, n: int, shear: bool, lifts: bool) -> None:
-        """A PNG file comes out; both panels name their axes and colour bars with units."""
-        results = synthetic.results(n, shear=shear, lifts=lifts)
-        picture.write(results, tmp_path / "picture.png")
-        assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
-        figure = picture.draw(results)
-        panels = figure.axes[:2]
-        assert [axes.get_xlabel() for axes in panels] == ["x [m]", "x [m]"]
-        bars = [axes.child_axes[0].get_ylabel() for axes in panels]
-        assert bars == ["w [mm]", "p [kPa]"]
-        assert [axes.get_title().split(":")[0] for axes in panels] == ["Settlement", "Pressure"]
-        entries = {text.get_text() for text in figure.legends[0].get_texts()}
-        assert ("contact boundary" in entries) == lifts
-        assert any("edge line force" in entry for entry in entries) == shear
-        assert {"loaded area", "point load"} <= entries
-
-    def test_colours_part_at_zero_only_with_uplift(self) -> None:
-        """With uplift zero has the middle colour; without it the colours run one way."""
-        for lifts in (True, False):
-            drawn = picture.draw(synthetic.results(lifts=lifts)).axes[0].collections[0]
-            assert (drawn.norm(0.0) == 0.5 and drawn.get_cmap().name == "RdBu") == lifts
-
-    @pytest.mark.parametrize("value", [0.0, 1e-3])
-    def test_constant_fields_can_be_drawn(self, tmp_path: Path, value: float) -> None:
-        """A plate that settles evenly, or not at all, has a picture too."""
-        results = synthetic.results(lifts=False)
-        flat = np.full_like(results.plate.settlement, value)
-        plate = replace(results.plate, settlement=flat, pressure=flat * synthetic.K0)
-        picture.write(replace(results, plate=plate), tmp_path / "picture.png")
-
-    def test_columns_and_supports_are_drawn(self) -> None:
-        """Columns, supports at points and along lines have their entries, and their marks lie where they are."""
-        model = synthetic.model().replace(
-            columns=[Column(name="A1", x=1, y=2, width_x=0.3, width_y=0.4)],
-            supports=[PointSupport(x=-2, y=-1), LineSupport(points=[(-3, 1), (-1, 1)])],
-        )
-        figure = picture.draw(synthetic.results(model=model))
-        entries = {text.get_text() for text in figure.legends[0].get_texts()}
-        assert {"column", "support", "line support"} <= entries
-        panel = figure.axes[0]
-        lines = {tuple(map(float, (*line.get_xdata(), *line.get_ydata()))) for line in panel.lines}
-        assert {(-2, -1), (-3, -1, 1, 1)} <= lines
-        corners = [patch.get_xy() for patch in panel.patches if len(patch.get_xy()) == 5]
-        assert any(np.allclose([each.min(axis=0), each.max(axis=0)], [[0.85, 1.8], [1.15, 2.2]]) for each in corners)
-
-    def test_only_loads_that_take_part_are_drawn(self) -> None:
-        """A load of a case that is not in the combination is left out; the combination is named above."""
-        combined = synthetic.combined()
-        for name, there in ((combined.combinations[0].name, True), ("NUL", False)):
-            figure = picture.draw(combined[name])
-            entries = {text.get_text() for text in figure.legends[0].get_texts()}
-            assert ("point load" in entries) is there
-            assert figure.get_suptitle().splitlines() == ["A slab of formulas", name]
-
-    def test_triangles_cover_the_plate_once(self) -> None:
-        """The triangles all turn the same way and their areas add up to the plate's."""
-        nodes, elements = synthetic.grid(3, 2, 9.6, 7.2)
-        a, b, c = (nodes[corner] for corner in filled.triangulate(elements).T)
-        u, v = b - a, c - a
-        twice = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-        assert (twice > 0).all()
-        assert twice.sum() / 2 == pytest.approx(9.6 * 7.2)
-
-    def test_contact_boundary_lies_where_winkler_has_it(self) -> None:
-        """On Winkler ground the function whose zero is drawn is -k w, straight through the boundary."""
-        results = synthetic.results(4)
-        assert np.allclose(contact_function(results), -synthetic.K0 * results.plate.settlement)
-
-
 def test_heavy_libraries_wait_until_they_are_called() -> None:
     """Importing every view loads neither matplotlib nor meshio nor rich, and drawing never loads pyplot."""
     code = f"""
 import sys
 sys.path.insert(0, {str(Path(synthetic.__file__).parent)!r})
-from groundslab.plots import picture
 from groundslab.views import archive, contents, overview, progress, store, summary, table, vtu
 assert not {{"matplotlib", "meshio", "rich", "scipy", "pint", "pydantic"}} & set(sys.modules)
+from groundslab.plots import picture
+assert "matplotlib" not in sys.modules
 import synthetic
 picture.draw(synthetic.results())
 assert "matplotlib.figure" in sys.modules

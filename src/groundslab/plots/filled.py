@@ -6,19 +6,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.readings import goes_below_zero
+from groundslab.plots.scale import OVER
+from groundslab.plots.style import INK, SMALL, number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.tri import Triangulation
 
+    from groundslab.plots.scale import Scale
     from groundslab.results import Array, Integers
 
 #: The eight triangles of a nine-node quadrilateral: all meet in its centre, two along each side.
 TRIANGLES = np.array(
     [[0, 4, 8], [4, 1, 8], [1, 5, 8], [5, 2, 8], [2, 6, 8], [6, 3, 8], [3, 7, 8], [7, 0, 8]]
 )  # fmt: skip
-OVER = "#b30000"
+#: With more elements than this the colours in SVG and PDF files are pixels, so that the files stay small.
+MOST_ELEMENTS = 20_000
+#: Room for a label of the bar along it [mm].
+LABEL = 4.6
 
 
 def triangulate(elements: Integers) -> Integers:
@@ -26,42 +31,57 @@ def triangulate(elements: Integers) -> Integers:
     return elements[:, TRIANGLES].reshape(-1, 3)
 
 
-def filled(
-    axes: Axes,
-    triangles: Triangulation,
-    values: Array,
-    span: tuple[float, float],
-    label: str,
-    *,
-    above: bool = False,
-) -> None:
-    """Draw filled contours with a colour bar; colours are centred on zero if the span crosses it."""
-    from matplotlib import colormaps
-    from matplotlib.colors import CenteredNorm, Normalize
-    from matplotlib.ticker import MaxNLocator
+def triangulation(nodes: Array, elements: Integers) -> Triangulation:
+    """Return Matplotlib's triangulation of nine-node quadrilaterals."""
+    from matplotlib.tri import Triangulation
 
-    low, high = span
-    if high - low <= 1e-12 * max(abs(low), abs(high), 1e-300):
-        low, high = low - 0.5 * abs(low) - 1e-12, high + 0.5 * abs(high) + 1e-12
-    levels = np.asarray(MaxNLocator(nbins=14, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
-    if above:
-        # The scale ends at the largest value inside, not at the next round number.
-        levels = np.append(levels[levels < high], high)
-    norm: Normalize
-    if goes_below_zero(values):
-        colours, norm = colormaps["RdBu"], CenteredNorm(0.0, float(np.abs(levels).max()))
-    else:
-        colours, norm = colormaps["viridis"], Normalize(float(levels[0]), float(levels[-1]))
-    if above:
-        colours = colours.with_extremes(over=OVER)
+    return Triangulation(nodes[:, 0], nodes[:, 1], triangulate(elements))
+
+
+def fill(axes: Axes, triangles: Triangulation, values: Array, scale: Scale) -> None:
+    """Fill the bands of nodal values (n,), with thin lines between them and a stronger one at zero."""
+    colours, norm = scale.colours()
+    levels = scale.levels
+    # what lies on the last level, or by rounding below the first one, would leave a hole
+    little = 1e-9 * (levels[-1] - levels[0])
+    shown = np.clip(values, levels[0], np.inf if scale.above else levels[-1] - little)
+    many = len(triangles.triangles) > len(TRIANGLES) * MOST_ELEMENTS
     drawn = axes.tricontourf(
-        triangles, values, levels=levels, cmap=colours, norm=norm, extend="max" if above else "neither"
+        triangles, shown, levels=levels, cmap=colours, norm=norm, extend="max" if scale.above else "neither", zorder=0.5
     )
-    # Beside the panel in its own coordinates, so that the bar is as high as the plate.
+    drawn.set_rasterized(many)
+    between = levels[(levels > values.min()) & (levels < values.max())]
+    if len(between):
+        at_zero = np.abs(between) <= 1e-9 * np.abs(levels).max()
+        widths = np.where(at_zero & scale.parts_at_zero, 0.7, 0.2)
+        axes.tricontour(
+            triangles, shown, levels=between, colors=INK, linewidths=widths, linestyles="solid", alpha=0.55, zorder=0.6
+        ).set_rasterized(many)
+
+
+def bar(axes: Axes, scale: Scale, label: str, place: tuple[float, float, float, float], height: float) -> None:
+    """Draw the colour bar at a place in the axes' own coordinates; its height [mm] says how many labels it has."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    levels = scale.levels
     figure = axes.get_figure(root=True)
     assert figure is not None
-    length, height = np.ptp(triangles.x), np.ptp(triangles.y)
-    every = 1 if height > 0.4 * length else 2
+    bands = ListedColormap(scale.of((levels[:-1] + levels[1:]) / 2).tolist())
+    drawn = ScalarMappable(BoundaryNorm(levels, bands.N), bands.with_extremes(over=OVER) if scale.above else bands)
+    every = max(1, int(np.ceil(len(levels) * LABEL / height)))
     first = int(np.argmin(np.abs(levels))) % every
-    bar = axes.inset_axes((1.03, 0.0, 0.04, 1.0))
-    figure.colorbar(drawn, cax=bar, label=label, ticks=levels[first::every])
+    ticks = levels[first::every]
+    if scale.above:
+        room = LABEL * 0.8 * (levels[-1] - levels[0]) / height
+        ticks = np.append(ticks[ticks < levels[-1] - room], levels[-1])
+    box = axes.inset_axes(place)
+    box_bar = figure.colorbar(
+        drawn, cax=box, label=label, ticks=ticks, extend="max" if scale.above else "neither",
+        extendfrac=0.06, spacing="proportional",
+    )  # fmt: skip
+    box_bar.outline.set_linewidth(0.5)
+    if scale.above:
+        # the last label is no round number; the others need not have its decimals
+        box_bar.ax.yaxis.set_major_formatter(lambda value, _: number(value))
+    box.tick_params(labelsize=SMALL, width=0.5, length=2)

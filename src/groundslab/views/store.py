@@ -34,7 +34,7 @@ from groundslab.errors import (
     NotConverged,
     SingularMatrix,
 )
-from groundslab.results import Combined, Results
+from groundslab.results import Combined, Results, alone
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -125,17 +125,6 @@ def load(folder: str | Path) -> Combined:
         return _several(path, document["combinations"])
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
-
-
-def alone(results: Results) -> Combined:
-    """Return the results of one combination as those of all there are."""
-    from groundslab.loadcases import Combination
-
-    about = {"name": results.combination, "limit_state": results.limit_state}
-    combination = Combination(**about, factors=dict(results.factors) or {"": 1.0})
-    if results.certificate.holds:
-        return Combined(results.model, (combination,), {combination.name: results}, {})
-    return Combined(results.model, (combination,), {}, {combination.name: NotCertified(results)})
 
 
 def _several(path: Path, told: list[dict[str, Any]]) -> Combined:
