@@ -77,6 +77,7 @@ FLOORS = [
     ],
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
     ["plots", "views", "study"],
+    ["views", "scene", "study"],
     ["cli", "__main__"],
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
