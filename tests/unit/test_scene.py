@@ -93,6 +93,7 @@ class TestPlan:
         assert (wall["points"], wall["acts"], wall["elastic"]) == ([[12, 1], [13, 1], [13, 2]], "both ways", False)
         assert plan["loads"][4]["points"] == [[7, 0]]
         assert "footprint" not in plan["loads"][4]
+        assert plan["thickness"] == 0.5
         assert area(plan["loads"][5]["footprint"]) == pytest.approx(0.08)
         assert plan["loads"][8]["points"] == [[10, -3]]
         assert area(plan["loads"][0]["ring"]) == area(plan["outline"])
@@ -140,6 +141,8 @@ class TestScene:
         scene = unpacked(packed(scene_of(store.alone(results))))
         plate = results.plate
         assert np.array_equal(values_of(scene, scene.head["mesh"]["elements"]), plate.elements)
+        assert np.array_equal(values_of(scene, scene.head["mesh"]["section"]), results.elements.section)
+        assert scene.head["edge_force"]
         assert values_of(scene, scene.head["mesh"]["nodes"]) == pytest.approx(plate.nodes, rel=1e-7)
         found = fields(scene, 1)
         told = {field["name"]: field for field in scene.head["fields"]}
@@ -159,7 +162,9 @@ class TestScene:
         inside = scene_of(store.alone(synthetic.results(4, shear=True))).head["combinations"][0]["extremes"]["pressure"]
         assert inside["inside"]["max"] == pytest.approx([synthetic.K0 * 0.028 / 1e3, 0, 0])
         assert inside["max"][0] > 0
-        plain = scene_of(store.alone(synthetic.results(4))).head["combinations"][0]["extremes"]["pressure"]
+        head = scene_of(store.alone(synthetic.results(4))).head
+        plain = head["combinations"][0]["extremes"]["pressure"]
+        assert not head["edge_force"]
         assert set(plain) == {"min", "max"}
 
     def test_signs(self) -> None:

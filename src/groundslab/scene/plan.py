@@ -37,6 +37,7 @@ def plan_of(model: Model) -> Data:
     output = model.output
     return {
         "bounds": [value for place in _rounded([(x0, y0), (x1, y1)]) for value in place],
+        "thickness": plate.thickness,
         "outline": ring(plate.ring()),
         "openings": [
             {"path": f"plate.openings[{n}]", "ring": ring(each.ring())} for n, each in enumerate(plate.openings, 1)

@@ -36,13 +36,15 @@ def scene_of(combined: Combined, budget: float = float("inf")) -> Scene:
     """
     overview.require_finite(combined)
     found = overview.entries(combined)
-    plates = [entry.results.plate for entry in found if entry.results is not None]
+    there = [entry.results for entry in found if entry.results is not None]
+    plates = [results.plate for results in there]
     _require_one_mesh(plates)
     names = _fields_of(plates)
     blocks = Blocks()
     mesh = {
         "nodes": blocks.put(plates[0].nodes if plates else np.zeros((0, 2)), "f32"),
         "elements": blocks.put(plates[0].elements if plates else np.zeros((0, 9), dtype=np.int64), "u32"),
+        "section": blocks.put(there[0].elements.section if there else np.zeros(0, dtype=np.int64), "u16"),
     }
     size = (len(names) + 1) * 2 * (len(plates[0].nodes) if plates else 0)
     kept = _within(found, names, max(1, int(min(budget / max(size, 1), len(found)))))
@@ -52,6 +54,7 @@ def scene_of(combined: Combined, budget: float = float("inf")) -> Scene:
         "version": __version__,
         "plan": plan_of(combined.model),
         "mesh": mesh,
+        "edge_force": any(map(summary.edge_carries_line_force, there)),
         "fields": [_about(name, plates) for name in names] + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept) for entry in found],
         "left_out": [
