@@ -43,6 +43,12 @@ def _mode_terms(gamma: Values) -> tuple[Array, Array, Array]:
     return a, b, d
 
 
+def sinh_mode(s: Array, gamma: float) -> Array:
+    """Return psi = sinh(gamma(1 - s)) / sinh gamma at relative depths s = z/h, without overflow; gamma >= 0."""
+    psi: Array = 1 - s if gamma == 0 else np.exp(-gamma * s) * np.expm1(-2 * gamma * (1 - s)) / np.expm1(-2 * gamma)
+    return psi
+
+
 def _csch2(g: Values) -> Array:
     """Return 1 / sinh^2 g without overflow."""
     e: Array = np.exp(-2 * g)
@@ -251,6 +257,16 @@ class Soil:
             got = f'"as printed", which gives k0 = {k0} Pa/m and k1 = {k1} Pa m at gamma = {gamma:.4g}'
             raise InputError([Fault("ground.formulas", got, "formulas without misprints", 'use formulas = "exact"')])
         return k0, k1
+
+    def mode(self, gamma: float, points: int = 60) -> Mode | None:
+        """Return the mode of soil that is the same everywhere; None for interface layers, each of which has its own."""
+        if self.way == "interface":
+            return None
+        if self.way == "profile":
+            return profile(self.layers, (gamma / self.gamma_of(1.0)) ** 2, points)
+        k0, k1 = self.layer_parameters(gamma)
+        s = np.linspace(0.0, 1.0, points + 1)
+        return Mode(s * self.depth, sinh_mode(s, gamma), float(k0[0]), float(k1[0]))
 
     def column(self, gamma: float) -> Column:
         """Return the column of the ground for a gamma, by element where the soil varies."""

@@ -78,11 +78,28 @@ FLOORS = [
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
     ["plots", "views", "study"],
     ["views", "scene", "study"],
+        "underground",
+    ],
+    ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
+    ["views", "scene", "report", "study"],
     ["cli", "__main__"],
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 DESCRIPTION = {"model", "schema", "keys", "findings", "reference", "soil", "casefile", "results"}
-HEAVY = {"matplotlib", "meshio", "rich", "pint", "scipy", "pypardiso", "ezdxf", "gmsh", "netgen", "shapely", "pandas"}
+HEAVY = {
+    "matplotlib",
+    "meshio",
+    "rich",
+    "pint",
+    "scipy",
+    "pypardiso",
+    "ezdxf",
+    "gmsh",
+    "netgen",
+    "shapely",
+    "pandas",
+    "jinja2",
+}
 
 
 def name_of(path: Path) -> str:
