@@ -44,6 +44,7 @@ if TYPE_CHECKING:
         Zone,
     )
     from groundslab.plots import plot
+    from groundslab.report import write as write_report
     from groundslab.results import Combined, Results
     from groundslab.tables import tables_of
 
@@ -88,6 +89,7 @@ __all__ = [
     "solve",
     "solve_combinations",
     "tables_of",
+    "write_report",
 ]
 
 #: Where the public names live that are not in ``model``.
@@ -104,7 +106,10 @@ _HOME = {
     "solve": "analysis",
     "solve_combinations": "analysis",
     "tables_of": "tables",
+    "write_report": "report.document",
 }
+#: What those are called there that are called otherwise.
+_CALLED = {"write_report": "write"}
 
 
 def __getattr__(name: str) -> object:
@@ -113,7 +118,7 @@ def __getattr__(name: str) -> object:
         raise AttributeError(f"module 'groundslab' has no attribute {name!r}")
     from importlib import import_module
 
-    value: object = getattr(import_module(f"groundslab.{_HOME.get(name, 'model')}"), name)
+    value: object = getattr(import_module(f"groundslab.{_HOME.get(name, 'model')}"), _CALLED.get(name, name))
     globals()[name] = value
     return value
 

@@ -125,6 +125,14 @@ def _parser() -> argparse.ArgumentParser:
     dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one that it names)')
     dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
 
+    report = _command(commands, "report", _report, "make a report of results: one HTML file, to read and to print")
+    report.epilog = (
+        "The file holds case, drawings, certificate, tables, pictures and a viewer; it opens in any browser without a "
+        "network. A file that exists is replaced only if it is such a report."
+    )
+    report.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
+    report.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.html beside the folder)")
+
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")
     verify.add_argument("--list", action="store_true", help="print the names of the cases and stop")
@@ -431,6 +439,27 @@ def _hand_over(text: str, file: str | None) -> None:
             opened.write(text)
     except FileExistsError:
         raise InputError([Fault(file, "a file that exists", "a name that is free", "choose another name")]) from None
+
+
+def _report(options: argparse.Namespace) -> int:
+    """Make a report of a folder of results."""
+    from pathlib import Path
+
+    from groundslab import report
+    from groundslab.views import store
+
+    folder = Path(options.results)
+    target = Path(options.out) if options.out is not None else report.default_path(folder)
+    if Path(os.path.realpath(folder)) in Path(os.path.realpath(target)).parents:
+        got, mend = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
+        raise InputError([Fault("--out", got, "another folder", mend)])
+    report.check(target)
+    combined = store.load(folder)
+    report.write(combined, target, text=report.text_of(folder, combined.model))
+    _say(f"wrote {target}")
+    if combined.refused:
+        _say(f"note: {len(combined.refused)} of {len(combined.combinations)} combinations have no certified result")
+    return FINE
 
 
 def _verify(options: argparse.Namespace) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Context, Decimal
 from functools import cache, lru_cache
@@ -139,13 +140,28 @@ def parse(text: str, dimension: str) -> float:
 
 def show(value: float, dimension: str) -> str:
     """Return a quantity given in SI units as people write it, with five digits and a fitting unit."""
+    (text,), unit = together([value], dimension)
+    return f"{text} {unit}"
+
+
+def together(values: Sequence[float], dimension: str) -> tuple[list[str], str]:
+    """Return quantities given in SI units with five digits each, and their unit: that which fits the middle one.
+
+    Those that are 0 do not count for it.
+    """
+    known = sorted(abs(value) for value in values if value)
+    size, unit = _fitting(known[len(known) // 2] if known else 0.0, dimension)
+    return [f"{value / size + 0.0:.5g}" for value in values], unit
+
+
+def _fitting(value: float, dimension: str) -> tuple[float, str]:
+    """Return size and name of the unit in which a quantity given in SI units is at least 1, if there is one."""
     steps = DIMENSIONS[dimension].steps
     if value == 0:
-        return f"0 {next(unit for size, unit in steps if size == 1.0)}"
+        return next(step for step in steps if step[0] == 1.0)
     # the rounded number decides, so that 999.9999 Pa becomes 1 kPa
     fitting = [step for step in steps if abs(float(f"{value / step[0]:.5g}")) >= 1.0]
-    size, unit = fitting[-1] if fitting else steps[0]
-    return f"{value / size:.5g} {unit}"
+    return fitting[-1] if fitting else steps[0]
 
 
 def write(value: float, dimension: str) -> str:

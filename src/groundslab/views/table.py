@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab import __version__
@@ -170,16 +170,36 @@ def _line(row: Row, taken: int = 0) -> Text:
 
     symbol = "" if row.symbol in row.label else f" {row.symbol}"
     line = Text(("" if taken else "  ") + (row.label + symbol).ljust(LABEL - taken))
+    shown = shown_row(row)
     if row.ok is not None:
-        line.append(f"{row.value:{VALUE}.1e} ")
+        line.append(f"{shown.figure:>{VALUE}} ")
         line.append("ok" if row.ok else "FAILED", style="green" if row.ok else "bold red")
         line.append(f" (limit {row.tolerance:.0e})", style="dim")
     elif isinstance(row.value, str):
         pieces = textwrap.wrap(row.value, 78 - LABEL - 2)
         line.append(row.value.rjust(VALUE) if len(row.value) <= VALUE else f"\n{' ' * (LABEL + 2)}".join(pieces))
     else:
-        scale, shown = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.shown)
-        figure = str(row.value) if isinstance(row.value, int) else number(row.value * scale)
-        place = "" if row.place is None else "at ({:.3f}, {:.3f})".format(*(round(x, 3) + 0.0 for x in row.place))
-        line.append(f"{figure:>{VALUE}} {shown:<6} {place}".rstrip())
+        place = f"at {shown.place}" if shown.place else ""
+        line.append(f"{shown.figure:>{VALUE}} {shown.unit:<6} {place}".rstrip())
     return line
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """A row of the summary as text: figure or words, unit of display, place [m]."""
+
+    figure: str
+    unit: str = ""
+    place: str = ""
+
+
+def shown_row(row: Row) -> Shown:
+    """Return the texts of a row: figures that must vanish with two digits, others with five, places to a millimetre."""
+    if isinstance(row.value, str):
+        return Shown(row.value)
+    if row.ok is not None:
+        return Shown(f"{row.value:.1e}")
+    scale, unit = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.shown)
+    figure = str(row.value) if isinstance(row.value, int) else number(row.value * scale)
+    place = "" if row.place is None else "({:.3f}, {:.3f})".format(*(round(x, 3) + 0.0 for x in row.place))
+    return Shown(figure, unit, place)

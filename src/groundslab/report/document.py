@@ -1,0 +1,167 @@
+"""The report as one HTML file: page, pictures, scene and script put together, and written whole or not at all.
+
+The page forbids everything that it does not bring along: scripts and styles run only with the hashes that its head
+states, and nothing is fetched. Every text of a case is escaped by the template.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import os
+import re
+import secrets
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab import __version__, casefile
+from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.report.figures import pictures_of
+from groundslab.report.grid import pieces_of, pieces_of_words
+from groundslab.report.page import page_of
+from groundslab.results import Combined, Results
+from groundslab.scene import packed, scene_of
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+    from groundslab.model import Model
+
+HERE = Path(__file__).parent
+#: What the head of every report says of itself, so that an older one can be told from other files.
+MARK = "groundslab report"
+#: Fields of the viewer beyond these [bytes] are left out, those of one combination apart.
+BUDGET = 16_000_000
+#: So much of an existing file is looked at for the mark.
+_START = 4096
+
+
+def html_of(results: Results | Combined, *, text: str | None = None, file: str = "case.toml") -> str:
+    """Return the report as the text of an HTML file; the same results always give the same text.
+
+    Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
+    """
+    combined = results if isinstance(results, Combined) else _alone(results)
+    page = page_of(combined, text, file)
+    scene = scene_of(combined, BUDGET)
+    style = built("report.css") + (HERE / "templates" / "drawings.css").read_text(encoding="utf-8")
+    script = built("report.js")
+    from markupsafe import Markup
+
+    return (
+        _templates()
+        .get_template("report.html")
+        .render(
+            page=page,
+            pictures=pictures_of(combined),
+            left_out=scene.head["left_out"],
+            scene=base64.b64encode(gzip.compress(packed(scene), 6, mtime=0)).decode(),
+            style=Markup(style),
+            script=Markup(script),
+            policy=policy(style, script),
+            mark=f"{MARK} {__version__}",
+        )
+    )
+
+
+def write(results: Results | Combined, path: str | Path, *, text: str | None = None, file: str = "case.toml") -> Path:
+    """Write the report and return its path; an existing file is replaced only if it is a report of groundslab."""
+    target = check(path)
+    content = html_of(results, text=text, file=file)
+    staging = target.with_name(f".{target.name}.partial-{secrets.token_hex(4)}")
+    try:
+        staging.write_text(content, encoding="utf-8", newline="\n")
+        staging.replace(target)
+    except OSError as error:
+        expected = "a file that can be written"
+        raise InputError([Fault(str(target), error.strerror or str(error), expected)]) from error
+    finally:
+        with suppress(OSError):
+            staging.unlink(missing_ok=True)
+    return target
+
+
+def check(path: str | Path) -> Path:
+    """Return the path if a report may be written there; else raise InputError saying why not."""
+    target = Path(path)
+    mend = "choose another name; nothing was changed"
+    try:
+        with target.open("rb") as file:
+            start = file.read(_START).decode("utf-8", "replace")
+    except FileNotFoundError:
+        return target
+    except OSError as error:
+        got = "a folder" if target.is_dir() else error.strerror or str(error)
+        raise InputError([Fault(str(target), got, "a file, or a name that is free", mend)]) from None
+    if f'<meta name="generator" content="{MARK}' not in start:
+        expected = "a report of groundslab, or a name that is free"
+        raise InputError([Fault(str(target), "a file that is no report", expected, mend)])
+    return target
+
+
+def default_path(folder: str | Path) -> Path:
+    """Return where the report of a folder of results is put: beside the folder, under its name."""
+    whole = Path(os.path.realpath(folder))
+    return whole.with_name(f"{whole.name}.html")
+
+
+def text_of(folder: str | Path, model: Model) -> str | None:
+    """Return the text of the case in a folder of results, as it is there, if it describes the model of the results."""
+    try:
+        text = (Path(folder) / "case.toml").read_bytes().decode()
+        return text if casefile.loads(text) == model else None
+    except (OSError, UnicodeDecodeError, InputError):
+        return None
+
+
+def built(name: str) -> str:
+    """Return a part of the page that is made of TypeScript and CSS before groundslab is packed."""
+    try:
+        content = (HERE / "static" / name).read_text(encoding="utf-8")
+    except OSError:
+        raise GroundslabError(
+            f"{name}, a part of every report, is missing from this installation; install groundslab anew, or make it "
+            "from its source: npm ci and npm run build in the folder web"
+        ) from None
+    # such a text would end the element that it stands in
+    if re.search(r"</(script|style)|<!--", content, re.IGNORECASE):
+        raise GroundslabError(f"{name} holds a text that would break the page")
+    return content.replace("\r\n", "\n")
+
+
+def policy(style: str, script: str) -> str:
+    """Return the page's Content Security Policy: its own style and script, pictures within it, and nothing else."""
+    return (
+        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; img-src data: blob:; "
+        "base-uri 'none'; form-action 'none'"
+    )
+
+
+def _hash(content: str) -> str:
+    """Return the hash of an element's text as a policy states it."""
+    return f"sha256-{base64.b64encode(hashlib.sha256(content.encode()).digest()).decode()}"
+
+
+def _templates() -> Environment:
+    """Return what renders the templates: every value is escaped, a missing one is an error."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    templates = Environment(
+        loader=FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    templates.filters |= {"pieces": pieces_of, "word_pieces": pieces_of_words}
+    return templates
+
+
+def _alone(results: Results) -> Combined:
+    """Return the results of one combination as those of all there are."""
+    from groundslab.views import store
+
+    return store.alone(results)

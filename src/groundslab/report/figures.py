@@ -1,0 +1,128 @@
+"""Pictures for paper, which need no script: the governing settlement, pressure and moments, as PNG within the page."""
+
+from __future__ import annotations
+
+import base64
+import io
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab import __version__
+from groundslab.results import PLATE_FIELDS
+from groundslab.views.summary import edge_carries_line_force
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from groundslab.results import Array, Combined, Results
+
+#: Resolution of the pictures [1/in]: enough for paper, little enough for a mail.
+DPI = 110
+#: Which field shows what governs, and what that is called.
+FIELDS = {
+    "settlement": "settlement", "uplift": "settlement", "pressure": "pressure", "moment_x": "moment_x",
+    "moment_y": "moment_y",
+}  # fmt: skip
+GOVERNS = {
+    "settlement": "largest settlement", "uplift": "largest uplift", "pressure": "largest contact pressure",
+    "moment_x": "largest moment along x", "moment_y": "largest moment along y",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A picture as the address of its data, what it shows, and its size [px]."""
+
+    source: str
+    caption: str
+    width: int
+    height: int
+
+
+def governing(combined: Combined) -> dict[str, str]:
+    """Return which certified combination has the largest settlement, uplift, pressure and moments, by what governs.
+
+    Uplift only if the plate lifts somewhere. The pressure is that inside where edge nodes hold a line force. Of a
+    moment its size counts.
+    """
+    wanted: dict[str, Callable[[Results], float]] = {
+        "settlement": lambda results: float(results.plate.settlement.max()),
+        "uplift": lambda results: float(-results.plate.settlement.min()),
+        "pressure": lambda results: float(_inside(results).max()),
+        "moment_x": lambda results: float(np.abs(results.plate.moment_x).max()),
+        "moment_y": lambda results: float(np.abs(results.plate.moment_y).max()),
+    }
+    if not combined.results:
+        return {}
+    found = {
+        what: max(combined.results, key=lambda name: size(combined.results[name])) for what, size in wanted.items()
+    }
+    if all(results.plate.in_contact.all() for results in combined.results.values()):
+        del found["uplift"]
+    return found
+
+
+def _inside(results: Results) -> Array:
+    """Return the pressure at the nodes that count for its largest value."""
+    plate = results.plate
+    inside = ~plate.on_edge
+    pressure: Array = plate.pressure[inside] if edge_carries_line_force(results) and inside.any() else plate.pressure
+    return pressure
+
+
+def pictures_of(combined: Combined) -> list[Picture]:
+    """Return the governing settlement, contact pressure and moments; where the plate lifts, its settlement then too."""
+    found = governing(combined)
+    drawn: dict[tuple[str, str], list[str]] = {}
+    for what, name in found.items():
+        drawn.setdefault((FIELDS[what], name), []).append(what)
+    several = len(combined.combinations) > 1
+    pictures = []
+    for (field, name), why in drawn.items():
+        about = PLATE_FIELDS[field]
+        words = " and ".join(GOVERNS[each] for each in why)
+        governs = f"; this combination governs the {words}" if several else ""
+        of = f", {name}" if several else ""
+        caption = f"{about.meaning[0].upper()}{about.meaning[1:]}, {about.symbol} [{about.unit}]{of}{governs}."
+        pictures.append(_picture(combined.results[name], field, caption))
+    return pictures
+
+
+def _picture(results: Results, field: str, caption: str) -> Picture:
+    """Return one field of one combination as a picture within the page."""
+    figure = _drawn(results, field)
+    content = io.BytesIO()
+    figure.savefig(content, format="png", dpi=DPI, metadata={"Software": f"groundslab {__version__}"})
+    png = content.getvalue()
+    # width and height stand at fixed places of a PNG's head
+    width, height = (int.from_bytes(png[start : start + 4], "big") for start in (16, 20))
+    return Picture(f"data:image/png;base64,{base64.b64encode(png).decode()}", caption, width, height)
+
+
+def _drawn(results: Results, field: str) -> Figure:
+    """Return a field in plan."""
+    from matplotlib.figure import Figure
+    from matplotlib.tri import Triangulation
+
+    from groundslab.views import picture
+
+    plate, about = results.plate, PLATE_FIELDS[field]
+    wide, tall = np.ptp(plate.nodes, axis=0)
+    figure = Figure(figsize=(6.4, 1.0 + float(np.clip(5.2 * tall / wide, 1.2, 8.0))), layout="constrained")
+    axes = figure.subplots()
+    triangles = Triangulation(plate.nodes[:, 0], plate.nodes[:, 1], picture.triangulate(plate.elements))
+    values = getattr(plate, field) * about.scale
+    top = float(_inside(results).max()) * about.scale if field == "pressure" else float(values.max())
+    above = bool(values.max() > top * (1 + 1e-9)) if field == "pressure" else False
+    picture._filled(axes, triangles, values, (float(values.min()), top), f"{about.symbol} [{about.unit}]", above=above)
+    picture._contact_boundary(axes, triangles, results)
+    picture._loads(axes, results)
+    picture._columns(axes, results)
+    picture._supports(axes, results)
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+    return figure
