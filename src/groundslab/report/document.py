@@ -36,6 +36,7 @@ MARK = "groundslab report"
 BUDGET = 16_000_000
 #: So much of an existing file is looked at for the mark.
 _START = 4096
+_CONTROL = {code: "\ufffd" for code in [*range(32), 127] if chr(code) not in "\t\n\r"}
 
 
 def html_of(results: Results | Combined, *, text: str | None = None, file: str = "case.toml") -> str:
@@ -125,10 +126,10 @@ def built(name: str) -> str:
             f"{name}, a part of every report, is missing from this installation; install groundslab anew, or make it "
             "from its source: npm ci and npm run build in the folder web"
         ) from None
-    # such a text would end the element that it stands in
-    if re.search(r"</(script|style)|<!--", content, re.IGNORECASE):
+    # such texts would end the element that they stand in, or would not be read as they are written
+    if re.search(r"</(script|style)|<!--|[\x00-\x08\x0b-\x1f]", content, re.IGNORECASE):
         raise GroundslabError(f"{name} holds a text that would break the page")
-    return content.replace("\r\n", "\n")
+    return content
 
 
 def policy(style: str, script: str) -> str:
@@ -152,12 +153,18 @@ def _templates() -> Environment:
         loader=FileSystemLoader(HERE / "templates"),
         autoescape=True,
         undefined=StrictUndefined,
+        finalize=_plain,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
     templates.filters |= {"pieces": pieces_of, "word_pieces": pieces_of_words}
     return templates
+
+
+def _plain(value: object) -> object:
+    """Return a text without letters that control a terminal or a browser, which no page may hold."""
+    return value.translate(_CONTROL) if isinstance(value, str) else value
 
 
 def _alone(results: Results) -> Combined:

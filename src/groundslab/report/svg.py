@@ -82,11 +82,11 @@ class Labels:
         """Return words beside a place, where there is room, else at its upper right."""
         wide = width_of(words)
         x, y = at
+        right, left, middle = x + reach, x - reach - wide, x - wide / 2
+        above, level, below = (y - 0.3 * SIZE + 1.25 * SIZE * row for row in (-1, 0, 1))
         offered = [
-            (x + reach, y - 0.3 * SIZE), (x - reach - wide, y - 0.3 * SIZE),
-            (x + reach, y + reach + 0.6 * SIZE), (x - reach - wide, y + reach + 0.6 * SIZE),
-            (x - wide / 2, y - reach - 2), (x - wide / 2, y + reach + SIZE),
-            (x + reach, y - reach - 0.6 * SIZE), (x - reach - wide, y - reach - 0.6 * SIZE),
+            (right, level), (left, level), (right, below), (left, below),
+            (middle, y - reach - 2), (middle, y + reach + SIZE), (right, above), (left, above),
         ]  # fmt: skip
         boxes = [(left, base - SIZE, left + wide, base + 2) for left, base in offered]
         free = [n for n, box in enumerate(boxes) if self._free(box)]
