@@ -1,0 +1,93 @@
+"""Whatever a case describes, its report tells all of it, draws it, and lets none of its words out of their place."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from hypothesis import given, settings
+
+from groundslab.findings import quote
+from groundslab.keys import Quantity, Text
+from groundslab.model import Model
+from groundslab.outline import Circle, Polygon, Rectangle
+from groundslab.report.echo import Section, echo
+from groundslab.report.plan_drawing import plan_drawing
+from groundslab.scene import plan_of
+from groundslab.schema import Part, key_of
+from groundslab.units import QuantityError, parse
+from pages import page
+from strategies import models, rich_models
+
+
+def leaves(part: Part) -> Iterator[tuple[Any, Any]]:
+    """Yield the kinds and values of all keys that a case gives; of shapes none, as they are told in words."""
+    for name, field in type(part).model_fields.items():
+        value, key = getattr(part, name), key_of(field)
+        if isinstance(value, Part):
+            yield from () if isinstance(value, Rectangle | Circle | Polygon) else leaves(value)
+        elif key is None and isinstance(value, tuple):
+            for each in value:
+                yield from leaves(each)
+        elif key is not None and value is not None and (field.is_required() or value != field.default):
+            yield key, value
+
+
+def told(sections: list[Section]) -> tuple[set[str], dict[str, list[float]]]:
+    """Return all texts of an echo, and its numbers with units in SI by the unit's text."""
+    texts: set[str] = set()
+    numbers: dict[str, list[float]] = {}
+    for section in sections:
+        for grid in section.grids:
+            for row in grid.rows:
+                for head, cell in zip(grid.heads, row, strict=True):
+                    texts.add(cell.text)
+                    number, _, unit = cell.text.partition(" ") if not head.unit else (cell.text, "", head.unit)
+                    if unit and cell.text:
+                        numbers.setdefault(unit, []).append(number)  # type: ignore[arg-type]
+    return texts, numbers
+
+
+def in_si(numbers: dict[str, list[Any]], dimension: str) -> list[float]:
+    """Return the numbers whose units are of a dimension, in SI units."""
+    found = []
+    for unit, values in numbers.items():
+        for value in values:
+            try:
+                found.append(parse(f"{value} {unit}", dimension))
+            except QuantityError:
+                continue
+    return found
+
+
+@settings(derandomize=True, max_examples=30, deadline=None, database=None)
+@given(rich_models(whole=True))
+def test_all_that_a_case_says_is_told(model: Model) -> None:
+    """Each quantity stands in the echo to five digits, and each name as it is; nothing is left out."""
+    texts, numbers = told(echo(model))
+    known: dict[str, list[float]] = {}
+    for key, value in leaves(model):
+        if isinstance(key, Quantity):
+            values = known.setdefault(key.dimension, in_si(numbers, key.dimension))
+            assert any(abs(each - value) <= 6e-5 * abs(value) for each in values), (key, value)
+        elif isinstance(key, Text) and value != model.title:
+            assert value in texts, quote(value)
+
+
+@settings(derandomize=True, max_examples=30, deadline=None, database=None)
+@given(rich_models(whole=True) | models())
+def test_every_plan_can_be_drawn(model: Model) -> None:
+    """The plan is data for JSON; its drawing is well formed and stays within its frame."""
+    plan = plan_of(model)
+    assert json.loads(json.dumps(plan, allow_nan=False)) == plan
+    drawing = page(str(plan_drawing(model).svg)).one("svg")
+    width, height = (float(drawing.attributes[name]) for name in ("width", "height"))
+    assert 0 < width < 1200
+    assert 0 < height < 1200
+    texts = [each.text for each in drawing.all("text")]
+    for column in model.columns:
+        assert column.name in texts
+    for text in drawing.all("text"):
+        assert -20 <= float(text.attributes["x"]) <= width + 20
+        assert -20 <= float(text.attributes["y"]) <= height + 20
