@@ -1,4 +1,5 @@
 """The command line: groundslab solve, plot, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, app, check, new, dxf, verify, schema.
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 130 interrupted.
@@ -104,6 +105,11 @@ def _parser() -> argparse.ArgumentParser:
     solve.add_argument("--quiet", action="store_true", help="print neither summary nor progress")
 
     _describe_plot(_command(commands, "plot", _plot, "draw figures of results: PDF, SVG or PNG"))
+    app = _command(commands, "app", _app, "edit a case in the browser and see its results at once")
+    app.epilog = "The page is served on this machine alone, until Ctrl-C. Unsaved work is kept and offered again."
+    app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
+    app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any that is free)")
+    app.add_argument("--no-browser", action="store_true", help="print the address only")
 
     check = _command(commands, "check", _check, "read a case file and say everything that is wrong with it")
     check.add_argument("case", help="case file (TOML)")
@@ -330,6 +336,16 @@ def _coordinates(text: str) -> list[float]:
     if len(values) != 4:
         raise InputError([Fault("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
     return values
+
+
+def _app(options: argparse.Namespace) -> int:
+    """Serve the workbench until it is interrupted."""
+    from pathlib import Path
+
+    from groundslab.workbench.serve import serve
+
+    serve(None if options.case is None else Path(options.case), options.port, not options.no_browser)
+    return FINE
 
 
 def _check(options: argparse.Namespace) -> int:
