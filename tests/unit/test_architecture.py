@@ -82,6 +82,8 @@ FLOORS = [
     ],
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
     ["views", "scene", "report", "study"],
+    ["views", "study"],
+    ["workbench"],
     ["cli", "__main__"],
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}

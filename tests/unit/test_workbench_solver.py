@@ -206,7 +206,7 @@ def test_a_process_that_never_gets_ready_is_not_started_for_ever(make: Make, hea
     for text in ("go 1", "go 2"):
         assert "exit code 4" in heard.wait("refused", want(solver, text, delay=0.5))["message"]
     with pytest.raises(InputError, match="cannot be started"):
-        solver.report(1)
+        solver.report(1, "x")
 
 
 def test_preparing_gives_way(make: Make, heard: Heard) -> None:
@@ -234,14 +234,14 @@ def test_reports_of_runs_that_are_gone(make: Make, heard: Heard) -> None:
     second = want(solver, "go 2")
     heard.wait("solved", second)
     with pytest.raises(InputError, match="solve again"):
-        solver.report(first)
+        solver.report(first, "x")
     waits = want(solver, "stuck nowhere")
     heard.wait("solving", waits)
     refused = threading.Event()
 
     def ask() -> None:
         with pytest.raises(InputError, match="the server ends"):
-            solver.report(second)
+            solver.report(second, "x")
         refused.set()
 
     asking = threading.Thread(target=ask)

@@ -239,8 +239,8 @@ class Session:
 
     def report(self, run: int) -> tuple[str, bytes]:
         """Return the report on a run and a name for its file."""
-        stem = "groundslab" if self._file is None else self._file.stem
-        return f"{stem}-report.html", self.solver.report(run)
+        name = "case.toml" if self._file is None else self._file.name
+        return f"{Path(name).stem}-report.html", self.solver.report(run, name)
 
     def close(self) -> str:
         """End; return where unsaved work is kept, empty if there is none."""

@@ -81,6 +81,7 @@ class _Wishes:
     cancel: bool = False
     close: bool = False
     reports: dict[int, list[Future[bytes]]] = field(default_factory=dict)
+    file: str = ""  # what the case is called in a report
 
 
 class Solver:
@@ -179,13 +180,14 @@ class Solver:
                     events.append(("progress", self._progress))
             return events
 
-    def report(self, run: int, patience: float = 600.0) -> bytes:
-        """Return the report on a run, waiting for it; raises InputError if there can be none."""
+    def report(self, run: int, file: str, patience: float = 600.0) -> bytes:
+        """Return the report on a run, waiting for it; file names the case in it. Raises InputError if it fails."""
         future: Future[bytes] = Future()
         with self._lock:
             if self._wishes.close:
                 raise _no_report(ENDS)
             self._wishes.reports.setdefault(run, []).append(future)
+            self._wishes.file = file
         self._wake()
         try:
             return future.result(patience)
@@ -248,7 +250,7 @@ class Solver:
             if run not in self._asked:
                 self._asked.append(run)
                 with suppress(OSError):
-                    process.pipe.send(("report", run))
+                    process.pipe.send(("report", run, wishes.file))
         if wishes.job is not None and now >= wishes.job.due:
             self._running, wishes.job = wishes.job, None
             about = {"run": self._running.run, "version": self._running.version}

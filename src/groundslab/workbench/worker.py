@@ -1,6 +1,6 @@
 """The process that solves: kept warm, told what to solve, stopped between two steps of the analysis or killed.
 
-It speaks with ``solver`` through a pipe. What it is told: ("solve", run, text), ("report", run). What it says:
+It speaks with ``solver`` through a pipe. What it is told: ("solve", run, text), ("report", run, file). What it says:
 ("ready",) for the first run, ("warm",) when it has prepared, ("progress", run, text, share), ("solved", run, answer)
 with the scene's bytes behind, ("refused", run, message, faults), ("stopped", run), ("report", run, message) with the
 report's bytes behind if there is no message.
@@ -49,7 +49,7 @@ class Stopped(BaseException):
     """The run is not wanted any more; no ``except Exception`` on the way shall catch this."""
 
 
-def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Combined]:
+def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Combined]]:
     """Return the results of the case that a text describes; raises GroundslabError."""
     from groundslab import casefile
     from groundslab.analysis import solve_combinations
@@ -77,7 +77,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Combined]:
     combined = solve_combinations(model, on_step, on_combination)
     refused = {name: str(error) for name, error in combined.refused.items()}
     summary, scene = summary_of(combined), packed(scene_of(combined))
-    return Answer(time.perf_counter() - start, refused, summary), scene, combined
+    return Answer(time.perf_counter() - start, refused, summary), scene, (text, combined)
 
 
 def warm(progress: Progress) -> None:
@@ -102,7 +102,7 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
             if word == "solve":
                 latest = _solve(pipe, stop, task, run, rest[0]) or latest
             else:
-                _report(pipe, run, latest)
+                _report(pipe, run, rest[0], latest)
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 
@@ -156,15 +156,16 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tupl
     return None
 
 
-def _report(pipe: Connection, run: int, latest: tuple[int, Any] | None) -> None:
-    """Send the report on a run, if it is the latest one."""
+def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | None) -> None:
+    """Send the report on a run, if it is the latest one; file is what the case is called in it."""
     if latest is None or latest[0] != run:
         pipe.send(("report", run, "the results of that run are not kept any more; solve again"))
         return
     try:
         from groundslab.report import html_of
 
-        content = html_of(latest[1]).encode()
+        text, combined = latest[1]
+        content = html_of(combined, text=text, file=file).encode()
     except Exception as error:
         traceback.print_exc()
         pipe.send(("report", run, f"the report cannot be written: {error}"))
