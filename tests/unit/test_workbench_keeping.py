@@ -43,6 +43,17 @@ def test_a_file_is_written_whole_or_not_at_all(case: Path, monkeypatch: pytest.M
     assert [path.name for path in case.parent.iterdir()] == ["raft.toml"]
 
 
+def test_half_written_files_are_swept(case: Path) -> None:
+    """What a killed process left half written goes after a while; what another one may be writing stays."""
+    names = (".raft.toml.partial-0123abcd", ".raft.toml.partial-aaaaaaaa", ".raft.toml.partial-no")
+    for name in names:
+        case.with_name(name).write_bytes(b"half")
+    os.utime(case.with_name(names[0]), (1, 1))
+    os.utime(case.with_name(names[2]), (1, 1))
+    files.sweep(case)
+    assert sorted(path.name for path in case.parent.iterdir()) == [*names[1:], "raft.toml"]
+
+
 def test_links_are_followed(case: Path) -> None:
     """A case that is a link stays one; what it leads to is written."""
     link = case.with_name("link.toml")

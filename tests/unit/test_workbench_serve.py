@@ -53,7 +53,7 @@ class App:
     """A server in a process of its own."""
 
     def __init__(self, arguments: list[str], environment: dict[str, str]) -> None:
-        command = [sys.executable, "-m", "groundslab", "app", *arguments, "--no-browser"]
+        command = [sys.executable, "-m", "groundslab", "app", *arguments]
         pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
         self.process = subprocess.Popen(command, env=environment, **pipes)
         assert self.process.stdout is not None
@@ -160,8 +160,9 @@ def start(tmp_path: Path) -> Iterator[Start]:
     environment = {**os.environ, **state, "PYTHONPATH": source, "PYTHONUNBUFFERED": "1"}
     started: list[App] = []
 
-    def app(*arguments: object) -> App:
-        started.append(App(list(map(str, arguments)), environment))
+    def app(*arguments: object, **more: str) -> App:
+        shown = [] if "BROWSER" in more else ["--no-browser"]
+        started.append(App([*map(str, arguments), *shown], environment | more))
         return started[-1]
 
     yield app
@@ -175,7 +176,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for another process")
-def test_a_case_is_edited_solved_saved(start: Start, case: Path) -> None:
+def test_a_case_is_edited_solved_saved(start: Start, case: Path, tmp_path: Path) -> None:
     """Over a socket: page, edit, events up to the result, scene, summary, save, a second start, Ctrl-C."""
     app = start(case)
     assert app.host == "127.0.0.1"
@@ -208,11 +209,23 @@ def test_a_case_is_edited_solved_saved(start: Start, case: Path) -> None:
     assert app.post("/api/save")["dirty"] is False
     assert case.read_text(encoding="utf-8") == CASE.replace("250 mm", "300 mm")
 
-    second = start(case)
+    asked = tmp_path / "asked.txt"
+    writer = "import sys, pathlib; pathlib.Path(sys.argv[1]).write_text(sys.argv[2])"
+    second = start(case, BROWSER=f"{sys.executable} -c '{writer}' {asked} %s")
     assert second.url == app.url
     code, messages = second.process.wait(PATIENCE), second.process.stderr
     assert messages is not None
     assert (code, messages.read()) == (0, f"{case} is open already, in process {app.process.pid}\n")
+
+    shown = urlsplit(asked.read_text(encoding="utf-8"))
+    assert app.token not in shown.geturl()
+    connection = app.connection()
+    for status, place in ((303, f"/?token={app.token}"), (403, None)):
+        connection.request("GET", f"{shown.path}?{shown.query}")
+        answer = connection.getresponse()
+        answer.read()
+        assert (answer.status, answer.getheader("location")) == (status, place)
+    connection.close()
 
     app.set(["plate", "nu"], 0.25)
     code, words = app.end(signal.SIGINT)

@@ -23,7 +23,7 @@ from groundslab.workbench.guard import HEADERS, LARGEST, refusal
 
 pytest.importorskip("fastapi")
 from groundslab.workbench import session as sessions
-from groundslab.workbench.routes import application
+from groundslab.workbench.routes import Tickets, application
 from groundslab.workbench.session import Session
 from groundslab.workbench.solver import Solver
 
@@ -88,7 +88,8 @@ class Bench:
         self.hub = Ear()
         self.solver = Solver(self.hub.tell, workers.obey, None)
         self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}")
-        self.app = application(self.session, PORT, TOKEN, static)
+        self.tickets = Tickets()
+        self.app = application(self.session, self.tickets, PORT, TOKEN, static)
         if case is not None:
             self.session.open(str(case))
 
@@ -197,6 +198,19 @@ def test_its_own_page_is_not_refused(headers: list[tuple[str, str]]) -> None:
     assert refusal("POST", "/api/edits", "", headers, PORT, TOKEN) is None
     assert refusal("GET", "/api/events", f"token={TOKEN}", [headers[0]], PORT, TOKEN) is None
     assert refusal("GET", "/", "", [headers[0]], PORT, TOKEN) is None
+
+
+def test_a_ticket_lets_in_once(bench: Bench) -> None:
+    """The address that a browser is started with leads to the page once; without a ticket nobody is let in."""
+    ticket = bench.post("/api/ticket")["ticket"]
+    host = [("host", HOST)]
+    answer = bench.ask("GET", f"/open?ticket={ticket}", host)
+    assert (answer.status, answer.headers["location"]) == (303, f"/?token={TOKEN}")
+    for address in (f"/open?ticket={ticket}", "/open?ticket=", "/open"):
+        answer = bench.ask("GET", address, host)
+        assert answer.status == 403
+        assert TOKEN not in answer.text
+    assert bench.ask("POST", "/api/ticket", [*host, *of_json(b"{}")], b"{}").status == 403
 
 
 def test_bodies_that_are_not_taken(bench: Bench) -> None:
@@ -503,7 +517,7 @@ def test_an_error_of_ours_is_a_fault(bench: Bench, monkeypatch: pytest.MonkeyPat
         raise ZeroDivisionError("by zero")
 
     with monkeypatch.context() as patch:
-        patch.setattr(sessions.casefile, "loads", broken)
+        patch.setattr(sessions.casefile, "from_table", broken)
         state = bench.set(["plate", "nu"], 0.3)
         assert "ZeroDivisionError" in state["faults"][0]["got"]
         assert "line" not in state["faults"][0]

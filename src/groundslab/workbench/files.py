@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import secrets
 import shutil
 import sys
@@ -16,6 +17,8 @@ from groundslab.errors import Fault, InputError
 
 #: Pauses [s] between trials on Windows, where a virus scanner may hold a file for a moment.
 PATIENCE = (0.05, 0.1, 0.2, 0.4, 0.8)
+#: A file that has been half written for so long is nobody's any more [s].
+STALE = 60.0
 
 
 def digest(content: bytes) -> str:
@@ -42,6 +45,15 @@ def write(path: Path, content: bytes, private: bool = False) -> None:
     finally:
         partial.unlink(missing_ok=True)
     sync_names(target.parent)
+
+
+def sweep(path: Path) -> None:
+    """Remove what a process that was killed while writing a file has left half written beside it."""
+    pattern = re.compile(re.escape(f".{path.name}.partial-") + "[0-9a-f]{8}")
+    with suppress(OSError):
+        for each in path.parent.iterdir():
+            if pattern.fullmatch(each.name) and time.time() - each.lstat().st_mtime > STALE:
+                each.unlink()
 
 
 def replace(old: Path, new: Path) -> None:

@@ -69,6 +69,8 @@ class Keeper:
         }
         content = f"{HEAD}{json.dumps(about)}\n{document.text}".encode()
         failure: OSError | None = None
+        if self.path is not None:
+            files.sweep(self.path)
         for path in chain([] if self.path is None else [self.path], self._places()):
             try:
                 files.write(path, content, private=True)

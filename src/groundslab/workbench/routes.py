@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import mimetypes
+import secrets
+import threading
 from collections.abc import AsyncIterator
 from functools import cache
 from pathlib import Path
@@ -11,7 +13,7 @@ from typing import Annotated, Any
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import JSONResponse, Response, StreamingResponse
+from fastapi.responses import JSONResponse, RedirectResponse, Response, StreamingResponse
 from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -64,12 +66,35 @@ class Autosolve(_Body):
     on: bool
 
 
-def application(session: Session, port: int, token: str, static: Path = STATIC) -> Guard:
+class Tickets:
+    """Secrets that let in once: other users may see the address with which a browser is started, but only then."""
+
+    def __init__(self) -> None:
+        self._valid: set[str] = set()
+        self._lock = threading.Lock()
+
+    def issue(self) -> str:
+        """Return a new one."""
+        ticket = secrets.token_urlsafe(32)
+        with self._lock:
+            self._valid.add(ticket)
+        return ticket
+
+    def redeem(self, ticket: str) -> bool:
+        """Return whether a ticket is valid, which it is no longer then."""
+        with self._lock:
+            valid = ticket in self._valid
+            self._valid.discard(ticket)
+            return valid
+
+
+def application(session: Session, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
     """Return the server's application behind its guard."""
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
     _answer_errors(app, session)
     _documents(app, session)
     _solving(app, session)
+    _doors(app, tickets, token)
     for suffix, kind in TYPES.items():
         mimetypes.add_type(kind, suffix)
     app.mount("/", StaticFiles(directory=static, html=True, check_dir=False))
@@ -101,6 +126,20 @@ def _told(wrong: Any) -> dict[str, Any]:
     told = faults.told(wrong)
     head = told[0] if len(told) == 1 else {"message": "\n".join(map(str, wrong))}
     return {**head, "faults": told}
+
+
+def _doors(app: FastAPI, tickets: Tickets, token: str) -> None:
+    """Add the way in for a browser that is started with an address that others may see."""
+
+    @app.post("/api/ticket")
+    def ticket() -> dict[str, str]:
+        return {"ticket": tickets.issue()}
+
+    @app.get("/open")
+    def enter(ticket: str = "") -> Response:
+        if tickets.redeem(ticket):
+            return RedirectResponse(f"/?token={token}", 303)
+        return Response("This address worked once. The terminal shows one that works again.", 403)
 
 
 def _documents(app: FastAPI, session: Session) -> None:

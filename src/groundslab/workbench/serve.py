@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import http.client
+import json
+import os
 import secrets
 import signal
 import socket
@@ -12,6 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import FrameType
 from typing import Any
+from urllib.parse import urlsplit
 
 from groundslab.errors import Fault, InputError
 from groundslab.workbench import files
@@ -28,7 +32,7 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
     _require_packages()
     import uvicorn
 
-    from groundslab.workbench.routes import application
+    from groundslab.workbench.routes import Tickets, application
     from groundslab.workbench.session import OpenElsewhere, Session
     from groundslab.workbench.solver import Solver
 
@@ -45,13 +49,16 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
         except OpenElsewhere as elsewhere:
             session.close()
             _say(f"{case} is open already, in process {elsewhere.pid}")
-            _show(elsewhere.url, browser)
+            _print(elsewhere.url)
+            if browser:
+                _show(elsewhere.url, _ticket_of(elsewhere.url))
             return
         except InputError:
             session.close()
             raise
+        tickets = Tickets()
         config = uvicorn.Config(
-            application(session, port, token),
+            application(session, tickets, port, token),
             log_level="warning",
             access_log=False,
             server_header=False,
@@ -59,8 +66,14 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
             ws="none",
             timeout_graceful_shutdown=2,
         )
+
+        def started() -> None:
+            _print(url)
+            if browser:
+                threading.Thread(target=_show, args=(url, tickets.issue()), daemon=True).start()
+
         try:
-            _server(config, hub, lambda: _show(url, browser)).run([door])
+            _server(config, hub, started).run([door])
         except KeyboardInterrupt:
             pass  # the usual way to end it
         finally:
@@ -122,11 +135,35 @@ def _server(config: Any, hub: Hub, started: Callable[[], None]) -> Any:
     return Server(config)
 
 
-def _show(url: str, browser: bool) -> None:
-    """Print the address, and open it in the browser."""
+def _show(url: str, ticket: str) -> None:
+    """Open a server's page in the browser, with a ticket in place of the token, as other users may see the address."""
+    if ticket and _has_a_screen():
+        parts = urlsplit(url)
+        webbrowser.open(f"{parts.scheme}://{parts.netloc}/open?ticket={ticket}")
+
+
+def _has_a_screen() -> bool:
+    """Whether a browser would have a window; one for the terminal would be in the way."""
+    graphical = any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER", "WSL_DISTRO_NAME"))
+    return sys.platform in ("win32", "darwin") or graphical
+
+
+def _ticket_of(url: str) -> str:
+    """Return a ticket from the server that has this address, empty if it does not answer."""
+    parts = urlsplit(url)
+    connection = http.client.HTTPConnection(parts.netloc, timeout=5)
+    headers = {"X-Groundslab-Token": parts.query.partition("=")[2], "Content-Type": "application/json"}
+    try:
+        connection.request("POST", "/api/ticket", "{}", headers)
+        return str(json.loads(connection.getresponse().read())["ticket"])
+    except (OSError, http.client.HTTPException, ValueError, KeyError):
+        return ""
+    finally:
+        connection.close()
+
+
+def _print(url: str) -> None:
     print(url, flush=True)
-    if browser and url:
-        threading.Thread(target=webbrowser.open, args=(url,), daemon=True).start()
 
 
 def _say(text: str) -> None:

@@ -273,7 +273,7 @@ class Session:
         """Make a document the present one: understood, kept, told of, solved."""
         self._document = document
         self._version += 1
-        self._sense = _sense(document.text)
+        self._sense = _sense(document)
         self._keep()
         self._tell()
         if self._autosolve and self._sense.model is not None:
@@ -364,10 +364,11 @@ class Session:
             self._file_lock = None
 
 
-def _sense(text: str) -> _Sense:
+def _sense(document: Document) -> _Sense:
     """Return what a text means; an error of ours is a fault too, so that the text can still be edited and saved."""
     try:
-        model = casefile.loads(text, faults.NAME)
+        data = document.data
+        model = casefile.loads(document.text, faults.NAME) if data is None else casefile.from_table(data)
         from groundslab.scene import plan_of
 
         return _Sense(model, (), plan_of(model))
