@@ -277,6 +277,17 @@ def test_wrong_edits_are_refused(edit: dict[str, Any]) -> None:
         Document(RAFT).edited([edit])
 
 
+def test_endless_nesting_is_refused() -> None:
+    """A value nested too deeply for anything is a fault, as is a text of that kind."""
+    value: Any = []
+    for _ in range(5000):
+        value = [value]
+    with pytest.raises(InputError, match="nested too deeply"):
+        Document(RAFT).edited([{"op": "set", "path": ["x"], "value": value}])
+    document = Document("a = " + "[" * 5000 + "]" * 5000)
+    assert (document.data, document.layout) == (None, None)
+
+
 def test_all_edits_or_none() -> None:
     """A list of edits of which the last is wrong gives no document at all."""
     document = Document(RAFT)

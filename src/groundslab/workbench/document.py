@@ -82,8 +82,12 @@ class Document:
     def edited(self, edits: Sequence[Edit]) -> Document:
         """Return the document after some edits, one after the other; raises InputError if one of them cannot be."""
         document = self
-        for edit in edits:
-            document = document._edited(edit)
+        try:
+            for edit in edits:
+                document = document._edited(edit)
+        except RecursionError:
+            fault = Fault("the edit", "lists or tables nested too deeply", "those of an input file")
+            raise InputError([fault]) from None
         return document
 
     def _edited(self, edit: Edit) -> Document:

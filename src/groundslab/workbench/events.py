@@ -21,7 +21,7 @@ class Hub:
     """Hands events on to all that listen; may be told of them on any thread."""
 
     def __init__(self) -> None:
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # a signal may close the hub while the same thread is at it
         self._listeners: dict[asyncio.Queue[Event | None], asyncio.AbstractEventLoop] = {}
         self._closed = False
 

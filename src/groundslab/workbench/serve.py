@@ -63,6 +63,8 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
             access_log=False,
             server_header=False,
             lifespan="off",
+            loop="asyncio",
+            http="h11",
             ws="none",
             timeout_graceful_shutdown=2,
         )
@@ -96,9 +98,10 @@ def _require_packages() -> None:
 def _state_folder() -> Path:
     try:
         return files.state_folder()
-    except OSError as error:
-        got = files.reason(error)
-        raise InputError([Fault(str(error.filename), got, "a folder for unsaved work")]) from None
+    except (OSError, RuntimeError) as error:
+        got = files.reason(error) if isinstance(error, OSError) else str(error)
+        where = str(getattr(error, "filename", None) or "home")
+        raise InputError([Fault(where, got, "a folder for unsaved work")]) from None
 
 
 def _bound(port: int) -> socket.socket:
