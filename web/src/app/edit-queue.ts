@@ -1,0 +1,110 @@
+// Edits on their way to the server: one at a time, in order, none lost when the server is away.
+
+import { type Api, type Change, type DocState, Outdated, Refused, Stranger, Unreachable } from "./api";
+
+export interface QueueHooks {
+  /** The version that the next edit builds on. */
+  base(): number;
+  /** The server has taken an edit. */
+  adopt(state: DocState): void;
+  /** The document changed elsewhere; returns whether the edit still makes sense on `state`. */
+  fits(change: Change, state: DocState): boolean;
+  /** An edit was given up; `why` is for people. */
+  refused(change: Change, why: string): void;
+  /** The server does not answer, or does not know this page. */
+  lost(error: Unreachable | Stranger): void;
+  /** The list of waiting edits has changed. */
+  changed(): void;
+}
+
+/** Edits that wait, the first of them maybe under way. */
+export class EditQueue {
+  readonly waiting: Change[] = [];
+  private busy: Promise<void> | null = null;
+  private held = false;
+  private repeated = false; // the first one may have arrived although no answer came
+
+  constructor(private readonly api: Pick<Api, "edit">, private readonly hooks: QueueHooks) {}
+
+  /** Add an edit and send it as soon as its turn comes. */
+  push(change: Change): void {
+    const last = this.waiting.at(-1);
+    const underWay = this.busy !== null && this.waiting.length === 1;
+    if (last && !underWay && joins(last, change)) this.waiting[this.waiting.length - 1] = change;
+    else this.waiting.push(change);
+    this.hooks.changed();
+    void this.run();
+  }
+
+  /** Send what waits; resolves when nothing waits any more or the server is away. */
+  run(): Promise<void> {
+    if (this.held) return Promise.resolve();
+    this.busy ??= this.send().finally(() => {
+      this.busy = null;
+    });
+    return this.busy;
+  }
+
+  /** Keep all edits here until `release`, while it is unclear what they apply to. */
+  hold(): void {
+    this.held = true;
+  }
+
+  /** Send again. */
+  release(): Promise<void> {
+    this.held = false;
+    return this.run();
+  }
+
+  /** Forget what waits. */
+  clear(): void {
+    this.waiting.length = 0;
+    this.hooks.changed();
+  }
+
+  private async send(): Promise<void> {
+    for (let change = this.waiting[0]; change && !this.held; change = this.waiting[0]) {
+      try {
+        const state = await this.api.edit(change, this.hooks.base());
+        this.done(change);
+        this.hooks.adopt(state);
+      } catch (error) {
+        if (error instanceof Unreachable || error instanceof Stranger) {
+          this.held = true;
+          this.repeated = true;
+          this.hooks.lost(error);
+          return;
+        }
+        this.afterNo(change, error);
+      }
+    }
+  }
+
+  private afterNo(change: Change, error: unknown): void {
+    if (error instanceof Outdated) {
+      const arrived = this.repeated && error.state.undo_text === change.text && error.state.version === this.hooks.base() + 1;
+      const fits = arrived || this.hooks.fits(change, error.state);
+      if (arrived || !fits) this.done(change);
+      this.hooks.adopt(error.state);
+      if (!fits) this.hooks.refused(change, "this part was changed elsewhere meanwhile");
+      this.repeated = false;
+      return;
+    }
+    this.done(change);
+    this.hooks.refused(change, error instanceof Refused ? error.message : String(error));
+  }
+
+  private done(change: Change): void {
+    if (this.waiting[0] === change) this.waiting.shift();
+    this.repeated = false;
+    this.hooks.changed();
+  }
+}
+
+/** Whether a later edit stands for an earlier one that waits as well: typing on in one field, or in the text. */
+export function joins(earlier: Change, later: Change): boolean {
+  if (!earlier.merge || !later.merge || earlier.text !== later.text) return false;
+  const places = (change: Change) => JSON.stringify(change.edits.map((edit) => [edit.op === "remove" ? "set" : edit.op, "path" in edit ? edit.path : null]));
+  const replaces = later.edits.every((edit) => edit.op === "set" || edit.op === "remove" || edit.op === "length" || edit.op === "text");
+  return replaces && places(earlier) === places(later);
+}

@@ -1,0 +1,80 @@
+// The slab's outline: a rectangle about the origin, or a shape that is drawn where it lies.
+
+import { fill, h, newId } from "../dom";
+import { type Path, pathKey, startsWith, type Table, tableAt } from "../paths";
+import { written } from "../quantity";
+import { readSides, ringOf } from "../drawing/geometry";
+import { outlineEdits } from "../drawing/tools";
+import type { Edit } from "../api";
+import type { FormContext, Widget } from "./context";
+import { placed } from "./kinds";
+import { partWidget } from "./part";
+import { valueField } from "./value-field";
+
+/** Keys of the plate that this element shows in place of the plain list of fields. */
+export const SHAPE_KEYS = ["length_x", "length_y", "outline"] as const;
+const SIDES = "sides";
+const SHAPES = ["Rectangle", "Polygon", "Circle"] as const;
+
+/** The choice of the outline, and its measures. */
+export function plateShape(ctx: FormContext): Widget {
+  const path: Path = ["plate", "outline"];
+  const select = h("select", { id: newId("input") });
+  fill(
+    select,
+    h("option", { value: SIDES }, "rectangle about the origin"),
+    ...SHAPES.map((name) => h("option", { value: name }, `${name.toLowerCase()}, drawn where it lies`)),
+  );
+  const plate = ctx.schema.part("Plate");
+  const sides = plate.fields.filter((field) => field.name === "length_x" || field.name === "length_y").map((field) => valueField(ctx, ["plate", field.name], field));
+  const outline = partWidget(ctx, path, { is: "kinds", parts: SHAPES });
+  outline.element.classList.add("without-kind");
+  const element = h(
+    "div",
+    { class: "plate-shape" },
+    h("div", { class: "field", "data-path": pathKey(path) }, h("label", { class: "label needed", for: select.id }, "outline"), select),
+    ...sides.map((side) => side.element),
+    outline.element,
+  );
+  select.addEventListener("change", () => {
+    const edits = select.value === SIDES ? sidesEdits(ctx.data()) : shapeEdits(ctx, select.value);
+    ctx.change({ edits, text: `change the slab's outline to ${select.value === SIDES ? "a rectangle about the origin" : `a ${select.value.toLowerCase()}`}` });
+  });
+  const update = () => {
+    const table = tableAt(ctx.data(), ["plate"]);
+    const chosen = table.outline === undefined ? null : ctx.schema.chosen(SHAPES, tableAt(ctx.data(), path));
+    select.value = table.outline === undefined ? SIDES : (chosen?.name ?? "");
+    // a length that stands beside an outline is shown, so that its fault is
+    sides.forEach((side, n) => (side.element.hidden = table.outline !== undefined && table[n === 0 ? "length_x" : "length_y"] === undefined));
+    outline.element.hidden = table.outline === undefined;
+    for (const side of sides) side.update();
+    outline.update();
+  };
+  const reveal = (target: Path) => sides.some((side) => side.reveal(target)) || (startsWith(target, path) && outline.reveal(target));
+  return { element, update, reveal };
+}
+
+/** The edits that draw the slab as a shape where it lies now. */
+export function shapeEdits(ctx: Pick<FormContext, "schema" | "data">, name: string): Edit[] {
+  const data = ctx.data();
+  const old = tableAt(data, ["plate", "outline"]);
+  const shape: Table = placed(data, ["plate", "outline"], ctx.schema.part(name), old);
+  return outlineEdits(data, shape);
+}
+
+/** The edits that make the slab a rectangle about the origin, as large as it was. */
+function sidesEdits(data: Table): Edit[] {
+  const box = placed(data, ["plate", "outline"], { name: "Rectangle", about: "", kind: "rectangle", fields: [] }, tableAt(data, ["plate", "outline"]));
+  const old = readSides(data);
+  const size = (key: "x" | "y") => {
+    const [from, to] = (box[key] as string[]).map((each) => parseFloat(each));
+    return written((to ?? 3) - (from ?? -3));
+  };
+  const ring = old ? ringOf(old) : null;
+  const [x, y] = ring ? [written(2 * Math.abs(ring[0]?.[0] ?? 3)), written(2 * Math.abs(ring[0]?.[1] ?? 2))] : [size("x"), size("y")];
+  return [
+    { op: "remove", path: ["plate", "outline"] },
+    { op: "set", path: ["plate", "length_x"], value: x },
+    { op: "set", path: ["plate", "length_y"], value: y },
+  ];
+}
