@@ -21,7 +21,8 @@ export interface Offer {
 export interface DocState {
   version: number;
   text: string;
-  data: Table;
+  /** Null while the text is not TOML. */
+  data: Table | null;
   faults: Fault[];
   plan: Table | null;
   file: string | null;

@@ -5,8 +5,8 @@ import { type Api, type Change, type DocState, Outdated, Refused, Stranger, Unre
 export interface QueueHooks {
   /** The version that the next edit builds on. */
   base(): number;
-  /** The server has taken an edit. */
-  adopt(state: DocState): void;
+  /** The server has answered with a state; `waiting` is what is still to be sent on top of it. */
+  adopt(state: DocState, waiting: readonly Change[]): void;
   /** The document changed elsewhere; returns whether the edit still makes sense on `state`. */
   fits(change: Change, state: DocState): boolean;
   /** An edit was given up; `why` is for people. */
@@ -30,7 +30,7 @@ export class EditQueue {
   push(change: Change): void {
     const last = this.waiting.at(-1);
     const underWay = this.busy !== null && this.waiting.length === 1;
-    if (last && !underWay && joins(last, change)) this.waiting[this.waiting.length - 1] = change;
+    if (last && !underWay && joins(last, change)) this.waiting[this.waiting.length - 1] = last.merge ? change : alone(change);
     else this.waiting.push(change);
     this.hooks.changed();
     void this.run();
@@ -67,7 +67,7 @@ export class EditQueue {
       try {
         const state = await this.api.edit(change, this.hooks.base());
         this.done(change);
-        this.hooks.adopt(state);
+        this.hooks.adopt(state, this.waiting);
       } catch (error) {
         if (error instanceof Unreachable || error instanceof Stranger) {
           this.held = true;
@@ -85,25 +85,30 @@ export class EditQueue {
       const arrived = this.repeated && error.state.undo_text === change.text && error.state.version === this.hooks.base() + 1;
       const fits = arrived || this.hooks.fits(change, error.state);
       if (arrived || !fits) this.done(change);
-      this.hooks.adopt(error.state);
+      this.hooks.adopt(error.state, this.waiting);
       if (!fits) this.hooks.refused(change, "this part was changed elsewhere meanwhile");
       this.repeated = false;
       return;
     }
     this.done(change);
+    this.hooks.changed();
     this.hooks.refused(change, error instanceof Refused ? error.message : String(error));
   }
 
   private done(change: Change): void {
     if (this.waiting[0] === change) this.waiting.shift();
     this.repeated = false;
-    this.hooks.changed();
   }
+}
+
+/** An edit that does not join the step before it. */
+function alone(change: Change): Change {
+  return { edits: change.edits, text: change.text };
 }
 
 /** Whether a later edit stands for an earlier one that waits as well: typing on in one field, or in the text. */
 export function joins(earlier: Change, later: Change): boolean {
-  if (!earlier.merge || !later.merge || earlier.text !== later.text) return false;
+  if (!later.merge || earlier.text !== later.text) return false;
   const places = (change: Change) => JSON.stringify(change.edits.map((edit) => [edit.op === "remove" ? "set" : edit.op, "path" in edit ? edit.path : null]));
   const replaces = later.edits.every((edit) => edit.op === "set" || edit.op === "remove" || edit.op === "length" || edit.op === "text");
   return replaces && places(earlier) === places(later);

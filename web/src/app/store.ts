@@ -41,6 +41,8 @@ export class Store {
   notice: Notice | null = null;
   /** The server's data with the edits that are still on their way. */
   data: Table = {};
+  /** The server's data; the last ones that could be read while the text is broken. */
+  private readable: Table = {};
   private waiting: readonly Change[] = [];
   private readonly listeners = new Map<Topic, Set<() => void>>();
 
@@ -60,14 +62,18 @@ export class Store {
     for (const listener of [...(this.listeners.get(topic) ?? [])]) listener();
   }
 
-  /** Take a state from the server. */
-  setDoc(doc: DocState): void {
+  /** Take a state from the server, and the edits that are to follow it. */
+  setDoc(doc: DocState, waiting: readonly Change[] = this.waiting): void {
+    const fewer = waiting.length !== this.waiting.length;
     this.doc = doc;
+    this.waiting = [...waiting];
+    this.readable = doc.data ?? this.readable;
     if (doc.autosolve !== undefined && doc.autosolve !== this.autosolve) {
       this.autosolve = doc.autosolve;
       this.tell("autosolve");
     }
     this.foreseeAll();
+    if (fewer) this.tell("waiting");
     this.tell("doc");
     this.tell("data");
   }
@@ -120,11 +126,11 @@ export class Store {
 
   /** Whether the text is broken, so that form and drawing cannot be edited. */
   get broken(): boolean {
-    return this.doc?.faults.some((fault) => fault.line !== undefined && fault.path.length === 0) ?? false;
+    return this.doc !== null && this.doc.data === null;
   }
 
   private foreseeAll(): void {
-    let data: Table = this.doc?.data ?? {};
+    let data: Table = this.readable;
     for (const change of this.waiting) for (const edit of change.edits) data = foresee(data, edit);
     this.data = data;
   }

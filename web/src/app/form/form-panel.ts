@@ -5,7 +5,7 @@ import { fill, h, setText } from "../dom";
 import { isTable, type Json, type Path, type Table } from "../paths";
 import type { FormContext, Widget } from "./context";
 import { faultsAt, faultsOfPart, faultWords } from "./faults";
-import { nodeWidget } from "./part";
+import { nodeWidget, subPart } from "./part";
 import type { Field } from "./schema";
 import { heading, shortValue } from "./words";
 
@@ -39,7 +39,7 @@ export function formPanel(ctx: FormContext, openKeys: { read(): string[] | null;
   };
   for (const group of [...GROUPS, { title: "More", keys: others }]) {
     const fields = group.keys.flatMap((key) => root.fields.find((field) => field.name === key) ?? []);
-    if (fields.length > 0 && group.title) element.append(h("h3", { class: "group" }, group.title));
+    if (fields.length > 0 && group.title) element.append(h("h3", { class: "group-title" }, group.title));
     for (const field of fields) {
       const widget = isSimple(field) ? nodeWidget(ctx, [field.name], field) : section(ctx, field, open.has(field.name), opened);
       sections.push(widget);
@@ -67,7 +67,7 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
   let body: Widget | null = null;
   const build = () => {
     if (!element.open || body) return;
-    body = nodeWidget(ctx, path, field);
+    body = field.node.is === "part" || field.node.is === "kinds" ? subPart(ctx, path, field, field.node, true) : nodeWidget(ctx, path, field);
     element.append(h("div", { class: "section-body" }, body.element));
     body.update();
   };

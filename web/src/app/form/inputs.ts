@@ -51,15 +51,15 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   });
   const write = options.write ?? ((value: Json | undefined, typing: boolean) => setValue(ctx, path, value, typing));
   let typed = false;
-  const again = { edits: 0 };
+  let sent = 0; // edits since the field has had the keyboard
   const send = () => {
     typed = false;
-    write(parsed(node, input.value), again.edits > 0);
-    again.edits += 1;
+    write(parsed(node, input.value), sent > 0);
+    sent += 1;
   };
   const soon = later(QUIET, send);
   const atEnd = waitsForEnd(path);
-  input.addEventListener("focus", () => (again.edits = 0));
+  input.addEventListener("focus", () => (sent = 0));
   input.addEventListener("input", () => {
     typed = true;
     if (!atEnd) soon();

@@ -4,7 +4,7 @@ import type { Edit } from "../api";
 import { boundsOf, readGeometry, readSides, type Point, ringOf } from "../drawing/geometry";
 import { type Json, type Path, sameValue, type Table, tableAt, valueAt } from "../paths";
 import { written } from "../quantity";
-import type { Field, Part } from "./schema";
+import type { Field, Node, Part } from "./schema";
 import { starter } from "./starters";
 
 /** Values that a switch of kind took away, by path and kind, to be put back by switching back. */
@@ -38,23 +38,31 @@ function newTable(data: Table, path: Path, old: Table, from: Part | null, to: Pa
     const twin = shared.get(field.name);
     if (own !== undefined && field.node.is !== "tag" && (!twin || alike(twin, field))) table[field.name] = own;
   }
-  const filled = { ...starter(to.name, data), ...placed(data, path, to, old), ...before };
+  const filled: Table = { ...placed(data, path, to, old), ...starter(to.name, data), ...before };
+  const given = new Set(Object.keys({ ...starter(to.name, data), ...before }));
   for (const field of to.fields) {
     const value = filled[field.name];
-    const known = before[field.name] !== undefined;
-    if (table[field.name] === undefined && value !== undefined && (field.needed || known || needsPlace(to, field))) table[field.name] = value;
+    const wanted = field.needed || given.has(field.name) || needsPlace(to, field);
+    if (table[field.name] === undefined && value !== undefined && wanted) table[field.name] = value;
   }
   return table;
 }
 
-/** Whether a value of one field means the same in another: same kind of value, same dimension. */
+/** Whether a value of one field means the same in another: same kind of value, same dimension, parts in common. */
 function alike(a: Field, b: Field): boolean {
-  return JSON.stringify(a.node) === JSON.stringify(b.node);
+  const [parts, others] = [partsOf(a.node), partsOf(b.node)];
+  return JSON.stringify(a.node) === JSON.stringify(b.node) || (a.node.is === b.node.is && parts.some((part) => others.includes(part)));
 }
 
-/** Positions that the schema does not ask for, as a column may stand for them. */
+function partsOf(node: Node): readonly string[] {
+  if (node.is === "list") return partsOf(node.of);
+  if (node.is === "part") return [node.part];
+  return node.is === "kinds" ? node.parts : [];
+}
+
+/** Places that the schema does not ask for, as something else may stand for them, or as they have a default. */
 function needsPlace(part: Part, field: Field): boolean {
-  return (part.name === "PointLoad" || part.name === "Void") && (field.name === "x" || field.name === "y");
+  return ["PointLoad", "Void", "Circle"].includes(part.name) && ["x", "y", "centre"].includes(field.name);
 }
 
 /** Where a new thing of a part lies: where the old one lay, else in the middle of the plate. */

@@ -1,6 +1,6 @@
 // A list of tables: as rows of a grid where its tables are flat, else as items that fold.
 
-import { fill, h } from "../dom";
+import { fill, h, icon } from "../dom";
 import { isTable, type Json, listAt, type Path, pathKey, startsWith, type Table, tableAt } from "../paths";
 import { titleAt } from "../drawing/items";
 import { freeName } from "../drawing/tools";
@@ -179,7 +179,7 @@ export function itemButtons(ctx: FormContext, path: Path): HTMLElement[] {
   });
   const remove = act(() => ctx.change(removal(ctx.data(), path)));
   return [
-    h("button", { type: "button", class: "icon", title: "duplicate", "aria-label": `duplicate item ${position + 1}`, onclick: copy }, "⧉"),
-    h("button", { type: "button", class: "icon", title: "remove", "aria-label": `remove item ${position + 1}`, onclick: remove }, "×"),
+    h("button", { type: "button", class: "icon", title: "duplicate", "aria-label": `duplicate item ${position + 1}`, onclick: copy }, icon("copy")),
+    h("button", { type: "button", class: "icon", title: "remove", "aria-label": `remove item ${position + 1}`, onclick: remove }, icon("remove")),
   ];
 }

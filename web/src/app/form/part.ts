@@ -35,6 +35,8 @@ export function partWidget(ctx: FormContext, path: Path, node: Node, without: re
     built = true;
     const hidden: readonly string[] = part?.name === "Plate" ? [...without, ...SHAPE_KEYS] : without;
     const fields = part?.fields.filter((field) => field.node.is !== "tag" && !hidden.includes(field.name)) ?? [];
+    // single values first: what is long stands below
+    fields.sort((a, b) => Number(isLong(a)) - Number(isLong(b)));
     widgets = fields.map((field) => nodeWidget(ctx, [...path, field.name], field));
     if (part?.name === "Plate") widgets.unshift(plateShape(ctx));
     fill(body, ...widgets.map((widget) => widget.element));
@@ -98,6 +100,11 @@ export function kindChoice(ctx: FormContext, path: Path, names: readonly string[
   return { element, update, reveal };
 }
 
+/** Whether a field takes a part of the form for itself. */
+function isLong(field: Field): boolean {
+  return ["list", "part", "kinds", "places"].includes(field.node.is);
+}
+
 /** What a kind is called in a choice. */
 export function optionWords(part: Part): string {
   if (part.kind) return part.kind;
@@ -108,16 +115,17 @@ function aboutKind(part: Part): string {
   return part.fields.find((field) => field.node.is === "tag")?.hint ?? part.about;
 }
 
-/** A part inside another one: there or not, if it may be left out and needs keys of its own. */
-function subPart(ctx: FormContext, path: Path, field: Field, node: Node): Widget {
+/** A part inside another one: there or not, if it may be left out and needs keys of its own; `bare` without its title. */
+export function subPart(ctx: FormContext, path: Path, field: Field, node: Node, bare = false): Widget {
   const inner = partWidget(ctx, path, node);
   const first = node.is === "kinds" ? node.parts[0] : node.is === "part" ? node.part : undefined;
   const whole = first === undefined ? null : ctx.schema.part(first);
   const optional = !field.needed && (node.is === "kinds" || whole?.fields.some((each) => each.needed) === true);
-  const add = h("button", { type: "button", class: "small" }, `Give ${labelOf(field) || field.name}`);
+  const add = h("button", { type: "button", class: "small" }, `Add ${labelOf(field) || field.name}`);
   const drop = h("button", { type: "button", class: "small quiet" }, "Remove");
   const title = h("h4", { title: field.hint }, heading(labelOf(field) || field.name), h("span", { class: "hint" }, field.hint));
-  const element = h("div", { class: "sub-part" }, h("div", { class: "sub-head" }, title, optional ? drop : null, optional ? add : null), inner.element);
+  const head = bare && !optional ? null : h("div", { class: "sub-head" }, bare ? h("span", { class: "hint" }, field.hint) : title, optional ? drop : null, optional ? add : null);
+  const element = h("div", { class: "sub-part" }, head, inner.element);
   const words = labelOf(field) || field.name;
   add.addEventListener("click", () => {
     if (!whole) return;

@@ -1,17 +1,21 @@
 // A list of places in plan as a table of x and y.
 
-import { fill, h } from "../dom";
+import { fill, h, icon } from "../dom";
 import { type Json, listAt, type Path } from "../paths";
 import { place, writtenLike } from "../quantity";
 import { type FormContext, setValue } from "./context";
 import { type Input, tupleInput } from "./inputs";
 import type { Node } from "./schema";
 
+const FEW = 4; // places that are shown without being asked for
+
 /** One row for each place, to be changed, added and removed. */
 export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
   const rows = h("div", { class: "place-rows" });
+  const count = h("summary", {});
   const add = h("button", { type: "button", class: "small", onclick: () => insert(listAt(ctx.data(), path).length) }, "Add place");
-  const element = h("div", { class: "places" }, rows, add);
+  const fold = h("details", { class: "place-fold" }, count, rows, add);
+  const element = h("div", { class: "places" }, fold);
   let inputs: Input[] = [];
 
   const insert = (n: number) => {
@@ -22,19 +26,22 @@ export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
     const list = listAt(ctx.data(), path).toSpliced(n, 1);
     setValue(ctx, path, list.length > 0 ? list : undefined);
   };
-  const build = (count: number) => {
-    inputs = Array.from({ length: count }, (_, n) => tupleInput(ctx, [...path, n], each, 2, ["x", "y"], undefined));
+  const build = (length: number) => {
+    // few places are shown at once, many when they are asked for
+    if (inputs.length === 0) fold.open = length <= FEW;
+    count.textContent = length === 1 ? "1 place" : `${length} places`;
+    inputs = Array.from({ length }, (_, n) => tupleInput(ctx, [...path, n], each, 2, ["x", "y"], undefined));
     fill(rows, ...inputs.map((input, n) =>
       h("div", { class: "place-row" }, h("span", { class: "number-of" }, String(n + 1)), input.element,
-        h("button", { type: "button", class: "icon", "aria-label": `insert a place after ${n + 1}`, title: "insert after", onclick: () => insert(n + 1) }, "+"),
-        h("button", { type: "button", class: "icon", "aria-label": `remove place ${n + 1}`, title: "remove", onclick: () => take(n) }, "×"))));
+        h("button", { type: "button", class: "icon", "aria-label": `insert a place after ${n + 1}`, title: "insert after", onclick: () => insert(n + 1) }, icon("add")),
+        h("button", { type: "button", class: "icon", "aria-label": `remove place ${n + 1}`, title: "remove", onclick: () => take(n) }, icon("remove")))));
   };
   const update = () => {
-    const count = listAt(ctx.data(), path).length;
-    if (count !== inputs.length) build(count);
+    const { length } = listAt(ctx.data(), path);
+    if (length !== inputs.length) build(length);
     for (const input of inputs) input.update();
   };
-  return { element, get focus() { return inputs[0]?.focus ?? add; }, update };
+  return { element, get focus() { return fold.open ? (inputs[0]?.focus ?? add) : count; }, update };
 }
 
 /** A place half-way between two, in their units; 0, 0 if there are none. */

@@ -14,7 +14,7 @@ import { labelOf, symbolElement } from "./words";
 export function valueField(ctx: FormContext, path: Path, field: Field): Widget {
   const input = elementFor(ctx, path, field);
   const messages = h("div", { class: "messages", id: newId("fault") });
-  const hint = h("span", { class: "hint", id: newId("hint") }, hintOf(field));
+  const hint = h("span", { class: "hint", id: newId("hint") }, furtherHint(field));
   const label = h("label", { class: field.needed ? "label needed" : "label" }, ...labelParts(field));
   name(input, label);
   input.focus.setAttribute("aria-describedby", `${hint.id} ${messages.id}`);
@@ -51,6 +51,11 @@ export function labelParts(field: Field): (Node | string)[] {
   const symbol = field.symbol && field.symbol !== words && !field.symbol.includes(",") ? symbolElement(field.symbol) : null;
   const shown = words || (symbol ? "" : field.name);
   return [shown, ...(shown && symbol ? [" "] : []), ...(symbol ? [symbol] : [])];
+}
+
+/** What the label does not say yet. */
+function furtherHint(field: Field): string {
+  return labelOf(field).toLowerCase() === field.hint.toLowerCase() ? field.range : hintOf(field);
 }
 
 /** What a key means and what it may be. */

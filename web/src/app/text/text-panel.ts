@@ -18,7 +18,7 @@ export interface TextPanel {
 }
 
 /** The text, kept the same as the server's unless someone is typing. */
-export function textPanel(store: Store, push: (text: string) => void): TextPanel {
+export function textPanel(store: Store, push: (text: string, typedOn: boolean) => void): TextPanel {
   const area = h("textarea", {
     class: "code-input", spellcheck: "false", autocapitalize: "off", autocomplete: "off", wrap: "off", "aria-label": "case file as text",
   });
@@ -26,11 +26,13 @@ export function textPanel(store: Store, push: (text: string) => void): TextPanel
   const gutter = h("pre", { class: "code-gutter", "aria-hidden": "true" });
   const element = h("div", { class: "code" }, gutter, h("div", { class: "code-box" }, colours, area));
   let typed = false;
+  let sent = 0; // edits since the text has had the keyboard
   let drawn = "";
 
   const send = () => {
     typed = false;
-    push(area.value);
+    push(area.value, sent > 0);
+    sent += 1;
   };
   const soon = later(QUIET, send);
   const draw = () => {
@@ -67,6 +69,7 @@ export function textPanel(store: Store, push: (text: string) => void): TextPanel
     draw();
     soon();
   });
+  area.addEventListener("focus", () => (sent = 0));
   area.addEventListener("scroll", scrolled);
   area.addEventListener("blur", () => soon.flush());
   area.addEventListener("keydown", (event) => {

@@ -1,0 +1,59 @@
+// The figures of a combination that a reader wants first, and the certificates of all.
+
+import { make, number, symbol } from "../../view";
+import type { Summary, SummaryOfOne } from "../api";
+import { fill, h } from "../dom";
+import type { Json } from "../paths";
+
+/** Show the figures of one combination; null: none is chosen. */
+export function showSummary(element: HTMLElement, one: SummaryOfOne | null): void {
+  if (!one) return fill(element, h("p", { class: "empty" }, "Choose a combination to see its figures."));
+  if (one.refused !== null) return fill(element, h("p", { class: "verdict bad" }, `${one.name} has no solution: ${one.refused}`));
+  fill(element, h("div", { class: "summary-sections" }, ...one.sections.map((section) =>
+    h("section", {},
+      h("h4", {}, section.title),
+      h("table", { class: "figures" }, h("tbody", {}, ...section.rows.map((row) =>
+        h("tr", {},
+          h("th", { scope: "row" }, row.label, row.symbol ? " " : "", row.symbol ? symbol(row.symbol) : null),
+          h("td", {}, typeof row.value === "number" ? number(row.value) : (row.value ?? "")),
+          h("td", { class: "unit" }, row.unit),
+          h("td", { class: "note" }, row.note))))),
+      ...section.notes.map((note) => h("p", { class: "quiet" }, note))))));
+}
+
+/** The verdict on a combination. */
+export type Verdict = "certified" | "not certified" | "refused";
+
+export function verdictOf(one: SummaryOfOne): Verdict {
+  if (one.refused !== null || one.certificate === null) return "refused";
+  return one.certificate.holds === true ? "certified" : "not certified";
+}
+
+const WORDS: Record<Verdict, string> = { certified: "holds", "not certified": "does not hold", refused: "no solution" };
+
+/** Show the certificates of all combinations; `choose` is called with the position of one that was clicked. */
+export function showCertificates(element: HTMLElement, summary: Summary | null, choose: (n: number) => void): void {
+  if (!summary) return fill(element, h("p", { class: "empty" }, "Each solved combination is checked against the equations; the verdicts stand here."));
+  const keys = [...new Set(summary.combinations.flatMap((one) => Object.keys(one.certificate ?? {})))].filter((key) => key !== "holds");
+  const bad = summary.combinations.filter((one) => verdictOf(one) !== "certified").length;
+  const total = summary.combinations.length;
+  const verdict = bad === 0
+    ? h("p", { class: "verdict good" }, total === 1 ? "The result fulfils the equations." : `All ${total} combinations fulfil the equations.`)
+    : h("p", { class: "verdict bad" }, `${bad} of ${total} combinations must not be used.`);
+  const head = h("tr", {}, h("th", { scope: "col" }, "combination"), h("th", { scope: "col" }, "certificate"), ...keys.map((key) => h("th", { scope: "col" }, key.replaceAll("_", " "))));
+  const rows = summary.combinations.map((one, n) => {
+    const own = verdictOf(one);
+    const name = h("button", { type: "button", class: "link", onclick: () => choose(n) }, one.name || `combination ${n + 1}`);
+    const figures = own === "refused"
+      ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
+      : keys.map((key) => h("td", { class: "figure" }, figure(one.certificate?.[key])));
+    return h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, WORDS[own])), ...figures);
+  });
+  fill(element, verdict, make("div", { class: "wide" }, h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows))));
+}
+
+function figure(value: Json | undefined): string {
+  if (typeof value === "number") return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? number(value) : value.toExponential(1).replace("-", "−");
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  return typeof value === "string" ? value : "";
+}
