@@ -23,16 +23,19 @@ export interface Look {
 /** All things of a model, from below upwards. */
 export function paintItems(camera: Camera, items: readonly Item[], look: Look): SVGElement[] {
   const loadsAt = new Map<string, Item[]>();
-  for (const item of items) {
-    if (item.kind !== "load" || item.geometry.type !== "point") continue;
-    const key = `${item.geometry.x} ${item.geometry.y}`;
-    loadsAt.set(key, [...(loadsAt.get(key) ?? []), item]);
+  for (const item of items.filter((each) => each.kind === "load")) {
+    loadsAt.set(placeKey(item), [...(loadsAt.get(placeKey(item)) ?? []), item]);
   }
   return items.map((item) => {
     const group = svg("g", { class: classesOf(item, look), "data-path": pathKey(item.path), "data-kind": item.kind });
     group.append(...shapesOf(camera, item, loadsAt, look));
     return group;
   });
+}
+
+/** The same for loads that act at the same place. */
+function placeKey({ geometry }: Item): string {
+  return geometry.type === "point" ? `${geometry.x} ${geometry.y}` : JSON.stringify({ ...geometry, at: 0 });
 }
 
 function classesOf(item: Item, look: Look): string {
@@ -152,35 +155,39 @@ function along(ring: readonly Pixel[], spacing: number, visit: (at: Pixel, direc
 }
 
 function load(camera: Camera, item: Item, ring: readonly Pixel[], loadsAt: ReadonlyMap<string, Item[]>, look: Look): SVGElement[] {
-  if (item.geometry.type === "point") return pointLoad(camera, item, item.geometry, ring[0] ?? [0, 0], loadsAt, look);
-  const words = [nameOf(item), String(item.table.q ?? "")].filter(Boolean).join("  ");
-  if (isClosed(item.geometry)) return [area(ring), label(leftTop(ring), words, [5, 13])];
-  const arrows: SVGElement[] = [];
-  along(ring, 16, ([x, y]) => arrows.push(path([[x, y], [x, y - 11]], false, "fine"), path([[x - 2.5, y - 4.5], [x, y], [x + 2.5, y - 4.5]], false, "fine")));
-  return [path(ring, false), path(ring.map(([x, y]): Pixel => [x, y - 11]), false, "fine"), ...arrows, label(middle(ring), words, [6, -15])];
-}
-
-/** One arrow for all loads at a place; their values stand beside it, once, and only as many as can be read. */
-function pointLoad(camera: Camera, item: Item, at: { x: number; y: number }, [x, y]: Pixel, loadsAt: ReadonlyMap<string, Item[]>, look: Look): SVGElement[] {
-  const here = loadsAt.get(`${at.x} ${at.y}`) ?? [item];
+  const here = loadsAt.get(placeKey(item)) ?? [item];
   const strong = here.filter((each) => !look.loadCase || each.table.case === look.loadCase);
   const marked = here.find((each) => isOne(look.selected, each) || isOne(look.hovered, each));
-  const foot = item.foot ? [area(item.foot.map((point) => camera.toPixel(point)))] : [];
-  if (item !== (marked ?? strong[0] ?? here[0])) return foot;
+  const speaks = item === (marked ?? strong[0] ?? here[0]); // for all at the same place
+  const words = !speaks ? [] : marked || strong.length < 2 ? (strong.length > 0 ? strong : here).map(loadWords) : [`${strong.length} loads`];
+  if (item.geometry.type === "point") {
+    const foot = item.foot ? [area(item.foot.map((point) => camera.toPixel(point)))] : [];
+    return speaks ? [...foot, ...pointLoad(item, ring[0] ?? [0, 0], words)] : foot;
+  }
+  const labels = (at: Pixel, dx: number, dy: number, up: boolean) =>
+    words.map((each, n) => label(at, each, [dx, dy + 12 * (up ? n - words.length + 1 : n)]));
+  if (isClosed(item.geometry)) return [area(ring), ...labels(leftTop(ring), 5, 13, false)];
+  const arrows: SVGElement[] = [];
+  along(ring, 16, ([x, y]) => arrows.push(path([[x, y], [x, y - 11]], false, "fine"), path([[x - 2.5, y - 4.5], [x, y], [x + 2.5, y - 4.5]], false, "fine")));
+  return [path(ring, false), path(ring.map(([x, y]): Pixel => [x, y - 11]), false, "fine"), ...arrows, ...labels(middle(ring), 6, -15, true)];
+}
+
+/** One arrow for all loads at a place; their values stand beside it. */
+function pointLoad(item: Item, [x, y]: Pixel, words: readonly string[]): SVGElement[] {
   const near: Pixel = [x - 3, y - 3];
   const far: Pixel = [x - 3 - GLYPH * 0.62, y - 3 - GLYPH];
   const upwards = String(item.table.P ?? "").trim().startsWith("-");
   const [head, tail] = upwards ? [far, near] : [near, far];
-  const arrow = [...foot, path([tail, head], false), arrowHead(tail, head)];
-  const words = strong.length > 2 && !marked ? [`${strong.length} loads`] : strong.map(loadWords);
-  return [...arrow, ...words.map((each, n) => label(far, each, [-2, -3 - 12 * (words.length - 1 - n)], "label end"))];
+  return [path([tail, head], false), arrowHead(tail, head), ...words.map((each, n) => label(far, each, [0, -4 - 12 * (words.length - 1 - n)], "label middle"))];
 }
 
 function isOne(chosen: Path | null, item: Item): boolean {
   return chosen !== null && pathWords(chosen) === pathWords(item.path);
 }
 
+/** A load's name and size. */
 function loadWords(item: Item): string {
+  if (item.table.kind !== "point") return [nameOf(item), String(item.table.q ?? "")].filter(Boolean).join("  ").replace("-", "−");
   const moments = ["M_x", "M_y"].filter((key) => item.table[key] !== undefined).map((key) => `, ${key.replace("_", "")} ${String(item.table[key])}`);
   return `${String(item.table.P ?? "")}${moments.join("")}`.replace("-", "−");
 }

@@ -7,7 +7,7 @@ import type { FormContext, Widget } from "./context";
 import { faultsOfPart, faultWords } from "./faults";
 import { placed, switchKind } from "./kinds";
 import { listWidget } from "./list";
-import { plateShape, SHAPE_KEYS } from "./plate-shape";
+import { plateOutline, plateShape, SHAPE_KEYS } from "./plate-shape";
 import type { Field, Node, Part } from "./schema";
 import { starter } from "./starters";
 import { valueField } from "./value-field";
@@ -38,7 +38,10 @@ export function partWidget(ctx: FormContext, path: Path, node: Node, without: re
     // single values first: what is long stands below
     fields.sort((a, b) => Number(isLong(a)) - Number(isLong(b)));
     widgets = fields.map((field) => nodeWidget(ctx, [...path, field.name], field));
-    if (part?.name === "Plate") widgets.unshift(plateShape(ctx));
+    if (part?.name === "Plate") {
+      widgets.unshift(plateShape(ctx));
+      widgets.splice(1 + fields.filter((field) => !isLong(field)).length, 0, plateOutline(ctx));
+    }
     fill(body, ...widgets.map((widget) => widget.element));
   };
   const update = () => {

@@ -16,42 +16,44 @@ export const SHAPE_KEYS = ["length_x", "length_y", "outline"] as const;
 const SIDES = "sides";
 const SHAPES = ["Rectangle", "Polygon", "Circle"] as const;
 
-/** The choice of the outline, and its measures. */
+const OUTLINE: Path = ["plate", "outline"];
+
+/** The choice of the outline, and the sides of a rectangle about the origin. */
 export function plateShape(ctx: FormContext): Widget {
-  const path: Path = ["plate", "outline"];
   const select = h("select", { id: newId("input") });
   fill(
     select,
     h("option", { value: SIDES }, "rectangle about the origin"),
-    ...SHAPES.map((name) => h("option", { value: name }, `${name.toLowerCase()}, drawn where it lies`)),
+    ...SHAPES.map((name) => h("option", { value: name }, name === "Rectangle" ? "rectangle anywhere" : name.toLowerCase())),
   );
   const plate = ctx.schema.part("Plate");
   const sides = plate.fields.filter((field) => field.name === "length_x" || field.name === "length_y").map((field) => valueField(ctx, ["plate", field.name], field));
-  const outline = partWidget(ctx, path, { is: "kinds", parts: SHAPES });
-  outline.element.classList.add("without-kind");
-  const element = h(
-    "div",
-    { class: "plate-shape" },
-    h("div", { class: "field", "data-path": pathKey(path) }, h("label", { class: "label needed", for: select.id }, "outline"), select),
-    ...sides.map((side) => side.element),
-    outline.element,
-  );
+  const row = h("div", { class: "field", "data-path": pathKey(OUTLINE) }, h("label", { class: "label needed", for: select.id }, "outline"), select);
+  const element = h("div", { class: "plate-shape" }, row, ...sides.map((side) => side.element));
   select.addEventListener("change", () => {
     const edits = select.value === SIDES ? sidesEdits(ctx.data()) : shapeEdits(ctx, select.value);
     ctx.change({ edits, text: `change the slab's outline to ${select.value === SIDES ? "a rectangle about the origin" : `a ${select.value.toLowerCase()}`}` });
   });
   const update = () => {
     const table = tableAt(ctx.data(), ["plate"]);
-    const chosen = table.outline === undefined ? null : ctx.schema.chosen(SHAPES, tableAt(ctx.data(), path));
+    const chosen = table.outline === undefined ? null : ctx.schema.chosen(SHAPES, tableAt(ctx.data(), OUTLINE));
     select.value = table.outline === undefined ? SIDES : (chosen?.name ?? "");
     // a length that stands beside an outline is shown, so that its fault is
     sides.forEach((side, n) => (side.element.hidden = table.outline !== undefined && table[n === 0 ? "length_x" : "length_y"] === undefined));
-    outline.element.hidden = table.outline === undefined;
     for (const side of sides) side.update();
-    outline.update();
   };
-  const reveal = (target: Path) => sides.some((side) => side.reveal(target)) || (startsWith(target, path) && outline.reveal(target));
-  return { element, update, reveal };
+  return { element, update, reveal: (target) => sides.some((side) => side.reveal(target)) };
+}
+
+/** The measures of an outline that is drawn where it lies. */
+export function plateOutline(ctx: FormContext): Widget {
+  const inner = partWidget(ctx, OUTLINE, { is: "kinds", parts: SHAPES });
+  inner.element.classList.add("without-kind");
+  const update = () => {
+    inner.element.hidden = tableAt(ctx.data(), ["plate"]).outline === undefined;
+    inner.update();
+  };
+  return { element: inner.element, update, reveal: (target) => startsWith(target, OUTLINE) && inner.reveal(target) };
 }
 
 /** The edits that draw the slab as a shape where it lies now. */

@@ -52,8 +52,14 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
   fill(element, verdict, make("div", { class: "wide" }, h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows))));
 }
 
+/** A number with a power of ten: 2.7·10⁻¹³. */
+function powerOfTen(value: number): string {
+  const [digits = "", power = ""] = value.toExponential(1).split("e");
+  return `${digits.replace("-", "−")}·10${[...power.replace("+", "")].map((sign) => (sign === "-" ? "⁻" : ("⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)] ?? ""))).join("")}`;
+}
+
 function figure(value: Json | undefined): string {
-  if (typeof value === "number") return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? number(value) : value.toExponential(1).replace("-", "−");
+  if (typeof value === "number") return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? number(value) : powerOfTen(value);
   if (typeof value === "boolean") return value ? "yes" : "no";
   return typeof value === "string" ? value : "";
 }
