@@ -1,5 +1,4 @@
-"""The command line: groundslab solve, plot, check, new, dxf, verify, schema.
-"""The command line: groundslab solve, app, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, plot, report, app, check, new, dxf, verify, schema.
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 130 interrupted.

@@ -12,11 +12,11 @@ import pytest
 import synthetic
 from groundslab.errors import GroundslabError
 from groundslab.model import Model, UniformLoad
+from groundslab.readings import contact_function
 from groundslab.results import PLATE_FIELDS, Combined
 from groundslab.scene import Scene, packed, plan_of, scene_of, unpacked
 from groundslab.scene.packing import LEVELS, Blocks, values_of
 from groundslab.views import store
-from groundslab.views.picture import contact_function
 
 RAFT: dict[str, Any] = {
     "title": 'A raft </script><b>"&',

@@ -21,7 +21,7 @@ from groundslab.errors import Fault, GroundslabError, InputError
 from groundslab.report.figures import pictures_of
 from groundslab.report.grid import pieces_of, pieces_of_words
 from groundslab.report.page import page_of
-from groundslab.results import Combined, Results
+from groundslab.results import Combined, Results, alone
 from groundslab.scene import packed, scene_of
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
 
     Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
     """
-    combined = results if isinstance(results, Combined) else _alone(results)
+    combined = results if isinstance(results, Combined) else alone(results)
     page = page_of(combined, text, file)
     scene = scene_of(combined, BUDGET)
     style = built("report.css") + (HERE / "templates" / "drawings.css").read_text(encoding="utf-8")
@@ -165,10 +165,3 @@ def _templates() -> Environment:
 def _plain(value: object) -> object:
     """Return a text without letters that control a terminal or a browser, which no page may hold."""
     return value.translate(_CONTROL) if isinstance(value, str) else value
-
-
-def _alone(results: Results) -> Combined:
-    """Return the results of one combination as those of all there are."""
-    from groundslab.views import store
-
-    return store.alone(results)

@@ -11,12 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab import __version__
+from groundslab.readings import holds_line_force
 from groundslab.results import PLATE_FIELDS
-from groundslab.views.summary import edge_carries_line_force
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from groundslab.results import Array, Combined, Results
 
 #: Resolution of the pictures [1/in]: enough for paper, little enough for a mail.
@@ -69,7 +67,7 @@ def _inside(results: Results) -> Array:
     """Return the pressure at the nodes that count for its largest value."""
     plate = results.plate
     inside = ~plate.on_edge
-    pressure: Array = plate.pressure[inside] if edge_carries_line_force(results) and inside.any() else plate.pressure
+    pressure: Array = plate.pressure[inside] if holds_line_force(results) and inside.any() else plate.pressure
     return pressure
 
 
@@ -93,36 +91,12 @@ def pictures_of(combined: Combined) -> list[Picture]:
 
 def _picture(results: Results, field: str, caption: str) -> Picture:
     """Return one field of one combination as a picture within the page."""
-    figure = _drawn(results, field)
+    from groundslab.plots import plot
+
+    figure = plot(results, field)
     content = io.BytesIO()
     figure.savefig(content, format="png", dpi=DPI, metadata={"Software": f"groundslab {__version__}"})
     png = content.getvalue()
     # width and height stand at fixed places of a PNG's head
     width, height = (int.from_bytes(png[start : start + 4], "big") for start in (16, 20))
     return Picture(f"data:image/png;base64,{base64.b64encode(png).decode()}", caption, width, height)
-
-
-def _drawn(results: Results, field: str) -> Figure:
-    """Return a field in plan."""
-    from matplotlib.figure import Figure
-    from matplotlib.tri import Triangulation
-
-    from groundslab.views import picture
-
-    plate, about = results.plate, PLATE_FIELDS[field]
-    wide, tall = np.ptp(plate.nodes, axis=0)
-    figure = Figure(figsize=(6.4, 1.0 + float(np.clip(5.2 * tall / wide, 1.2, 8.0))), layout="constrained")
-    axes = figure.subplots()
-    triangles = Triangulation(plate.nodes[:, 0], plate.nodes[:, 1], picture.triangulate(plate.elements))
-    values = getattr(plate, field) * about.scale
-    top = float(_inside(results).max()) * about.scale if field == "pressure" else float(values.max())
-    above = bool(values.max() > top * (1 + 1e-9)) if field == "pressure" else False
-    picture._filled(axes, triangles, values, (float(values.min()), top), f"{about.symbol} [{about.unit}]", above=above)
-    picture._contact_boundary(axes, triangles, results)
-    picture._loads(axes, results)
-    picture._columns(axes, results)
-    picture._supports(axes, results)
-    axes.set_aspect("equal")
-    axes.set_xlabel("x [m]")
-    axes.set_ylabel("y [m]")
-    return figure

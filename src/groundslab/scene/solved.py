@@ -9,11 +9,11 @@ import numpy as np
 
 from groundslab import __version__
 from groundslab.errors import GroundslabError
+from groundslab.readings import contact_function, goes_below_zero, holds_line_force
 from groundslab.results import PLATE_FIELDS
 from groundslab.scene.packing import Blocks, Scene
 from groundslab.scene.plan import plan_of
 from groundslab.views import overview, summary
-from groundslab.views.picture import contact_function
 
 if TYPE_CHECKING:
     from groundslab.results import Array, Combined, PlateResult, Results
@@ -54,7 +54,7 @@ def scene_of(combined: Combined, budget: float = float("inf")) -> Scene:
         "version": __version__,
         "plan": plan_of(combined.model),
         "mesh": mesh,
-        "edge_force": any(map(summary.edge_carries_line_force, there)),
+        "edge_force": any(map(holds_line_force, there)),
         "fields": [_about(name, plates) for name in names] + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept) for entry in found],
         "left_out": [
@@ -83,7 +83,7 @@ def _fields_of(plates: list[PlateResult]) -> list[str]:
 def _about(name: str, plates: list[PlateResult]) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
     about = PLATE_FIELDS[name]
-    signed = name in TWO_SIDED or any(summary.goes_below_zero(getattr(plate, name)) for plate in plates)
+    signed = name in TWO_SIDED or any(goes_below_zero(getattr(plate, name)) for plate in plates)
     return {
         "name": name,
         "symbol": about.symbol,
@@ -128,7 +128,7 @@ def _extremes(results: Results, names: list[str]) -> Iterator[tuple[str, dict[st
     for name in names:
         values = _shown(plate, name)
         told: dict[str, Any] = _range(plate.nodes, values)
-        if name == "pressure" and summary.edge_carries_line_force(results) and not plate.on_edge.all():
+        if name == "pressure" and holds_line_force(results) and not plate.on_edge.all():
             inside = ~plate.on_edge
             told["inside"] = _range(plate.nodes[inside], values[inside])
         yield name, told
