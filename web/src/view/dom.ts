@@ -28,13 +28,15 @@ export function symbol(text: string): HTMLElement {
   return element;
 }
 
-/** The same as plain text for canvases and lists: m_x becomes mₓ where letters for it exist. */
+/** The same as plain text for canvases and lists: m_x becomes mx, as there are no small letters for all of them. */
 export function symbolText(text: string): string {
   const [, letter, below, rest] = /^(\w+?)_(\w+)(.*)$/.exec(text) ?? [null, text, "", ""];
-  const lowered = [...below!].map((sign) => LOWERED[sign]);
-  const name = GREEK[letter!] ?? letter!;
-  return (below && lowered.every((sign) => sign !== undefined) ? name + lowered.join("") : below ? `${name}_${below}` : name) + rest!;
+  return `${GREEK[letter!] ?? letter!}${below!}${rest!}`;
+}
+
+/** Return words with all symbols in them as plain text. */
+export function plainWords(text: string): string {
+  return text.replace(/\b[A-Za-z]+_[A-Za-z0-9]+/g, symbolText);
 }
 
 const GREEK: Record<string, string> = { beta: "\u03b2", gamma: "\u03b3", phi: "\u03c6" };
-const LOWERED: Record<string, string> = { x: "\u2093", "1": "\u2081", "2": "\u2082" };

@@ -1,4 +1,5 @@
 // What is drawn above the field: outline, openings, columns, supports, loads, marks, axes. Pure drawing on a 2-D canvas.
+import { plainWords } from "./dom";
 import type { Look } from "./look";
 import type { Camera } from "./painter";
 import { neat, roundStep, roundTicks, tickTexts } from "./scale";
@@ -232,17 +233,17 @@ function drawLoads(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers, cas
       stroke(sheet, [load.ring], look.load, 1.4, [5, 4], true, 1.5);
       const [x0, y0, x1, y1] = boundsOf(load.ring);
       const [px, py] = pixel(sheet, (x0 + x1) / 2, (y0 + y1) / 2);
-      if (layers.labels) labels.add(load.text, [px, py], look.load, 1.5, "center");
+      if (layers.labels) labels.add(plainWords(load.text), [px, py], look.load, 1.5, "center");
     } else if (load.points && load.points.length > 1) {
       stroke(sheet, [load.points], look.load, 2.4, [], false, 2);
       const [a, b] = [load.points[0]!, load.points[1]!];
       const [px, py] = pixel(sheet, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
-      if (layers.labels) labels.add(load.text, [px + 6, py - 10], look.load, 1.5);
+      if (layers.labels) labels.add(plainWords(load.text), [px + 6, py - 10], look.load, 1.5);
     } else if (load.points?.length) {
       if (load.footprint) stroke(sheet, [load.footprint], look.load, 1.1, [4, 3], true, 1.5);
       const [px, py] = pixel(sheet, ...load.points[0]!);
       triangle(sheet, px, py, 6, look.load, false);
-      if (layers.labels) labels.add(load.text, [px + 9, py - 9], look.load, 1.5);
+      if (layers.labels) labels.add(plainWords(load.text), [px + 9, py - 9], look.load, 1.5);
     }
   }
 }

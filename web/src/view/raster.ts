@@ -51,8 +51,9 @@ export function rasterise(
       const middle = y + 0.5;
       let [from, to] = [Infinity, -Infinity];
       const cross = (px: number, py: number, qx: number, qy: number) => {
-        if (py === qy || (py < middle) === (qy < middle)) return;
-        const x = px + ((middle - py) / (qy - py)) * (qx - px);
+        if ((py < middle) === (qy < middle)) return;
+        // reckoned the same way whichever triangle asks, so that neighbours leave no pixel between them
+        const x = py < qy ? px + ((middle - py) / (qy - py)) * (qx - px) : qx + ((middle - qy) / (py - qy)) * (px - qx);
         if (x < from) from = x;
         if (x > to) to = x;
       };

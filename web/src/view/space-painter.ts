@@ -296,7 +296,8 @@ export class CpuSpacePainter implements SpacePainter {
           const px = side === 0 ? ax : side === 1 ? bx : cx, py = side === 0 ? ay : side === 1 ? by : cy;
           const qx = side === 0 ? bx : side === 1 ? cx : ax, qy = side === 0 ? by : side === 1 ? cy : ay;
           if ((py < middle) === (qy < middle)) continue;
-          const x = px + ((middle - py) / (qy - py)) * (qx - px);
+          // reckoned the same way whichever triangle asks, so that neighbours leave no pixel between them
+          const x = py < qy ? px + ((middle - py) / (qy - py)) * (qx - px) : qx + ((middle - qy) / (py - qy)) * (px - qx);
           if (x < from) from = x;
           if (x > to) to = x;
         }

@@ -48,6 +48,7 @@ export class Viewer {
   private readonly tools: Record<Tool, HTMLButtonElement>;
   private readonly modes: Record<Mode, HTMLButtonElement>;
   private readonly locator: Locator;
+  private readonly larger = make("button", { type: "button", title: "Fill the window with the viewer (Escape goes back)", click: () => this.enlarge() }, "Enlarge");
   private readonly printed = make("div", { class: "gs-print" });
   private choice: Choice = 0;
   private field = "";
@@ -79,7 +80,7 @@ export class Viewer {
       make("div", { class: "gs-group", role: "group", "aria-label": "View" }, ...Object.values(this.modes)),
       button("Fit", "Show the whole plate (0)", () => this.fit()),
       this.showMenu(),
-      button("Enlarge", "Fill the window with the viewer", () => this.enlarge()),
+      this.larger,
     );
     const named = scene.head.plan.lines;
     if (named.length) {
@@ -332,6 +333,8 @@ export class Viewer {
 
   private enlarge(): void {
     this.element.classList.toggle("gs-large");
-    document.documentElement.classList.toggle("gs-has-large", this.element.classList.contains("gs-large"));
+    const large = this.element.classList.contains("gs-large");
+    this.larger.textContent = large ? "Reduce" : "Enlarge";
+    document.documentElement.classList.toggle("gs-has-large", large);
   }
 }

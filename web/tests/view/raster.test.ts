@@ -6,10 +6,11 @@ import { bandOf, scaleOf } from "../../src/view/scale";
 import { grid, nodal } from "./synthetic";
 
 const NOTHING = 255;
+const of0 = (x: number, y: number) => 3 * x - 2 * y;
 
 describe("drawing without a graphics card", () => {
   const mesh = grid(5, 4, (x, y) => [10 * x + 2 * y, 8 * y], (i, j) => !(i === 2 && j === 2));
-  const of = (x: number, y: number) => 3 * x - 2 * y;
+  const of = of0;
   const values = nodal(mesh, of);
   const scale = scaleOf(-16, 36, true);
   const picture: Picture = { values, contact: nodal(mesh, (x) => x - 6), scale, lines: false, mesh: false };
@@ -31,6 +32,18 @@ describe("drawing without a graphics card", () => {
     }
     // pixels whose centre lies on a limit may go either way
     expect(wrong).toBeLessThan(0.001 * width * height);
+  });
+
+  it("leaves no pixel between neighbouring triangles", () => {
+    // sides through the very middle of pixels, where rounding decides
+    const plain = grid(30, 20, (x, y) => [30 * x, 20 * y]);
+    const all = facesOf(plain);
+    const of = { ...picture, values: nodal(plain, of0), contact: null };
+    for (const zoom of [18.33, 18.7, 19.07, 19.44, 31.7])
+      for (const x of [15, 15 + 23 / zoom]) {
+        const { bands } = rasterise(plain, all, [[0, all.length]], of, { x, y: 10, scale: zoom }, 200, 200);
+        expect(bands.indexOf(NOTHING)).toBe(-1);
+      }
   });
 
   it("knows where the plate has lifted", () => {
