@@ -9,6 +9,7 @@ import type { Mesh } from "./scene";
 import { SMALL, type Tiling, linesOf, partsIn, tilingOf } from "./faces";
 import { look, rgbOf } from "./look";
 import type { Theme } from "./theme";
+import { STRIPES } from "./raster";
 import { contextOf } from "./webgl";
 
 const VERTEX = `
@@ -62,7 +63,7 @@ void main() {
     float slope = length(vec2(dFdx(vContact), dFdy(vContact)));
     if (vContact > 0.0) {
       vec2 p = (gl_FragCoord.xy - uAnchor) / uRatio;
-      float stripe = abs(fract((p.x + p.y) / 9.0) - 0.5) * 9.0 * 0.7071;
+      float stripe = abs(fract((p.x + p.y) / ${STRIPES.toFixed(1)}) - 0.5) * ${STRIPES.toFixed(1)} * 0.7071;
       colour = mix(mix(colour, uPaper, 0.55), uHatch, 0.6 * (1.0 - smoothstep(0.3, 1.0, stripe)));
     }
     float d = abs(vContact) / max(slope, 1e-30) / uRatio;

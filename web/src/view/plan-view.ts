@@ -412,7 +412,7 @@ export class PlanView {
       if (this.onPointer?.(event, ...this.toPlan(...at))) return;
       const before = this.pointers.get(event.pointerId);
       if (!before) {
-        this.hover(this.toPlan(...at));
+        this.hover(this.toPlan(...at), event.shiftKey);
         return;
       }
       const others = [...this.pointers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
@@ -440,7 +440,7 @@ export class PlanView {
       if (!this.pointers.delete(event.pointerId)) return;
       const { pressed } = this;
       if (!this.pointers.size) this.pressed = null;
-      if (event.type === "pointerup" && pressed && !pressed.moved && event.button === 0) this.click(this.toPlan(...at));
+      if (event.type === "pointerup" && pressed && !pressed.moved && event.button === 0) this.click(this.toPlan(...at), event.shiftKey);
     };
     element.addEventListener("pointerup", release, options);
     element.addEventListener("pointercancel", release, options);
@@ -454,15 +454,25 @@ export class PlanView {
     element.addEventListener("keydown", (event) => { if (this.key(event)) event.preventDefault(); }, options);
   }
 
-  private hover(at: Point | null): void {
+  /** Return a point rounded to what a pixel can mean; `straight`: along x or y from the section's start. */
+  private rounded([x, y]: Point, straight: boolean): Point {
+    const digits = Math.max(0, Math.ceil(Math.log10(this.camera.scale)));
+    const [u, v] = [Number(x.toFixed(digits)), Number(y.toFixed(digits))];
+    const { sectionStart: from } = this;
+    if (!straight || !from) return [u, v];
+    return Math.abs(u - from[0]) > Math.abs(v - from[1]) ? [u, from[1]] : [from[0], v];
+  }
+
+  private hover(at: Point | null, straight = false): void {
     if (this.sectionStart && at) {
-      this.marks.section = [this.sectionStart, at];
+      this.marks.section = [this.sectionStart, this.rounded(at, straight)];
       this.request();
     }
     this.onHover?.(at);
   }
 
-  private click(at: Point): void {
+  private click(point: Point, straight: boolean): void {
+    const at = this.rounded(point, straight);
     if (this.tool === "pick") {
       this.marks.pick = at;
       this.request();

@@ -10,6 +10,9 @@ const NOTHING = 255; // where there is no plate
 const OVER = 254;
 const UNDER = 253;
 
+/** Distance along x between the stripes where there is no contact [px]. */
+export const STRIPES = 12;
+
 /** What each pixel shows: its band (NOTHING, OVER, UNDER apart), and whether it is lifted (1) or not. */
 export interface Raster {
   width: number;
@@ -79,9 +82,9 @@ export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio
   palette[OVER] = picture.scale.over;
   palette[UNDER] = picture.scale.under;
   const pixels = new Uint8ClampedArray(4 * width * height);
-  const pitch = 9 * ratio;
+  const pitch = STRIPES * ratio;
   const anchor = width / 2 - camera.x * camera.scale - (height / 2 + camera.y * camera.scale);
-  const half = Math.max(1, Math.round(ratio));
+  const boundary: number[] = [];
   for (let y = 0, i = 0; y < height; y++)
     for (let x = 0; x < width; x++, i++) {
       const band = bands[i]!;
@@ -94,21 +97,33 @@ export function coloured(raster: Raster, picture: Picture, camera: Camera, ratio
       if (lifted) {
         if (lifted[i]) {
           const along = x - y - anchor;
-          const stripe = along - Math.floor(along / pitch) * pitch < 1.5 * ratio;
+          const stripe = along - Math.floor(along / pitch) * pitch < 1.4 * ratio;
           [red, green, blue] = [paper[0] + 0.45 * (red - paper[0]), paper[1] + 0.45 * (green - paper[1]), paper[2] + 0.45 * (blue - paper[2])];
           if (stripe) [red, green, blue] = [0.45 * red + 0.55 * hatch[0], 0.45 * green + 0.55 * hatch[1], 0.45 * blue + 0.55 * hatch[2]];
         }
-        for (let d = 1; d <= half; d++) {
-          const other = x + d < width && bands[i + d] !== NOTHING && lifted[i + d] !== lifted[i];
-          const under = y + d < height && bands[i + d * width] !== NOTHING && lifted[i + d * width] !== lifted[i];
-          if (other || under) [red, green, blue] = [0, 0, 0];
-        }
+        const other = x + 1 < width && bands[i + 1] !== NOTHING && lifted[i + 1] !== lifted[i];
+        const under = y + 1 < height && bands[i + width] !== NOTHING && lifted[i + width] !== lifted[i];
+        if (other || under) boundary.push(i);
       }
       pixels[4 * i] = red;
       pixels[4 * i + 1] = green;
       pixels[4 * i + 2] = blue;
       pixels[4 * i + 3] = 255;
     }
+  // the contact boundary: a black line on a wider white one
+  for (const [reach, colour] of [[2.2 * ratio, 255], [0.9 * ratio, 0]] as const) {
+    const far = Math.ceil(reach);
+    for (const i of boundary) {
+      const [x, y] = [i % width, Math.floor(i / width)];
+      for (let dy = -far; dy <= far; dy++)
+        for (let dx = -far; dx <= far; dx++) {
+          // it runs between a pixel and those right of it and below
+          if ((dx - 0.5) ** 2 + (dy - 0.5) ** 2 > reach * reach || x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height) continue;
+          const at = i + dy * width + dx;
+          if (bands[at] !== NOTHING) pixels.fill(colour, 4 * at, 4 * at + 3);
+        }
+    }
+  }
   return pixels;
 }
 

@@ -65,7 +65,7 @@ export class Viewer {
     this.tools = {
       pan: tool("pan", "Pan", "Drag to move, wheel or pinch to zoom"),
       pick: tool("pick", "Pick", "Click on the plate to read all values there"),
-      section: tool("section", "Section", "Click two points to cut a section"),
+      section: tool("section", "Section", "Click two points to cut a section; with Shift along x or y"),
     };
     this.modes = {
       plan: button("Plan", "The plate seen from above", () => this.setMode("plan")),
