@@ -106,6 +106,7 @@ def loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> En
             entries["point load"] = mark
         elif load.kind == "line":
             (line,) = axes.plot(*zip(*load.points, strict=True), color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
+            line.set(path_effects=white_edge(2.6))
             entries["line load"] = line
         elif load.kind == "uniform" or load.kind == "patch" or load.kind == "area":
             everywhere = load.kind == "uniform"
