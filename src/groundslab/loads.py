@@ -51,10 +51,21 @@ def over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> A
     """Return int q N dA (m, 9) over whole elements: [m2], or [N] for a pressure q [Pa] of places (..., 2)."""
     points, weights = gauss(3)
     N, dN = q9(points)
-    xy = mesh.xy[elements]
+    xy = mesh.nodes[mesh.elements[elements]]
     q = pressure(np.einsum("pa,eax->epx", N, xy))
     shares: Array = (q * jacobian(dN, xy)[2] * weights) @ N
     return shares
+
+
+def near(mesh: Mesh, part: Polygon) -> Integers:
+    """Return the elements that may meet a polygon, by the boxes around both.
+
+    A curved side leaves the box of its three nodes by 1/8 of its size at most.
+    """
+    x0, y0, x1, y1 = part.bounds
+    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
+    reach = (high - low) / 8
+    return np.flatnonzero(((low - reach <= (x1, y1)) & (high + reach >= (x0, y0))).all(axis=1))
 
 
 def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one) -> Array:
@@ -62,7 +73,7 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressu
     from shapely import contains, intersection, intersects, polygons, prepare
 
     shares = np.zeros((len(elements), 9))
-    outlines = polygons(_outlines(mesh.xy[elements]))
+    outlines = polygons(_outlines(mesh.nodes[mesh.elements[elements]]))
     prepare(part)
     touched = intersects(outlines, part)
     inside = touched & contains(part, outlines)
@@ -76,7 +87,7 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressu
         x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
         dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
         element = np.repeat(elements[cut[owner]], len(weights))
-        N, _ = q9(place_in(mesh.xy[element], x.reshape(-1, 2)))
+        N, _ = q9(place_in(mesh.nodes[mesh.elements[element]], x.reshape(-1, 2)))
         np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
     return shares
 
@@ -129,7 +140,7 @@ def _outlines(xy: Array) -> Array:
 def _curved(xy: Array) -> bool:
     """Return whether any side of the elements is curved."""
     middle = (xy[:, [0, 1, 2, 3]] + xy[:, [1, 2, 3, 0]]) / 2
-    size = np.ptp(xy, axis=1).max()
+    size = np.ptp(xy, axis=1).max(initial=0)
     return bool(np.abs(xy[:, 4:8] - middle).max(initial=0) > 1e-9 * size)
 
 

@@ -120,3 +120,23 @@ def test_curved_elements_keep_their_area() -> None:
     halves = [loads.over_polygon(curved, elements, box(0, a, 2, a + 0.5)).sum() for a in (0.0, 0.5)]
     assert whole == pytest.approx(1 + 2 / 3 * 0.1, rel=1e-12)
     assert sum(halves) == pytest.approx(whole, rel=1e-3)
+
+
+@pytest.mark.parametrize("polygon", POLYGONS.values(), ids=POLYGONS.keys())
+@pytest.mark.parametrize("mesh", [SQUARE, crooked()], ids=["rectangles", "crooked"])
+def test_elements_that_are_not_near_carry_nothing(polygon: Polygon, mesh: Mesh) -> None:
+    """Over the elements near a polygon the integrals are those over all, and all others have none."""
+    near = loads.near(mesh, polygon)
+    whole = loads.over_polygon(mesh, np.arange(len(mesh.elements)), polygon)
+    assert np.array_equal(loads.over_polygon(mesh, near, polygon), whole[near])
+    assert not np.delete(whole, near, axis=0).any()
+
+
+def test_a_curved_side_reaches_beyond_its_nodes() -> None:
+    """A side through (1, 0), (1.3, 0.5) and (1.3, 1) bulges beyond x = 1.3; what lies there alone is near."""
+    xy = [(0, 0), (1, 0), (1.3, 1), (0, 1), (0.5, 0), (1.3, 0.5), (0.65, 1), (0, 0.5), (0.6, 0.5)]
+    mesh = Mesh(np.array(xy, dtype=float), np.arange(9)[None])
+    bulge = box(1.305, 0, 2, 1)
+    assert loads.over_polygon(mesh, np.array([0]), bulge).sum() > 0
+    assert loads.near(mesh, bulge).tolist() == [0]
+    assert loads.near(mesh, box(2, 0, 3, 1)).tolist() == []

@@ -116,15 +116,16 @@ def _neighbours(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Co
 def _punched(model: Model, column: Column, steel: Reinforcement, plate: PlateResult) -> _Punched | str:
     """Return what punching of a column needs that is the same in every combination, or why there is nothing."""
     shape, mesh = _shape(column), Mesh(plate.nodes, plate.elements)
-    elements = np.arange(len(mesh.elements))
+    elements = loads.near(mesh, shape.footprint())
     covered = loads.over_polygon(mesh, elements, shape.footprint()).sum(axis=1)
-    under = covered > 1e-9 * covered.max()
+    under = elements[covered > 1e-9 * covered.max()]
     d = float(of_elements(model, plate)[under].min()) - sum(steel.bottom) / 2
     try:
         line = perimeter(plate, shape, 2 * d, OPENING_REACH * d)
     except InputError as error:
         return str(error)
-    area = scatter(mesh.elements, loads.over_polygon(mesh, elements, line.inside), len(mesh.nodes))
+    elements = loads.near(mesh, line.inside)
+    area = scatter(mesh.elements[elements], loads.over_polygon(mesh, elements, line.inside), len(mesh.nodes))
     return _Punched(d, line.u, area, inside.others(model, plate, line.inside, column.name))
 
 

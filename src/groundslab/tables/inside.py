@@ -37,7 +37,7 @@ def of_column(model: Model, name: str) -> dict[str, float]:
 def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
     mesh, chord = Mesh(plate.nodes, plate.elements), CHORD * max(model.plate.sides)
-    elements = np.arange(len(mesh.elements))
+    elements = loads.near(mesh, part)
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
         if isinstance(load, UniformLoad):
@@ -46,7 +46,7 @@ def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict
             for piece in _pieces(part, load.drawn(chord)):
                 force[load.case] += float(loads.over_polygon(mesh, elements, piece, _pressure(load)).sum())
         elif isinstance(load, SelfWeight):
-            volume = loads.over_polygon(mesh, elements, part).sum(axis=1) @ of_elements(model, plate)
+            volume = loads.over_polygon(mesh, elements, part).sum(axis=1) @ of_elements(model, plate)[elements]
             force[load.case] += float(load.unit_weight * volume)
         elif isinstance(load, LineLoad):
             force[load.case] += _on_line(load, part)
