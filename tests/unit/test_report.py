@@ -443,10 +443,31 @@ class TestSize:
 
     def test_what_is_left_out_is_named(self, monkeypatch: pytest.MonkeyPatch, plain: Combined) -> None:
         """Fields beyond the budget are left out, and the page says whose."""
-        monkeypatch.setattr(document, "BUDGET", 1)
+        monkeypatch.setattr(document, "MOST_DATA", 1)
         told = page(html_of(plain)).one("section", id="explore").text
         assert plain.combinations[0].name in told
         assert plain.combinations[1].name not in told
+
+    def test_as_much_as_there_is_room_for(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        """With room for two of three combinations, two are kept, and the file's part for them is not exceeded."""
+        model = synthetic.model().replace(
+            cases=[{"name": "G"}],
+            loads=[{"kind": "uniform", "q": 1e3, "case": "G"}],
+            combinations=[{"name": f"C{n}", "factors": {"G": float(n)}} for n in range(1, 4)],
+        )
+        noise = np.random.default_rng(1).uniform(size=(3, 5, 41 * 41))
+        made = {}
+        for each, values in zip(model.combinations, noise, strict=True):
+            one = synthetic.results(20, model=model, combination=each.name, factors=each.factors)
+            fields = dict(zip(("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y"), values, strict=True))
+            made[each.name] = replace(one, plate=replace(one.plate, **fields))
+        combined = Combined(model, model.combinations, made, {})
+        whole, none = document._scene(combined)
+        assert none == []
+        monkeypatch.setattr(document, "MOST_DATA", int(0.85 * len(whole)))
+        text, left_out = document._scene(combined)
+        assert len(left_out) == 1
+        assert len(text) <= 0.85 * len(whole)
 
     def test_ten_thousand_nodes_stay_small(self) -> None:
         """A tenth of a large raft, with two combinations, stays below a tenth of 20 MB."""

@@ -193,19 +193,18 @@ class TestScene:
         assert head["combinations"][3]["extremes"] == {}
         assert head["left_out"] == []
 
-    def test_budget(self) -> None:
+    def test_few_of_many(self) -> None:
         """Of too many combinations those that govern are kept, and the others named; their extremes stay."""
         combined = synthetic.combined()
         whole = scene_of(combined)
-        size = 9 * 2 * 25
-        head = scene_of(combined, budget=1.5 * size).head
+        head = scene_of(combined, most=1).head
         kept = [each["name"] for each in head["combinations"] if each["values"] is not None]
         assert kept == ["NUL"]
         assert head["left_out"] == ["Größe 1/2: dead + wind", "uncertified"]
         assert [each["extremes"] for each in head["combinations"]] == [
             each["extremes"] for each in whole.head["combinations"]
         ]
-        two = scene_of(combined, budget=2.5 * size).head
+        two = scene_of(combined, most=2).head
         assert two["left_out"] == ["uncertified"]
 
     def test_without_any_result_the_plan_is_left(self) -> None:

@@ -32,8 +32,9 @@ if TYPE_CHECKING:
 HERE = Path(__file__).parent
 #: What the head of every report says of itself, so that an older one can be told from other files.
 MARK = "groundslab report"
-#: Fields of the viewer beyond these [bytes] are left out, those of one combination apart.
-BUDGET = 16_000_000
+#: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
+#: apart.
+MOST_DATA = 15_000_000
 #: So much of an existing file is looked at for the mark.
 _START = 4096
 _CONTROL = {code: "\ufffd" for code in [*range(32), 127] if chr(code) not in "\t\n\r"}
@@ -46,7 +47,7 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
     """
     combined = results if isinstance(results, Combined) else alone(results)
     page = page_of(combined, text, file)
-    scene = scene_of(combined, BUDGET)
+    scene, left_out = _scene(combined)
     style = built("report.css") + (HERE / "templates" / "drawings.css").read_text(encoding="utf-8")
     script = built("report.js")
     from markupsafe import Markup
@@ -57,8 +58,8 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
         .render(
             page=page,
             pictures=pictures_of(combined),
-            left_out=scene.head["left_out"],
-            scene=base64.b64encode(gzip.compress(packed(scene), 6, mtime=0)).decode(),
+            left_out=left_out,
+            scene=scene,
             style=Markup(style),
             script=Markup(script),
             policy=policy(style, script),
@@ -130,6 +131,18 @@ def built(name: str) -> str:
     if re.search(r"</(script|style)|<!--|[\x00-\x08\x0b-\x1f]", content, re.IGNORECASE):
         raise GroundslabError(f"{name} holds a text that would break the page")
     return content
+
+
+def _scene(combined: Combined) -> tuple[str, list[str]]:
+    """Return the scene as text, and the combinations that it has no fields of, as few as there is no room for."""
+    most = len(combined.combinations)
+    while True:
+        scene = scene_of(combined, most)
+        text = base64.b64encode(gzip.compress(packed(scene), 6, mtime=0)).decode()
+        if len(text) <= MOST_DATA or most <= 1:
+            return text, scene.head["left_out"]
+        # how well data can be compressed is known only now
+        most = max(1, min(most - 1, most * MOST_DATA // len(text)))
 
 
 def policy(style: str, script: str) -> str:

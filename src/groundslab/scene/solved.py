@@ -28,11 +28,11 @@ SHOWN = (
 TWO_SIDED = {"moment_x", "moment_y", "moment_xy", "shear_x", "shear_y"}
 
 
-def scene_of(combined: Combined, budget: float = float("inf")) -> Scene:
+def scene_of(combined: Combined, most: int | None = None) -> Scene:
     """Return the scene of all combinations; values in units of display, quantised to 2^16 levels of each field.
 
-    No more than the budget [bytes] goes into the fields, apart from one combination's: those that govern an extreme
-    come first, then the others in their order; the rest is named in "left_out".
+    It has the fields of so many combinations at most: those that govern an extreme come first, then the others in their
+    order; the rest is named in "left_out".
     """
     overview.require_finite(combined)
     found = overview.entries(combined)
@@ -46,8 +46,7 @@ def scene_of(combined: Combined, budget: float = float("inf")) -> Scene:
         "elements": blocks.put(plates[0].elements if plates else np.zeros((0, 9), dtype=np.int64), "u32"),
         "section": blocks.put(there[0].elements.section if there else np.zeros(0, dtype=np.int64), "u16"),
     }
-    size = (len(names) + 1) * 2 * (len(plates[0].nodes) if plates else 0)
-    kept = _within(found, names, max(1, int(min(budget / max(size, 1), len(found)))))
+    kept = _kept(found, names, len(found) if most is None else most)
     head = {
         "format": FORMAT,
         "title": combined.model.title,
@@ -141,7 +140,7 @@ def _range(nodes: Array, values: Array) -> dict[str, list[float]]:
     return {"min": [low + 0.0, *at_low], "max": [high + 0.0, *at_high]}
 
 
-def _within(found: list[Entry], names: list[str], count: int) -> set[int]:
+def _kept(found: list[Entry], names: list[str], count: int) -> set[int]:
     """Return the numbers of so many combinations with results: first the certified ones that govern an extreme."""
     plates = {entry.number: entry.results.plate for entry in found if entry.results and entry.refused is None}
     others = [entry.number for entry in found if entry.results is not None]
