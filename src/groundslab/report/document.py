@@ -48,7 +48,7 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
     combined = results if isinstance(results, Combined) else alone(results)
     page = page_of(combined, text, file)
     scene, left_out = _scene(combined)
-    style = built("report.css") + (HERE / "templates" / "drawings.css").read_text(encoding="utf-8")
+    style = built("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
     script = built("report.js")
     from markupsafe import Markup
 

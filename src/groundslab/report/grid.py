@@ -78,7 +78,8 @@ def grid_of(table: Table) -> Grid:
 def digest_of(table: Table) -> Grid | None:
     """Return the extremes of each quantity along what a long table lists, over all combinations, for paper.
 
-    The second column says of what a row is; what stands at the left of the quantities, such as a place, is no quantity.
+    The second column says of what a row is; what stands at the left of the quantities, such as a place, is no quantity,
+    and a direction has no extremes.
     """
     keys = KEYS.get(table.name, 0)
     if table.name == "extremes" or table.name not in FOLDED or len(table) <= MOST_ROWS:
@@ -88,7 +89,7 @@ def digest_of(table: Table) -> Grid | None:
     rows = []
     for one in dict.fromkeys(name):
         at = [i for i, each in enumerate(name) if each == one]
-        for column in table.columns[keys:]:
+        for column in (each for each in table.columns[keys:] if each.unit != "deg"):
             known = [(value, i) for i in at if isinstance(value := column.values[i], float)]
             if not known:
                 continue

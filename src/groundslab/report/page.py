@@ -212,11 +212,14 @@ def _holds(section: summary.Section) -> Cell:
 
 def _table(table: Table) -> TableGrids:
     """Return a table of the results; of too long a one its heads and notes alone."""
-    grid = grid_of(table)
-    if len(table) > MOST_IN_FILE:
-        grid = replace(grid, rows=())
+    grid = grid_of(table if len(table) <= MOST_IN_FILE else _without_rows(table))
     parts = tuple(parts_of(grid, KEYS.get(table.name, 1)))
     return TableGrids(table.name, table.title, parts, digest_of(table), len(table))
+
+
+def _without_rows(table: Table) -> Table:
+    """Return the heads and notes of a table."""
+    return replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
 
 
 def _constants(found: Sequence[Entry]) -> Grid:

@@ -1,6 +1,6 @@
 """Drawings as text: elements of SVG whose texts and values are escaped, and labels that keep out of each other's way.
 
-No element has a style of its own: the page forbids it. Classes begin with d- and are styled in drawings.css.
+No element has a style of its own: the page forbids it. Classes begin with d- and are styled in page.css.
 """
 
 from __future__ import annotations
