@@ -43,6 +43,13 @@ class Heard:
             assert about is not None
             return about
 
+    def wait_for_last(self, name: str, run: int) -> dict[str, Any]:
+        """Return the last event, once it is of that name on that run."""
+        with self.more:
+            wanted = (name, run)
+            assert self.more.wait_for(lambda: (self.events[-1][0], self.events[-1][1]["run"]) == wanted, PATIENCE)
+            return self.events[-1][1]
+
     def names(self, run: int) -> list[str]:
         """Return the names of the events on a run, progress left out."""
         return [name for name, about in self.events if about["run"] == run and name != "progress"]
@@ -165,6 +172,18 @@ def test_what_means_the_same_is_not_solved_again(make: Make, heard: Heard, tmp_p
     again = want(solver, f"wait {door}", 3, again=True)
     assert again != first
     heard.wait("solved", again)
+
+
+def test_going_back_to_what_is_solved(make: Make, heard: Heard, tmp_path: Path) -> None:
+    """Undone while something else is being solved: the known results count at once, and are told of last."""
+    solver = make()
+    first = want(solver, "go 1")
+    heard.wait("solved", first)
+    second = want(solver, f"wait {tmp_path / 'never'}", 2)
+    heard.wait("progress", second)
+    assert want(solver, "go 1", 3) == first
+    heard.wait("cancelled", second)
+    assert heard.wait_for_last("solved", first)["version"] == 3
 
 
 @pytest.mark.parametrize(

@@ -80,6 +80,7 @@ class _Wishes:
     job: Job | None = None
     cancel: bool = False
     close: bool = False
+    told_again: bool = False  # whether the latest results are told of when the run that is in the way has ended
     reports: dict[int, list[Future[bytes]]] = field(default_factory=dict)
     file: str = ""  # what the case is called in a report
 
@@ -125,12 +126,12 @@ class Solver:
                 return running.run
             if not again and latest is not None and latest.meaning == meaning:
                 latest.version, self._wishes.job = version, None
-                self._wishes.cancel = running is not None
+                self._wishes.cancel = self._wishes.told_again = running is not None
                 self._wake()
                 self._tell("solved", _told(latest))
                 return latest.run
             job = Job(next(self._numbers), version, text, meaning, time.monotonic() + delay)
-            self._wishes.job, self._wishes.cancel = job, running is not None
+            self._wishes.job, self._wishes.cancel, self._wishes.told_again = job, running is not None, False
             self._failed_starts = 0
         self._wake()
         return job.run
@@ -326,8 +327,10 @@ class Solver:
     def _over(self, word: str, about: dict[str, Any]) -> None:
         """Note and tell that a run is over."""
         self._running = self._stopping = self._progress = None
-        self._wishes.cancel = False
+        again, self._wishes.cancel, self._wishes.told_again = self._wishes.told_again, False, False
         self._tell(word, about)
+        if again and word != "solved" and self.latest is not None:
+            self._tell("solved", _told(self.latest))
 
     def _ended(self, process: _Process) -> None:
         """Tell that the process has ended by itself, so that another one can be started."""
