@@ -12,7 +12,9 @@ import pytest
 
 import workers
 from groundslab.errors import InputError
+from groundslab.scene import unpacked
 from groundslab.workbench import solver as solvers
+from groundslab.workbench import worker
 from groundslab.workbench.events import Event
 from groundslab.workbench.solver import Solver
 
@@ -243,6 +245,59 @@ def test_results_of_another_document_are_forgotten(make: Make, heard: Heard, tmp
     door.touch()
     heard.wait("cancelled", run)
     assert solver.latest is None
+
+
+TWO = """
+[plate]
+length_x = "2 m"
+length_y = "2 m"
+thickness = "200 mm"
+E = "30 GPa"
+nu = 0.2
+[ground]
+kind = "winkler"
+k = "20 MPa/m"
+[mesh]
+counts = [4, 4]
+[[cases]]
+name = "down"
+[[cases]]
+name = "up"
+[[loads]]
+case = "down"
+kind = "uniform"
+q = "10 kPa"
+[[loads]]
+case = "up"
+kind = "uniform"
+q = "-10 kPa"
+"""
+
+
+def test_the_analysis_behind_it() -> None:
+    """Two load cases, one of which lifts the plate off: progress, summary and scene of one, the other's refusal."""
+    said: list[tuple[str, float | None]] = []
+    answer, scene, (text, combined) = worker.solve(TWO, lambda *words: said.append(words))
+    assert text == TWO
+    assert list(combined.results) == ["down"]
+    assert list(answer.refused) == ["up"]
+    assert [share for words, share in said if words.endswith("begins")] == [0.0, 0.5]
+    down, up = answer.summary["combinations"]
+    assert (up["refused"], up["certificate"], up["sections"]) == (answer.refused["up"], None, [])
+    assert down["refused"] is None
+    assert down["certificate"]["holds"] is True
+    rows = {row["key"]: row for section in down["sections"] for row in section["rows"]}
+    # 10 kPa on springs of 20 MPa/m: the plate settles evenly, by 0.5 mm
+    assert (rows["largest"]["value"], rows["largest"]["unit"]) == ("0.50000", "mm")
+    assert (rows["residual"]["ok"], rows["residual"]["note"]) == (True, "ok (limit 1e-06)")
+    told = unpacked(scene).head["combinations"]
+    assert [(each["name"], each["certified"]) for each in told] == [("down", True), ("up", False)]
+    with pytest.raises(worker.Stopped):
+        worker.solve(TWO, _stop)
+
+
+def _stop(_words: str, _share: float | None) -> None:
+    raise worker.Stopped
 
 
 def test_reports_of_runs_that_are_gone(make: Make, heard: Heard) -> None:
