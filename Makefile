@@ -6,7 +6,7 @@ JOBS   ?= 2
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 
-.PHONY: demo test lint types check lock bench clean help
+.PHONY: demo test lint types check lock pages pages-test bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -35,6 +35,17 @@ types: $(VENV)/dev.stamp ## mypy, strict
 test: lint types        ## lint, types and every test
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(JOBS)
 
+web/node_modules/.stamp: web/package-lock.json
+	cd web && npm ci
+	@touch $@
+
+pages: web/node_modules/.stamp ## build the report's script and the workbench's page from web/
+	cd web && npm run build
+
+pages-test: pages       ## test them, and that what is built is what the repository holds
+	cd web && npm test
+	git diff --exit-code --stat -- src/groundslab/report/static src/groundslab/workbench/static
+
 lock: $(VENV)/dev.stamp ## write the lock files anew from pyproject.toml
 	$(BIN)/python -m pip install --quiet uv
 	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate pyproject.toml -o lock/run.txt
@@ -45,4 +56,4 @@ bench:                  ## time all sizes and the other programs, one by one, an
 	bench/.env/own/bin/python bench/report.py
 
 clean:                  ## remove what the targets made
-	rm -rf $(VENV) out .mypy_cache .pytest_cache .ruff_cache .hypothesis bench/.env
+	rm -rf $(VENV) web/node_modules out .mypy_cache .pytest_cache .ruff_cache .hypothesis bench/.env
