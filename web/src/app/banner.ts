@@ -11,7 +11,7 @@ export function banner(store: Store, retry: () => void): HTMLElement {
     const kept = count === 0 ? "Nothing is lost." : count === 1 ? "1 edit is kept here and sent when it answers." : `${count} edits are kept here and sent when it answers.`;
     element.hidden = store.connection === "ok";
     if (store.connection === "away") {
-      fill(element, h("strong", {}, "The server does not answer. "), `${kept} Start it again with `, h("code", {}, "groundslab workbench"), " if it has ended. ",
+      fill(element, h("strong", {}, "The server does not answer. "), `${kept} If it has ended, start it again with `, h("code", {}, command(store)), ". ",
         h("button", { type: "button", class: "small", onclick: retry }, "Try now"));
     } else if (store.connection === "stranger") {
       fill(element, h("strong", {}, "Another server has been started. "), `${kept} Open the address that it has printed; this page then goes on with it. `,
@@ -20,6 +20,12 @@ export function banner(store: Store, retry: () => void): HTMLElement {
   };
   store.on(["connection", "waiting"], update);
   return element;
+}
+
+/** The command that starts a server to which this page can go back. */
+function command(store: Store): string {
+  const file = store.doc?.file;
+  return `groundslab app --port ${location.port}${file ? ` "${file}"` : ""}`;
 }
 
 const SHORT = 6000; // ms that a word of success stays

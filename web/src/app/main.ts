@@ -162,7 +162,7 @@ document.body.replaceChildren(cover);
 store.on(["connection"], () => {
   if (!cover.isConnected) return;
   cover.textContent = store.connection === "stranger"
-    ? "This address is not valid any more. Open the address that groundslab workbench has printed."
-    : "The server does not answer. Start it with: groundslab workbench";
+    ? "This address is not valid any more. Open the address that groundslab app has printed."
+    : "The server does not answer. Start it with: groundslab app";
 });
 await connection.start();

@@ -10,7 +10,7 @@ import { itemsAt } from "./hits";
 import { boundsOfItems, footOf, type Item, itemsOf, snapPoints } from "./items";
 import { type Look, label, paintDimensions, paintItems, path } from "./paint";
 import type { Ghost } from "./press";
-import { gridStep, MARGIN, paintFigures, paintGrid } from "./sheet";
+import { snapStep, MARGIN, paintFigures, paintGrid } from "./sheet";
 import { snap, type Snapped } from "./snap";
 
 const REACH = 9; // px: how near is near enough
@@ -90,7 +90,7 @@ export class Canvas {
   snapped(at: Point, free: boolean, without: Path | null, own: readonly Point[] = []): Snapped {
     if (free) return { at, fromX: null, fromY: null, onPoint: false };
     const points = [...snapPoints(this.items, without), ...own];
-    return snap({ at, points, step: gridStep(this.camera), reach: REACH / this.camera.scale });
+    return snap({ at, points, step: snapStep(this.camera), reach: REACH / this.camera.scale });
   }
 
   get reach(): number {
@@ -98,7 +98,7 @@ export class Canvas {
   }
 
   get step(): number {
-    return gridStep(this.camera);
+    return snapStep(this.camera);
   }
 
   /** Draw with the next frame. */
@@ -115,6 +115,8 @@ export class Canvas {
     const [sheet, things, marks, figures] = this.layers as [SVGGElement, SVGGElement, SVGGElement, SVGGElement];
     this.element.setAttribute("width", String(camera.width));
     this.element.setAttribute("height", String(camera.height));
+    // where a place of the plan lies on the screen, for those who look from outside
+    this.element.dataset.view = `${camera.x} ${camera.y} ${camera.scale}`;
     const look: Look = {
       selected: this.store.selection,
       hovered: this.hovered,

@@ -236,13 +236,17 @@ export function paintDimensions(camera: Camera, ring: Ring, closed: boolean): SV
   const marks: SVGElement[] = [];
   const count = closed ? ring.length : ring.length - 1;
   if (count > 24) return marks;
+  const centre = ring.reduce((sum, [x]) => sum + camera.toPixel([x, 0])[0], 0) / Math.max(1, ring.length);
   for (let n = 0; n < count; n += 1) {
     const [a, b] = [ring[n], ring[(n + 1) % ring.length]];
     if (!a || !b) continue;
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     const [p, q] = [camera.toPixel(a), camera.toPixel(b)];
     if (Math.hypot(q[0] - p[0], q[1] - p[1]) < 34) continue;
-    marks.push(label([(p[0] + q[0]) / 2, (p[1] + q[1]) / 2], `${plain(length, 3)} m`, [0, -5], "label middle dimension"));
+    const steep = Math.abs(q[1] - p[1]) > Math.abs(q[0] - p[0]);
+    const middle: Pixel = [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
+    const right = middle[0] > centre;
+    marks.push(label(middle, `${plain(length, 3)} m`, steep ? [right ? -8 : 8, -8] : [0, -8], `label dimension ${!steep ? "middle" : right ? "end" : ""}`));
   }
   return marks;
 }

@@ -7,12 +7,13 @@ import { label } from "./paint";
 import { roundStep } from "./snap";
 
 const FINE = 11; // px: least distance of grid lines
+const MEANT = 4.5; // px: least distance of round lengths to snap to
 const COARSE = 70; // px: least distance of figures
 export const MARGIN = { left: 40, bottom: 20 } as const;
 
-/** The spacing of round lengths at a scale [m]. */
-export function gridStep(camera: Camera): number {
-  return roundStep(FINE / camera.scale);
+/** The spacing of round lengths that a pointer can mean at a scale [m]; finer than the grid. */
+export function snapStep(camera: Camera): number {
+  return roundStep(MEANT / camera.scale);
 }
 
 /** Grid lines, stronger ones where figures stand, and the axes through the origin. */
@@ -27,7 +28,7 @@ export function paintGrid(camera: Camera): SVGElement[] {
   };
   const [u, v] = camera.toPixel([0, 0]);
   const axes = svg("path", { class: "axes", d: `M${Math.round(u) + 0.5} 0V${camera.height}M0 ${Math.round(v) + 0.5}H${camera.width}` });
-  return [lines(gridStep(camera), "grid fine"), lines(roundStep(COARSE / camera.scale), "grid"), axes];
+  return [lines(roundStep(FINE / camera.scale), "grid fine"), lines(roundStep(COARSE / camera.scale), "grid"), axes];
 }
 
 /** Figures along the left and the lower edge. */

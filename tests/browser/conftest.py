@@ -1,0 +1,79 @@
+"""Fixtures for tests in a browser, and a loud line where there is none."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, chromium, missing
+
+
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    """Say loudly that the page was not tried."""
+    if missing():
+        terminalreporter.write_line(f"THE TESTS IN A BROWSER DID NOT RUN: {missing()}", red=True, bold=True)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    """A browser without a window; skips where there is none."""
+    if missing():
+        pytest.skip(f"THE TESTS IN A BROWSER DID NOT RUN: {missing()}")
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium(), args=ARGUMENTS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def server(tmp_path: Path) -> Iterator[Server]:
+    """A server that is not started yet."""
+    server = Server(tmp_path / "state")
+    yield server
+    server.stop()
+
+
+@pytest.fixture
+def case(tmp_path: Path) -> Path:
+    """A case file of a small slab."""
+    path = tmp_path / "slab.toml"
+    path.write_text(SMALL)
+    return path
+
+
+@pytest.fixture
+def tabs(browser: Any) -> Iterator[Any]:
+    """Return what opens a new tab; errors on the page fail the test in the end."""
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, accept_downloads=True)
+    context.set_default_timeout(PATIENCE)
+    benches: list[Bench] = []
+
+    def open_tab() -> Bench:
+        bench = Bench(context.new_page())
+        bench.page.on("pageerror", lambda error: bench.errors.append(str(error)))
+        bench.page.on("console", lambda line: bench.errors.append(line.text) if _is_error(line) else None)
+        benches.append(bench)
+        return bench
+
+    yield open_tab
+    errors = [error for bench in benches for error in bench.errors]
+    context.close()
+    assert errors == []
+
+
+def _is_error(line: Any) -> bool:
+    """Whether a line of the console tells of an error of the page; a server that is away is none."""
+    return line.type == "error" and not re.search(r"net::ERR_|Failed to load resource", line.text)
+
+
+@pytest.fixture
+def bench(tabs: Any) -> Bench:
+    """One tab."""
+    opened: Bench = tabs()
+    return opened

@@ -1,0 +1,245 @@
+"""The workbench in a real browser: drawing, typing, solving, saving, and losing nothing."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from browsing import Bench, Server, free_port
+
+
+def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, tmp_path: Path) -> None:
+    """A user who starts with nothing draws a slab and a loaded column, sees the settlement, saves, reloads, undoes."""
+    bench.open(server.start(None))
+    page = bench.page
+    bench.tool("slab")
+    bench.drag((-2.5, -1.5), (2.5, 1.5))
+    bench.wait_text('outline = {kind = "rectangle", x = ["-2.5 m", "2.5 m"], y = ["-1.5 m", "1.5 m"]}')
+    bench.tool("column")
+    bench.click(1.0, 0.5)
+    bench.wait_text("[[columns]]", 'name = "C1"', 'x = "1 m"', 'y = "0.5 m"')
+    bench.tool("point load")
+    bench.click(1.0, 0.5)
+    bench.wait_text('column = "C1"')
+    page.keyboard.press("Escape")
+    bench.tab("Form")
+    page.locator('[data-section="mesh"] > summary').click()
+    bench.fill("0.5 m", "mesh", "size")
+    bench.tab("Plan")
+    bench.wait_solved()
+    settlement = bench.largest("largest settlement")
+    assert settlement > 0
+
+    page.keyboard.press("Control+s")
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_label("folder", exact=True).fill(str(tmp_path))
+    dialog.get_by_label("folder", exact=True).press("Enter")
+    bench.until(lambda: dialog.locator(".path").input_value() == str(tmp_path))
+    dialog.get_by_label("Name").fill("drawn")
+    dialog.get_by_role("button", name="Save").click()
+    page.wait_for_selector(".file-title:has-text('drawn.toml')")
+    bench.until(lambda: bench.seen(".unsaved") == "")
+    saved = (tmp_path / "drawn.toml").read_text()
+    assert 'name = "C1"' in saved
+
+    page.reload()
+    page.wait_for_selector("svg.drawing[data-view]")
+    assert bench.text() == saved
+    bench.wait_solved()
+    assert bench.largest("largest settlement") == settlement
+
+    undo = page.get_by_role("button", name="undo")
+    while 'column = "C1"' in bench.text():
+        before = bench.text()
+        undo.click()
+        bench.until(lambda before=before: bench.text() != before)
+    bench.wait_text('name = "C1"')
+    assert page.locator(".unsaved").inner_text() == "● unsaved"
+
+
+def test_a_drag_is_one_edit_in_the_unit_that_stood_there(server: Server, bench: Bench, case: Path) -> None:
+    """Dragging a column, and an edge of the slab, changes these numbers only; each is one step of undo."""
+    case.write_text(case.read_text().replace('x = "-2 m"', 'x = "-200 cm"  # axis 1'))
+    bench.open(server.start(case))
+    before = bench.text()
+    bench.drag((-2.0, 1.0), (-1.0, 0.5))
+    bench.wait_text('x = "-100 cm"  # axis 1', 'y = "0.5 m"')
+    assert bench.page.locator(".last-edit").inner_text() == "move column A1"
+    bench.page.keyboard.press("Escape")
+    bench.click(2.9, 1.9)  # the slab
+    bench.drag((3.0, 0.0), (3.5, 0.3))
+    bench.wait_text('length_x = "7 m"')
+    after = bench.text()
+    expected = before.replace('"-200 cm"', '"-100 cm"').replace('y = "1 m"', 'y = "0.5 m"')
+    assert after == expected.replace('length_x = "6 m"', 'length_x = "7 m"')
+    for _ in range(2):
+        bench.page.keyboard.press("Control+z")
+    bench.until(lambda: bench.text() == before)
+
+
+def test_the_keyboard_alone_moves_and_removes(server: Server, bench: Bench, case: Path) -> None:
+    """Things are selected, moved by steps and removed by keys; a row of steps is one edit."""
+    bench.open(server.start(case))
+    drawing = bench.page.locator("svg.drawing")
+    drawing.focus()
+    title = bench.page.locator(".properties h3")
+    for _ in range(5):
+        drawing.press("n")
+        if "olumn A1" in title.inner_text():
+            break
+    assert "olumn A1" in title.inner_text()
+    for _ in range(3):
+        drawing.press("ArrowRight")
+    bench.until(lambda: bench.seen(".last-edit") == "move column A1")
+    moved = re.search(r'name = "A1"\nx = "(.*) m"', bench.text())
+    assert moved is not None
+    assert -2.0 < float(moved[1]) < 0.0
+    drawing.press("Control+z")
+    bench.wait_text('x = "-2 m"')
+    drawing.press("Delete")
+    bench.until(lambda: "[[columns]]" not in bench.text())
+    assert bench.page.locator(".last-edit").inner_text() == "remove column A1 and its load"
+
+
+def test_a_wrong_unit_is_told_at_its_field(server: Server, bench: Bench, case: Path) -> None:
+    """What was typed stays in the text to the letter; field and list of faults say what is wrong and how to mend it."""
+    bench.open(server.start(case))
+    bench.wait_solved()
+    bench.tab("Form")
+    bench.fill("250 MPa", "plate", "thickness")
+    message = bench.field("plate", "thickness").locator(".messages")
+    message.filter(has_text="expected a length").wait_for()
+    assert '"MPa" is no unit of a length' in message.inner_text()
+    bench.wait_text('thickness = "250 MPa"  # as on the drawing')
+    assert bench.page.locator(".fault-count").inner_text() == "1 fault"
+    assert "earlier state of the model" in bench.page.locator(".status-words").inner_text()
+    # from another view the list leads back to the field
+    bench.tab("Text")
+    assert "expected a length" in bench.page.locator(".line-fault").inner_text()
+    bench.tab("Plan")
+    bench.page.locator(".fault-list summary").click()
+    bench.page.locator(".fault-list li button").click()
+    bench.fill("300 mm", "plate", "thickness")
+    bench.wait_solved()
+    bench.wait_text('thickness = "300 mm"  # as on the drawing')
+    # all that was typed into one field in one go is one step
+    assert bench.page.locator(".fault-count").inner_text() == "No faults"
+
+
+def test_broken_text_can_be_mended_where_it_is_broken(server: Server, bench: Bench, case: Path) -> None:
+    """While the text is no TOML, form and drawing show the last state and say why they cannot be edited."""
+    bench.open(server.start(case))
+    bench.tab("Text")
+    area = bench.page.locator(".code-input")
+    whole = area.input_value()
+    area.fill(whole.replace("nu = 0.2", "nu = 0.2 0"))
+    bench.page.wait_for_selector(".line-fault")
+    assert bench.page.locator(".code-gutter .bad").inner_text() == "8"
+    bench.page.wait_for_selector(".broken:not([hidden])")
+    assert bench.page.locator('[data-kind="slab"]').count() == 1
+    area.fill(whole)
+    bench.page.wait_for_selector(".broken", state="hidden")
+    assert bench.page.locator(".fault-count").inner_text() == "No faults"
+
+
+def test_nothing_is_lost_when_the_server_dies(server: Server, tabs: Any, case: Path) -> None:
+    """Killed while solving: edits made before are offered by a new server, edits made since are sent to it."""
+    bench = tabs().open(server.start(case, free_port()))
+    bench.wait_solved()
+    bench.tab("Form")
+    bench.page.locator('[data-section="mesh"] > summary').click()
+    bench.fill("0.05 m", "mesh", "size")
+    bench.page.wait_for_selector('.result-status[data-state="solving"]')
+    server.kill()
+    bench.page.wait_for_selector(".banner:not([hidden])")
+    bench.fill("275 mm", "plate", "thickness")
+    bench.until(lambda: "1 edit is kept here" in bench.seen(".banner"))
+    assert 'size = "0.05 m"' not in case.read_text()
+
+    port = server.port
+    other = tabs()
+    other.page.goto(server.start(case, port))
+    for each in (bench, other):
+        each.page.get_by_role("dialog").get_by_text("Unsaved work was found").wait_for()
+    bench.page.get_by_role("button", name="Take them up").click()
+    bench.wait_text('size = "0.05 m"', 'thickness = "275 mm"  # as on the drawing')
+    bench.page.wait_for_selector(".banner", state="hidden")
+    other.page.get_by_role("button", name="Take them up").click()
+    other.page.wait_for_selector("svg.drawing[data-view]")
+    other.wait_text('size = "0.05 m"', 'thickness = "275 mm"  # as on the drawing')
+    bench.page.locator(".solve.solving").click()
+    bench.page.keyboard.press("Control+s")
+    bench.until(lambda: bench.seen(".unsaved") == "")
+    assert 'thickness = "275 mm"  # as on the drawing' in case.read_text()
+
+
+def test_two_tabs_show_the_same(server: Server, tabs: Any, case: Path) -> None:
+    """An edit in one tab appears in the other, whose own edit of something else is not lost."""
+    url = server.start(case)
+    one, two = tabs().open(url), tabs().open(url)
+    one.fill("260 mm", "plate", "thickness")
+    two.wait_text('thickness = "260 mm"')
+    two.fill("31 GPa", "plate", "E")
+    one.wait_text('E = "31 GPa"', 'thickness = "260 mm"')
+
+
+def test_the_result_is_read_at_places_and_along_lines(server: Server, bench: Bench, case: Path) -> None:
+    """Pick and section show values; zoom, field and combination stay when the model is solved anew."""
+    bench.open(server.start(case))
+    bench.wait_solved()
+    page = bench.page
+    page.locator(".field-choice").select_option("moment_x")
+    plan = page.locator(".gs-plan")
+    plan.focus()
+    plan.press("+")
+    box = plan.bounding_box()
+    page.mouse.click(box["x"] + box["width"] * 0.5, box["y"] + box["height"] * 0.45)
+    page.locator(".value-box .gs-values-at").wait_for()
+    page.locator(".stage-bar").get_by_role("button", name="Section").click()
+    for share in (0.3, 0.7):
+        page.mouse.click(box["x"] + box["width"] * share, box["y"] + box["height"] * 0.5)
+    page.locator(".section-box canvas").first.wait_for()
+    assert "along" in page.locator(".chart-title").inner_text()
+    place = page.locator(".value-box .gs-values-at").text_content()
+    bench.fill("400 mm", "plate", "thickness")
+    page.wait_for_selector('.result-status:not([data-state="fresh"])')
+    bench.wait_solved()
+    assert page.locator(".field-choice").input_value() == "moment_x"
+    assert page.locator(".value-box .gs-values-at").text_content() == place
+    page.locator(".stage-bar").get_by_role("button", name="3-D").click()
+    page.locator(".gs-space canvas").wait_for()
+
+
+def test_a_refused_combination_tells_why(server: Server, bench: Bench, case: Path) -> None:
+    """A plate that is pulled off the ground has no solution: its reason stands in place of a picture."""
+    case.write_text(case.read_text().replace('P = "200 kN"', 'P = "-200 kN"'))
+    bench.open(server.start(case))
+    bench.page.wait_for_selector('.result-status:is([data-state="fresh"], [data-state="refused"])')
+    words = bench.page.locator(".refused-over, .empty-result").locator("visible=true").first.inner_text()
+    assert "do not press the plate down" in words
+
+
+def test_the_report_is_saved_and_its_tools_work(server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
+    """The report is one file that shows values at picked points and along sections without a server."""
+    bench.open(server.start(case))
+    bench.wait_solved()
+    with bench.page.expect_download() as download:
+        bench.page.get_by_role("button", name="Report").click()
+    report = tmp_path / "report.html"
+    download.value.save_as(report)
+    server.stop()
+    page = bench.page
+    page.goto(report.as_uri())
+    plan = page.locator(".gs-plan")
+    plan.scroll_into_view_if_needed()
+    box = plan.bounding_box()
+    page.locator(".gs-viewer").get_by_role("button", name="Pick").click()
+    page.mouse.click(box["x"] + box["width"] * 0.45, box["y"] + box["height"] * 0.4)
+    page.locator(".gs-values-at").wait_for()
+    page.locator(".gs-viewer").get_by_role("button", name="Section", exact=True).click()
+    plan.scroll_into_view_if_needed()
+    box = plan.bounding_box()
+    for share in (0.3, 0.7):
+        page.mouse.click(box["x"] + box["width"] * share, box["y"] + box["height"] * 0.5)
+    page.locator(".gs-chart canvas").first.wait_for()
