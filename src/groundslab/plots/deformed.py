@@ -30,6 +30,8 @@ DEPTH = 0.14
 FACETS = 16_000
 #: With more elements than this their sides are not drawn.
 MOST_SIDES = 1_200
+#: From tick to tick along x and y at least [mm].
+TICK = 13.0
 #: From where one looks [degrees].
 ELEVATION, AZIMUTH = 28.0, -62.0
 #: Room on the right of a view, for the bar [mm].
@@ -242,18 +244,19 @@ def _frame(axes: Any, model: Model, settlement: Array, factor: float, box: tuple
     axes.set_proj_type("ortho")
     axes.view_init(elev=ELEVATION, azim=AZIMUTH)
     steps = [1, 2, 2.5, 5, 10]
-    axes.xaxis.set_major_locator(MaxNLocator(nbins=7, steps=steps))
-    axes.yaxis.set_major_locator(MaxNLocator(nbins=5, steps=steps))
+    per_metre = PART_WIDE * box[0] / _seen(sides)[0]
+    for axis, side in ((axes.xaxis, sides[0]), (axes.yaxis, sides[1])):
+        axis.set_major_locator(MaxNLocator(nbins=max(1, min(8, int(side * per_metre / TICK))), steps=steps))
     # labels as far apart as they are high, and a half more
-    room = PART_WIDE * box[0] / _seen(sides)[0] * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
+    room = per_metre * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
     ticks = MaxNLocator(nbins=max(1, min(5, int(room))), steps=steps).tick_values(
         -high / factor * 1e3, -low / factor * 1e3
     )
     kept = [tick for tick in ticks if low - 1e-9 <= -tick * factor / 1e3 <= high + 1e-9]
     axes.set_zticks([-tick * factor / 1e3 for tick in kept])
     axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{number(round(-z / factor * 1e3, 9))} mm"))
-    axes.set_xlabel("x [m]", labelpad=2)
-    axes.set_ylabel("y [m]", labelpad=2)
+    axes.set_xlabel("x [m]", labelpad=3)
+    axes.set_ylabel("y [m]", labelpad=3)
     axes.patch.set_alpha(0.0)
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))

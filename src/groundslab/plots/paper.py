@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.text import Text
 
 #: Text width of a page of A4, and the most that stands above each other on it [mm].
-PAGE_WIDTH, PAGE_HEIGHT = 180.0, 255.0
+PAGE_WIDTH, PAGE_HEIGHT = 180.0, 248.0
 #: The same of a page that lies on its side.
 WIDE = 260.0
 MARGIN = 2.0  # around a sheet [mm]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from groundslab.results import Results
 
 #: Pixels per inch: enough for a screen, in a file that is not large.
-DPI = 150
+DPI = 140
 
 
 def write(results: Results, path: Path) -> None:

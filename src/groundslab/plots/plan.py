@@ -32,6 +32,10 @@ if TYPE_CHECKING:
 LEFT, RIGHT, BELOW = 13.0, 22.0, 10.5
 #: Usual room above it, for two lines of words [mm].
 ABOVE = 10.0
+#: A plan so high relative to its width, or less, has no other beside it.
+FLAT = 0.35
+#: About so high are plans side by side, and so wide is a sheet with one upright plan at least [mm].
+UPRIGHT, NARROW = 125.0, 110.0
 #: Colour bar: distance from the box, and width [mm].
 GAP, BAR = 2.5, 3.0
 #: A plan is not drawn smaller on a page than with this longer side, if fewer on it can be larger [mm].
@@ -160,11 +164,18 @@ def figure_of(
 
 
 def sheet(wish: Wish) -> Figure:
-    """Return all panels on one sheet: one below the other on an upright page, or in two columns."""
+    """Return all panels on one sheet, side by side on a page that lies on its side unless they are flat."""
     views = views_of(wish)
-    model, ratio = wish.combined.model, _ratio(wish.combined.model)
-    columns, width = (1, PAGE_WIDTH) if len(views) == 1 or ratio < 0.35 else (2, WIDE)
-    return figure_of(model, views, scales_of(views), columns, width)
+    ratio = _ratio(wish.combined.model)
+    columns, width = 1, PAGE_WIDTH
+    if len(views) == 1:
+        box = (PAGE_HEIGHT - 20 - ABOVE - BELOW) / ratio
+        width = min(width, max(LEFT + box + RIGHT, NARROW))
+    elif ratio >= FLAT:
+        fitting = int(WIDE / (LEFT + RIGHT + min(WIDE / 2 - LEFT - RIGHT, UPRIGHT / ratio)))
+        columns = min(len(views), fitting)
+        width = WIDE * columns / fitting
+    return figure_of(wish.combined.model, views, scales_of(views), columns, width)
 
 
 def pages(wish: Wish) -> list[Figure]:
@@ -278,8 +289,8 @@ def head_of(view: View, width: float, *, tell: bool) -> list[Words]:
     if view.amount.name in ("pressure", "gap") and view.share is not None:
         told.append(f"{number(100 * view.share)} % of the plate in contact")
     title = view.amount.meaning[0].upper() + view.amount.meaning[1:]
-    lines = [Words(_fitted(view.of, width, BASE), BASE, GREY, "bold")] if tell else []
-    lines.append(Words(_fitted(title, width, BASE), BASE, INK, "bold"))
+    lines = [Words(each, BASE, GREY, "bold") for each in (_wrapped(view.of, width) if tell else [])]
+    lines += [Words(each, BASE, INK, "bold") for each in _wrapped(title, width)]
     return [*lines, *(Words(each, SMALL, GREY, "normal") for each in _joined(told, width))]
 
 
@@ -299,12 +310,15 @@ def write_above(axes: Axes, head: Sequence[Words]) -> None:
         height += 1.3 * line.size * PT
 
 
-def _fitted(words: str, width: float, size: float) -> str:
-    """Return words cut off where they would be wider than a width [mm]."""
+def _wrapped(words: str, width: float) -> list[str]:
+    """Return bold words in at most two lines that are not wider than a width [mm]."""
     clean = free(words, 500)
-    if width_of(clean, size) <= width:
-        return clean
-    return free(clean, max(8, int(len(clean) * width / width_of(clean, size) * 0.95)))
+    letters = int(len(clean) * min(1.0, width / max(width_of(clean, BASE, "bold"), 1e-9))) + 1
+    lines = clean.splitlines()
+    while letters > 8 and any(width_of(line, BASE, "bold") > width for line in lines):
+        lines = free(clean, letters, 2).splitlines()
+        letters -= 1
+    return lines
 
 
 def _joined(parts: Sequence[str], width: float) -> list[str]:

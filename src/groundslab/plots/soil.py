@@ -27,6 +27,7 @@ LEFT, COLUMN, GAP = 13.0, 15.0, 3.5
 #: From row to row of a table, and where its columns end [mm].
 ROW = 3.9
 ENDS = (8.0, 20.0, 38.0, 49.0, 66.0, 84.0)
+ENDS_FOUND = (30.0, 44.0, 64.0, 84.0)
 #: Fillings of the layers, light enough for black words.
 FILLS = ("#ece3d0", "#dfd3bb", "#f3eee2", "#d6c8ab")
 #: Of more combinations than this only the range is listed.
@@ -65,7 +66,7 @@ def _figure(wish: Wish, profiles: Sequence[Profile]) -> Figure:
             words = free(profile.name, 30) + where
             paper.text(left + MARGIN, top, words, fontsize=BASE, fontweight="bold", color=INK)
             legend |= _profile(paper, profile, profiles, (left, top + 12.0), (each, high), wish.several)
-            bottoms.append(_tables(paper, profile, left + MARGIN, top + 12.0 + high + 6.0))
+            bottoms.append(_tables(paper, profile, (left + MARGIN, top + 12.0 + high + 6.0), each))
         top = max(bottoms) + 6.0
     return paper.finish(top, legend if len(legend) > 1 else {})
 
@@ -178,13 +179,14 @@ def _modes(axes: Axes, profile: Profile, depth: float, *, named: bool) -> dict[s
     return entries
 
 
-def _tables(paper: Paper, profile: Profile, left: float, top: float) -> float:
-    """Write the layers and what the combinations found below a profile; return how far down [mm] that reaches."""
+def _tables(paper: Paper, profile: Profile, corner: tuple[float, float], wide: float) -> float:
+    """Write the layers and what the combinations found below a corner [mm]; return how far down that reaches."""
+    (left, top), stretch = corner, (wide * SIDE_BY_SIDE / PAGE_WIDTH) ** 0.5
     own = any(stratum.k0 for stratum in profile.strata)
     heads = ["layer", "h [m]", "E [MPa]", "\N{GREEK SMALL LETTER NU} [-]"]
     heads += ["k0 [MPa/m]", "k1 [MPa m]"] if own else []
     rows = [_row(index, stratum, own=own) for index, stratum in enumerate(profile.strata, start=1)]
-    top = _table(paper, left, top, heads, rows, ENDS)
+    top = _table(paper, left, top, heads, rows, [stretch * end for end in ENDS])
     if not profile.found:
         return top
     whole = profile.found[0].psi is not None
@@ -199,7 +201,8 @@ def _tables(paper: Paper, profile: Profile, left: float, top: float) -> float:
         shown = [[f"{len(lines)} combinations", *(_range(each) for each in values)]]
     else:
         shown = [[free(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
-    return _table(paper, left, top + 2.5, heads, shown, (30.0, 44.0, 64.0, 84.0), first_left=True)
+    ends = [stretch * end for end in ENDS_FOUND]
+    return _table(paper, left, top + 2.5, heads, shown, ends, first_left=True)
 
 
 def _row(index: int, stratum: Stratum, *, own: bool) -> list[str]:

@@ -91,14 +91,14 @@ def symbol(name: str) -> str:
 
 
 @cache
-def width_of(text: str, size: float) -> float:
-    """Return the width of a line of text in letters of some size [pt], in millimetres."""
+def width_of(text: str, size: float, weight: str = "normal") -> float:
+    """Return the width of a line of text in letters of some size [pt] and weight, in millimetres."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 
     if not text.strip():
         return 0.0
-    font = FontProperties(family=RC["font.sans-serif"])
+    font = FontProperties(family=RC["font.sans-serif"], weight=weight)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message=".*missing from font")
         path = TextPath((0, 0), text.replace("$", "S"), size=size, prop=font)
