@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
-from groundslab import __version__
+from groundslab import __version__, command_plot
 from groundslab.errors import Fault, GroundslabError, InputError, NotCertified, NotConverged
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def _parser() -> argparse.ArgumentParser:
     solve.add_argument("--plot", action="store_true", help="add picture.png to the results of each combination")
     solve.add_argument("--quiet", action="store_true", help="print neither summary nor progress")
 
-    _describe_plot(_command(commands, "plot", _plot, "draw figures of results: PDF, SVG or PNG"))
+    command_plot.describe(_command(commands, "plot", _plot, "draw figures of results: PDF, SVG or PNG"))
     app = _command(commands, "app", _app, "edit a case in the browser and see its results at once")
     app.epilog = "The page is served on this machine alone, until Ctrl-C. Unsaved work is kept and offered again."
     app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
@@ -144,49 +144,6 @@ def _parser() -> argparse.ArgumentParser:
 
     _command(commands, "schema", _schema, "print the JSON schema of a case file")
     return parser
-
-
-def _describe_plot(plot: argparse.ArgumentParser) -> None:
-    """Add what the command plot understands."""
-    plot.add_argument("folder", metavar="FOLDER", help="folder of results that groundslab solve wrote")
-    plot.add_argument(
-        "fields",
-        nargs="*",
-        metavar="FIELD",
-        help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
-        "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
-        "design moments bottom_x, bottom_y, top_x, top_y (default: a usual choice for the kind)",
-    )
-    plot.add_argument(
-        "--kind",
-        metavar="KIND",
-        help="plan, deformed (the plate in space), lines (values along section lines), soil (layers, moduli, mode) or "
-        "convergence (default: plan; lines if --line is given)",
-    )
-    plot.add_argument(
-        "--combination",
-        action="append",
-        metavar="NAME",
-        help="combination to draw, may be repeated (default: all that have a certified result)",
-    )
-    plot.add_argument(
-        "--envelope",
-        metavar="STATE",
-        help="draw the largest and smallest values over the combinations of a limit state: ultimate, characteristic, "
-        "frequent or quasi-permanent; for plan and lines",
-    )
-    plot.add_argument(
-        "--line",
-        action="append",
-        metavar="X1,Y1,X2,Y2",
-        help="section line in metres, may be repeated (default: those that the case names)",
-    )
-    plot.add_argument(
-        "--out",
-        metavar="FILE",
-        help="file to write, which ends with .pdf (pages of A4 width), .svg or .png (one sheet); an existing one is "
-        "replaced (default: a PDF beside the folder)",
-    )
 
 
 def _command(
@@ -304,37 +261,8 @@ def _progress(quiet: bool, count: int) -> AbstractContextManager[Shown | None]:
 
 def _plot(options: argparse.Namespace) -> int:
     """Draw figures of a folder of results into a file."""
-    from pathlib import Path
-
-    from groundslab import plots
-    from groundslab.plots.files import format_of
-    from groundslab.plots.wish import wish_of
-    from groundslab.views import store
-
-    folder = Path(os.path.realpath(options.folder))
-    lines = [_coordinates(text) for text in options.line] if options.line else None
-    combined = store.load(options.folder)
-    wish = wish_of(combined, options.fields, options.kind, options.combination, options.envelope, lines)
-    what = "-".join(amount.name for amount in wish.amounts) if options.fields and wish.kind == "plan" else wish.kind
-    file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
-    format_of(file)
-    if folder in Path(os.path.realpath(file)).parents:
-        mend = "solve could not replace the folder any more"
-        raise InputError([Fault("--out", f"{file}, inside the folder of results", "a place outside it", mend)])
-    pages = len(plots.write(wish, file))
-    _say(f"wrote {file}" + (f", {pages} pages" if pages > 1 else ""))
+    _say(command_plot.draw(options))
     return FINE
-
-
-def _coordinates(text: str) -> list[float]:
-    """Return the coordinates of a section line."""
-    try:
-        values = [float(part) for part in text.split(",")]
-    except ValueError:
-        values = []
-    if len(values) != 4:
-        raise InputError([Fault("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
-    return values
 
 
 def _app(options: argparse.Namespace) -> int:

@@ -79,7 +79,7 @@ FLOORS = [
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
     ["plots", "views", "scene", "report", "study"],
     ["workbench"],
-    ["cli", "__main__"],
+    ["command_plot", "cli", "__main__"],
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 DESCRIPTION = {"model", "schema", "keys", "findings", "reference", "soil", "casefile", "results"}

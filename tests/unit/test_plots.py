@@ -41,6 +41,7 @@ from groundslab.model import (
     Zone,
 )
 from groundslab.plots import amounts, convergence, deformed, filled, lines, picture, plan, profile, scale, soil
+from groundslab.plots.panels import views_of
 from groundslab.plots.spots import Spots
 from groundslab.plots.style import free, number, styled, symbol
 from groundslab.plots.wish import wish_of
@@ -365,7 +366,7 @@ class TestPlan:
         """Panels hold the largest and smallest values over the certified combinations, and who governs is named."""
         combined = synthetic.combined()
         wish = wish_of(combined, ("w", "bottom_x", "top_x"), None, None, "ultimate", None)
-        views = plan.views_of(wish)
+        views = views_of(wish)
         assert [(view.amount.name, view.of.split()[0]) for view in views] == [
             ("settlement", "Largest"), ("settlement", "Smallest"), ("bottom_x", "Largest"), ("top_x", "Smallest"),
         ]  # fmt: skip

@@ -11,8 +11,9 @@ import numpy as np
 from groundslab.mesh import Mesh, interpolated, whereabouts
 from groundslab.plots import marks
 from groundslab.plots.filled import bar, triangulation
+from groundslab.plots.heads import head_of, room_above, write_above
+from groundslab.plots.panels import NOT_CERTIFIED, View, scales_of, view_of
 from groundslab.plots.paper import PAGE_HEIGHT, PAGE_WIDTH, WIDE, Paper
-from groundslab.plots.plan import NOT_CERTIFIED, View, head_of, room_above, scales_of, view_of, write_above
 from groundslab.plots.style import GREY, INK, PT, SMALL, number
 from groundslab.shape import q9
 

@@ -12,8 +12,9 @@ from groundslab.envelope import envelope
 from groundslab.errors import Fault, InputError
 from groundslab.plots import marks
 from groundslab.plots.amounts import DOWNWARDS, Amount
+from groundslab.plots.heads import Words, write_above
+from groundslab.plots.panels import NOT_CERTIFIED
 from groundslab.plots.paper import MARGIN, PAGE_HEIGHT, PAGE_WIDTH, Paper
-from groundslab.plots.plan import NOT_CERTIFIED, Words, write_above
 from groundslab.plots.style import BASE, CYCLE, FAINT, GREY, INK, SMALL, STROKES, at, free, number, width_of
 from groundslab.sections import Section, along
 from groundslab.tables.quantities import LISTED, listed

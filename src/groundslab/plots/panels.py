@@ -1,0 +1,126 @@
+"""What panels show: an amount of one combination, or its envelope over several; scales and extremes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from groundslab.envelope import envelope
+from groundslab.plots.amounts import NOT_ABOVE, NOT_BELOW, Amount
+from groundslab.plots.marks import in_combination
+from groundslab.plots.scale import Scale, scale_of
+from groundslab.readings import contact_function, holds_line_force
+from groundslab.tables.quantities import extreme, nodal, place
+
+if TYPE_CHECKING:
+    from groundslab.actions import AnyLoad
+    from groundslab.plots.wish import Drawn, Wish
+    from groundslab.results import Array, Flags, Integers, Results
+
+NOT_CERTIFIED = "NOT CERTIFIED: the result does not fulfil the equations and must not be used"
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """One panel: an amount of one combination, or an extreme of it over several."""
+
+    amount: Amount
+    of: str  # the combination, or what the extreme is taken over
+    values: Array  # (n,), in units of display
+    nodes: Array
+    elements: Integers
+    counts: Flags  # (n,): whether a value takes part in scale and extremes
+    contact: Array | None  # (n,): below zero in contact
+    share: float | None  # of the plate's area that is in contact
+    takes_part: Callable[[AnyLoad], bool]
+    certified: bool
+    governs: tuple[tuple[str, ...], Integers] | None = None  # combinations, and the one that each value comes from
+
+
+def views_of(wish: Wish) -> list[View]:
+    """Return the panels that are asked for: by combination, then by amount."""
+    if wish.envelope:
+        return [view for amount in wish.amounts for view in _enveloped(amount, wish.drawn, wish.envelope)]
+    return [view_of(amount, each, wish.several) for each in wish.drawn for amount in wish.amounts]
+
+
+def view_of(amount: Amount, drawn: Drawn, several: bool) -> View:
+    """Return the panel of an amount in one combination."""
+    results = drawn.results
+    plate = results.plate
+    return View(
+        amount,
+        f"{drawn.name} ({drawn.limit_state})" if several else "",
+        nodal(results, amount.name),
+        plate.nodes,
+        plate.elements,
+        _counting(amount, results),
+        contact_function(results),
+        float(plate.area[plate.in_contact].sum() / plate.area.sum()),
+        in_combination(results.factors),
+        drawn.certified,
+    )
+
+
+def _counting(amount: Amount, results: Results) -> Flags:
+    """Return which nodes count (n,): of the pressure those without a line force, if there are any."""
+    plate = results.plate
+    if amount.name == "pressure" and holds_line_force(results) and not plate.on_edge.all():
+        return ~plate.on_edge
+    return np.ones(len(plate.nodes), dtype=bool)
+
+
+def _enveloped(amount: Amount, drawn: Sequence[Drawn], state: str) -> Iterator[View]:
+    """Yield the largest and the smallest values of an amount over combinations, as far as they tell anything."""
+    found = envelope({each.name: nodal(each.results, amount.name) for each in drawn})
+    counts = np.all([_counting(amount, each.results) for each in drawn], axis=0)
+    factors = [pair for each in drawn for pair in each.results.factors if pair[1]]
+    plate = drawn[0].results.plate
+    takes_part = in_combination(factors)
+    for word, values, by, nothing in (
+        ("Largest", found.greatest, found.greatest_by, amount.name in NOT_ABOVE),
+        ("Smallest", found.least, found.least_by, amount.name in NOT_BELOW),
+    ):
+        if not nothing:
+            of = f"{word} of the {len(drawn)} {state} combination{'s' if len(drawn) > 1 else ''}"
+            yield View(
+                amount, of, values, plate.nodes, plate.elements, counts, None, None, takes_part, True, (found.names, by)
+            )
+
+
+def scales_of(views: Sequence[View]) -> dict[str, Scale]:
+    """Return the scale of each amount, the same in all panels, by the amount's name."""
+    found = {}
+    for name in dict.fromkeys(view.amount.name for view in views):
+        own = [view for view in views if view.amount.name == name]
+        inside = None if all(view.counts.all() for view in own) else [view.values[view.counts] for view in own]
+        found[name] = scale_of([view.values for view in own], signed=own[0].amount.signed, inside=inside)
+    return found
+
+
+class Extreme(NamedTuple):
+    """The largest or the smallest value that is drawn."""
+
+    word: str  # "largest" or "smallest"
+    value: float
+    place: tuple[float, float]  # [m]
+    whose: str  # the combination that it comes from, where there are several
+
+
+def extremes_of(view: View) -> list[Extreme]:
+    """Return the largest and the smallest value with their places, as far as they are not plain zeros."""
+    found = []
+    where = np.flatnonzero(view.counts)
+    nodes, values = view.nodes[where], view.values[where]
+    size = np.abs(values).max()
+    for word, sign in (("largest", 1), ("smallest", -1)):
+        node = extreme(nodes, values, sign)
+        if abs(values[node]) > 1e-9 * size:
+            whose = "" if view.governs is None else view.governs[0][view.governs[1][where[node]]]
+            found.append(Extreme(word, float(values[node]), place(nodes, node), whose))
+    if len(found) == 2 and found[0].value - found[1].value <= 1e-9 * size:
+        del found[1]
+    return found
