@@ -599,18 +599,6 @@ class TestSoil:
         assert mode.k0[0] == pytest.approx(k0, rel=1e-3), variation
         assert mode.k1[0] == pytest.approx(k1, rel=1e-3)
 
-    @pytest.mark.parametrize("gamma", [0.0, 1e-6, 0.7, 3.0, 400.0])
-    def test_the_sinh_mode(self, gamma: float) -> None:
-        """It solves psi'' = gamma^2 psi with 1 at the top and 0 at the base, whatever gamma is."""
-        s = np.linspace(0, 1, 2001)
-        psi = profile.sinh_mode(gamma, s)
-        assert psi[0] == 1.0
-        assert psi[-1] == 0.0
-        assert (np.diff(psi) <= 0).all()
-        if gamma <= 3:
-            bent = np.diff(psi, 2) / (s[1] - s[0]) ** 2
-            assert np.allclose(bent, gamma**2 * psi[1:-1], atol=1e-5)
-
     def test_boreholes_stand_side_by_side(self) -> None:
         """Each has its name and place, its own layers, mode, k0 and k1; the mean of their gammas is the result's."""
         holes = [

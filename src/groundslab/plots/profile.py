@@ -8,21 +8,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab import vlasov
+from groundslab import underground
 from groundslab.ground import Layer
-from groundslab.mesh import Mesh
 from groundslab.soil import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
-from groundslab.subsoil import ground_under, grounds_of, layer_of, sublayers, winkler_modulus
-from groundslab.vlasov import Soil
+from groundslab.subsoil import layer_of, sublayers, winkler_modulus
 
 if TYPE_CHECKING:
     from groundslab.model import Model
     from groundslab.plots.wish import Drawn
-    from groundslab.results import Array, Results
+    from groundslab.results import Array
     from groundslab.soil import AnyGround
-
-#: Samples of psi where its formula is known.
-SAMPLES = 81
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,56 +60,26 @@ class Profile:
 
 def profiles_of(model: Model, drawn: Sequence[Drawn]) -> list[Profile]:
     """Return the ground of each borehole, of the ground and its zones, or the one that is everywhere."""
-    named: list[tuple[str, AnyGround, tuple[SoilLayer | InterfaceLayer, ...]]]
+    kinds: list[AnyGround] = [model.ground, *(zone.ground for zone in model.soil_zones)]
     if model.boreholes:
-        named = [
-            (hole.name or f"borehole {n}", model.ground, hole.layers) for n, hole in enumerate(model.boreholes, start=1)
-        ]
-    else:
-        grounds = [("ground", model.ground), *((f"zone {n}", z.ground) for n, z in enumerate(model.soil_zones, 1))]
-        named = [(name, ground, getattr(ground, "layers", ())) for name, ground in grounds]
-    decays = [decay_squared_of(each.results) for each in drawn]
+        kinds = [model.ground] * len(model.boreholes)
+    given = [hole.layers for hole in model.boreholes] or [getattr(ground, "layers", ()) for ground in kinds]
+    columns = zip(*(underground.profiles_of(each.results) for each in drawn), strict=True)
     profiles = []
-    for (name, ground, layers), made in zip(named, grounds_of(model), strict=True):
-        found: tuple[Found, ...] = ()
-        if isinstance(made, Soil):
-            found = tuple(_found(made, each, d2) for each, d2 in zip(drawn, decays, strict=True) if d2 is not None)
-            if len(found) > 1 and len({each.gamma for each in found}) == 1:
-                found = (replace(found[0], name="all combinations"),)
-        profiles.append(Profile(name, _strata(model, ground, layers, found), found))
+    for ground, layers, column in zip(kinds, given, columns, strict=True):
+        found = tuple(_found(each, own) for each, own in zip(drawn, column, strict=True) if own.gamma is not None)
+        if len(found) > 1 and len({each.gamma for each in found}) == 1:
+            found = (replace(found[0], name="all combinations"),)
+        profiles.append(Profile(column[0].name, _strata(model, ground, layers, found), found))
     return profiles
 
 
-def decay_squared_of(results: Results) -> float | None:
-    """Return int |grad w|^2 / int w^2 [1/m2] that the results' gamma belongs to (2.23); None without gamma."""
-    gamma, plate = results.constants.gamma, results.plate
-    if gamma is None:
-        return None
-    everywhere = np.arange(len(plate.elements))
-    ground, _ = ground_under(results.model, Mesh(plate.nodes, plate.elements), everywhere, {})
-    return (gamma / ground.gamma_of(1.0)) ** 2 if isinstance(ground, Soil) else None
-
-
-def _found(soil: Soil, drawn: Drawn, decay2: float) -> Found:
-    """Return what follows for one column of soil from the decay of a settlement."""
-    gamma = soil.gamma_of(decay2) if soil.gamma is None else soil.gamma
-    k0, k1 = soil.layer_parameters(gamma)
-    if soil.way == "interface":
-        return Found(drawn.name, gamma, k0, k1, None, None)
-    if soil.way == "profile":
-        # the decay that belongs to gamma, which may be given
-        mode = vlasov.profile(soil.layers, (gamma / soil.gamma_of(1.0)) ** 2)
-        return Found(drawn.name, gamma, k0, k1, mode.z, mode.psi)
-    s = np.linspace(0, 1, SAMPLES)
-    return Found(drawn.name, gamma, k0, k1, s * float(soil.depth), sinh_mode(gamma, s))
-
-
-def sinh_mode(gamma: float, s: Array) -> Array:
-    """Return psi = sinh(gamma (1 - s)) / sinh gamma (2.19) at relative depths s, without overflow; gamma >= 0."""
-    if gamma == 0.0:
-        return 1 - s
-    psi: Array = np.exp(-gamma * s) * np.expm1(-2 * gamma * (1 - s)) / np.expm1(-2 * gamma)
-    return psi
+def _found(drawn: Drawn, column: underground.Profile) -> Found:
+    """Return what one combination found of a column of soil."""
+    assert column.gamma is not None
+    k0, k1 = np.array(column.k0), np.array(column.k1)
+    z, psi = (column.z, column.psi) if len(column.z) else (None, None)
+    return Found(drawn.name, column.gamma, k0, k1, z, psi)
 
 
 def _strata(
