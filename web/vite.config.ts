@@ -1,6 +1,8 @@
 // The workbench: a folder of files that groundslab's server hands out.
 import { defineConfig } from "vite";
 
+import { notice } from "./notice";
+
 export default defineConfig({
   root: "src/app",
   base: "./",
@@ -9,6 +11,6 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     assetsInlineLimit: 0,
-    rolldownOptions: { output: { entryFileNames: "[name].js", chunkFileNames: "[name].js", assetFileNames: "[name][extname]" } },
+    rolldownOptions: { output: { postBanner: notice, entryFileNames: "[name].js", chunkFileNames: "[name].js", assetFileNames: "[name][extname]" } },
   },
 });

@@ -1,11 +1,14 @@
 // The report's script and style: one file each, which groundslab writes into every report.
 import { defineConfig } from "vite";
 
+import { notice } from "./notice";
+
 export default defineConfig({
   build: {
     outDir: "../src/groundslab/report/static",
     emptyOutDir: true,
     target: "es2022",
+    rolldownOptions: { output: { postBanner: notice } },
     lib: { entry: "src/report/main.ts", formats: ["iife"], name: "groundslabReport", fileName: () => "report.js", cssFileName: "report" },
   },
 });
