@@ -92,7 +92,10 @@ function build(): void {
     { name: "plan", label: "Plan", panel: planTab },
     { name: "form", label: "Form", panel: formTab },
     { name: "text", label: "Text", panel: textTab },
-  ], "model");
+  ], "model", (name) => {
+    if (name === "form") form.update();
+    if (name === "text") text.refresh();
+  });
   const faults = faultList(store, (fault) => {
     if (fault.path.length === 0 || left.current() === "text") {
       left.show("text");
@@ -113,11 +116,13 @@ function build(): void {
   const page = h("main", { class: "page" });
   page.append(model, splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "width of the model"), results.element);
   document.body.replaceChildren(topBar(store, api, actions), banner(store, () => connection.retry()), page, notices(store));
-  store.on(["data", "doc"], () => form.update());
+  // what is not seen is brought up to date when it is
+  store.on(["data", "doc"], () => {
+    if (left.current() === "form") form.update();
+  });
   store.on(["doc"], () => {
     broken.hidden = !store.broken;
     formTab.toggleAttribute("inert", store.broken);
-    left.mark("text", "", false);
   });
   document.addEventListener("keydown", (event) => keys(event, actions));
   for (const topic of ["doc", "data", "connection", "run", "solved", "selection", "waiting", "autosolve"] as const) store.tell(topic);

@@ -28,6 +28,7 @@ export class Canvas {
   loadCase = "";
   private readonly layers = ["sheet", "things", "marks", "figures"].map((name) => svg("g", { class: `layer-${name}` }));
   private fitted = true;
+  private slab = ""; // its bounds, as they were last
   private frame = 0;
 
   constructor(private readonly store: Store) {
@@ -45,7 +46,11 @@ export class Canvas {
   /** Take the store's data. */
   refresh(): void {
     this.items = itemsOf(this.store.data, this.store.doc?.plan ?? null);
-    if (this.fitted && !this.ghost) this.fit();
+    const slab = String(boundsOfItems(this.items.filter((item) => item.kind === "slab")));
+    const another = slab !== this.slab;
+    this.slab = slab;
+    // a slab of another size is shown as a whole, unless the user has chosen what is seen
+    if (another && this.fitted && !this.ghost) this.fit();
     else this.paint();
   }
 

@@ -169,7 +169,7 @@ function load(camera: Camera, item: Item, ring: readonly Pixel[], loadsAt: Reado
   if (isClosed(item.geometry)) return [area(ring), ...labels(leftTop(ring), 5, 13, false)];
   const arrows: SVGElement[] = [];
   along(ring, 16, ([x, y]) => arrows.push(path([[x, y], [x, y - 11]], false, "fine"), path([[x - 2.5, y - 4.5], [x, y], [x + 2.5, y - 4.5]], false, "fine")));
-  return [path(ring, false), path(ring.map(([x, y]): Pixel => [x, y - 11]), false, "fine"), ...arrows, ...labels(middle(ring), 6, -15, true)];
+  return [path(ring, false), path(ring.map(([x, y]): Pixel => [x, y - 11]), false, "fine"), ...arrows, ...labels(ring[0] ?? [0, 0], 4, -15, true)];
 }
 
 /** One arrow for all loads at a place; their values stand beside it. */

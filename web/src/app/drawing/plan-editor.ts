@@ -55,7 +55,8 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
   const everywhere = h("div", { class: "everywhere" });
   const fit = h("button", { type: "button", class: "small", title: "Show everything (0)", onclick: () => canvas.fit() }, "Fit");
   const corner = h("div", { class: "drawing-corner" }, cases.element, fit);
-  box.append(corner);
+  const empty = h("p", { class: "drawing-empty" }, "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.");
+  box.append(corner, empty);
   const element = h("div", { class: "plan-editor" }, tools.element, h("div", { class: "plan-middle" }, box, everywhere, hint.element), panel.element);
   hint.say(tools.current().hint);
 
@@ -69,6 +70,7 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
     // what has gone is no longer selected
     if (store.selection && valueAt(store.data, store.selection) === undefined) store.select(null);
     cases.update();
+    empty.hidden = canvas.items.some((item) => item.kind === "slab");
     showEverywhere(everywhere, store, push);
     panel.show(store.selection);
   });
@@ -122,7 +124,8 @@ function showEverywhere(element: HTMLElement, store: Store, push: (change: Chang
     const words = `${name} ${value}${table.case ? ` (${String(table.case)})` : ""}`;
     return [h("button", { type: "button", class: "chip", "aria-pressed": samePath(path, store.selection) ? "true" : "false", title: "Load on the whole slab", onclick: () => store.select(path) }, words)];
   });
-  fill(element, h("span", {}, "Whole slab:"), ...(loads.length > 0 ? loads : [h("span", { class: "quiet" }, "no loads")]), addLoad(store, push));
+  const chips = h("span", { class: "chips" }, ...(loads.length > 0 ? loads : [h("span", { class: "quiet" }, "no loads")]));
+  fill(element, h("span", {}, "Whole slab:"), chips, addLoad(store, push));
 }
 
 /** Buttons that add a load without a place. */

@@ -34,6 +34,7 @@ export class Pointer {
   drawing: Drawing | null = null;
   private press: Press | null = null;
   private space = false;
+  private lastClick: Point | null = null; // one more click at the same place selects what lies below
   private readonly touches = new Map<number, Point>();
 
   constructor(private readonly canvas: Canvas, private readonly store: Store, private readonly hooks: PointerHooks) {
@@ -103,8 +104,8 @@ export class Pointer {
       return;
     }
     const things = canvas.thingsAt(pixel);
-    const own = things.find((item) => samePath(item.path, this.store.selection));
-    // the slab is held by its edge or when it is selected; else its inside shifts the view
+    const again = this.lastClick !== null && !far(this.lastClick, pixel);
+    const own = again ? things.find((item) => samePath(item.path, this.store.selection)) : undefined;
     const item = own ?? things[0];
     this.press = item ? { kind: "thing", item, start: pixel, wasSelected: own !== undefined } : { kind: "empty", start: pixel };
   }
@@ -202,6 +203,7 @@ export class Pointer {
   /** A click selects; one more at the same place selects what lies below. */
   private click(item: Item, wasSelected: boolean, pixel: Point): void {
     this.canvas.corner = null;
+    this.lastClick = pixel;
     if (!wasSelected) return this.hooks.select(item.path);
     const things = this.canvas.thingsAt(pixel);
     const next = things[(things.findIndex((each) => samePath(each.path, item.path)) + 1) % things.length];

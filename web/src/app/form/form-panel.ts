@@ -5,6 +5,7 @@ import { fill, h, setText } from "../dom";
 import { isTable, type Json, type Path, type Table } from "../paths";
 import type { FormContext, Widget } from "./context";
 import { faultsAt, faultsOfPart, faultWords } from "./faults";
+import { listWidget } from "./list";
 import { nodeWidget, subPart } from "./part";
 import type { Field } from "./schema";
 import { heading, shortValue } from "./words";
@@ -67,7 +68,7 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
   let body: Widget | null = null;
   const build = () => {
     if (!element.open || body) return;
-    body = field.node.is === "part" || field.node.is === "kinds" ? subPart(ctx, path, field, field.node, true) : nodeWidget(ctx, path, field);
+    body = bareWidget(ctx, path, field);
     element.append(h("div", { class: "section-body" }, body.element));
     body.update();
   };
@@ -93,6 +94,13 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
   return { element, update, reveal };
 }
 
+/** A section's content without a title, which the section has. */
+function bareWidget(ctx: FormContext, path: Path, field: Field): Widget {
+  const { node } = field;
+  if (node.is === "part" || node.is === "kinds") return subPart(ctx, path, field, node, true);
+  return node.is === "list" ? listWidget(ctx, path, node.of, HEADINGS[field.name] ?? heading(field.name), field.hint, true) : nodeWidget(ctx, path, field);
+}
+
 function faultCount(count: number): string {
   return count === 0 ? "" : count === 1 ? "1 fault" : `${count} faults`;
 }
@@ -100,6 +108,7 @@ function faultCount(count: number): string {
 /** What a section holds, in a few words. */
 export function digestOf(field: Field, data: Table): string {
   const value: Json | undefined = data[field.name];
+  if (field.node.is === "list" && value === undefined) return "none";
   if (Array.isArray(value)) return value.length > 0 ? String(value.length) : "none";
   if (!isTable(value)) return field.needed ? "missing" : "by default";
   if (field.name === "plate") {

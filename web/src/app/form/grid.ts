@@ -1,11 +1,13 @@
 // A list of flat tables as a grid: one row for each table, one column for each key.
 
 import { fill, h } from "../dom";
-import { listAt, type Path, startsWith } from "../paths";
+import { listAt, type Path, startsWith, tableAt } from "../paths";
+import { namesIn } from "../store";
 import type { FormContext, Widget } from "./context";
-import { faultsOfPart, faultWords } from "./faults";
+import { factorCell } from "./factors";
+import { faultsAt, faultsOfPart, faultWords } from "./faults";
 import { itemButtons, type Rows } from "./list";
-import type { Part } from "./schema";
+import type { Field, Part } from "./schema";
 import { cellField, hintOf, labelParts } from "./value-field";
 
 interface Row {
@@ -14,22 +16,40 @@ interface Row {
   update(): void;
 }
 
+/** A column of the grid: its head, and the cell of a row. */
+interface Column {
+  head: HTMLElement;
+  cell(path: Path, position: number): Widget;
+}
+
 /** The rows of a list whose tables hold single values only. */
 export function gridRows(ctx: FormContext, path: Path, part: Part): Rows {
-  const heads = part.fields.map((field) => h("th", { scope: "col", title: hintOf(field), class: field.needed ? "needed" : null }, ...labelParts(field)));
+  const head = h("thead", {});
   const body = h("tbody", {});
-  const table = h("table", { class: "grid" }, h("thead", {}, h("tr", {}, h("th", { class: "number-of", scope: "col" }, "#"), ...heads, h("th", { class: "acts" }))), body);
+  const table = h("table", { class: "grid" }, head, body);
   const element = h("div", { class: "grid-box" }, table);
   let rows: Row[] = [];
+  let columns: Column[] = [];
+  let cases = "";
+  const build = () => {
+    columns = part.fields.flatMap((field) => (field.node.is === "factors" ? factorColumns(ctx, path, field) : [valueColumn(ctx, field)]));
+    fill(head, h("tr", {}, h("th", { class: "number-of", scope: "col" }, "#"), ...columns.map((column) => column.head), h("th", { class: "acts" })));
+    rows = [];
+    fill(body);
+  };
   const update = () => {
-    const count = listAt(ctx.data(), path).length;
-    table.hidden = count === 0;
-    if (count !== rows.length) {
-      const focus = document.activeElement;
-      rows = rows.slice(0, count);
-      while (rows.length < count) rows.push(gridRow(ctx, [...path, rows.length], part));
-      fill(body, ...rows.map((row) => row.element));
-      if (focus instanceof HTMLElement && body.contains(focus)) focus.focus();
+    const items = listAt(ctx.data(), path);
+    const now = part.fields.some((field) => field.node.is === "factors") ? caseNames(ctx, path).join("\n") : "";
+    if (columns.length === 0 || now !== cases) {
+      cases = now;
+      build();
+    }
+    table.hidden = items.length === 0;
+    while (rows.length > items.length) rows.pop()?.element.remove();
+    while (rows.length < items.length) {
+      const row = gridRow(ctx, [...path, rows.length], part, columns);
+      rows.push(row);
+      body.append(row.element);
     }
     for (const row of rows) row.update();
   };
@@ -44,9 +64,30 @@ export function gridRows(ctx: FormContext, path: Path, part: Part): Rows {
   return { element, update, reveal };
 }
 
-function gridRow(ctx: FormContext, path: Path, part: Part): Row {
+function valueColumn(ctx: FormContext, field: Field): Column {
+  return {
+    head: h("th", { scope: "col", title: hintOf(field), class: field.needed ? "needed" : null }, ...labelParts(field)),
+    cell: (path, position) => cellField(ctx, [...path, field.name], field, `${field.name} of item ${position}`),
+  };
+}
+
+/** The load cases, and what else the factors of a list name. */
+function caseNames(ctx: FormContext, path: Path): string[] {
+  const named = listAt(ctx.data(), path).flatMap((_, n) => Object.keys(tableAt(ctx.data(), [...path, n, "factors"])));
+  return [...new Set([...namesIn(listAt(ctx.data(), ["cases"])), ...named])];
+}
+
+/** One column for each load case. */
+function factorColumns(ctx: FormContext, path: Path, field: Field): Column[] {
+  return caseNames(ctx, path).map((name) => ({
+    head: h("th", { scope: "col", class: "factor", title: `${field.hint}: ${name}` }, name),
+    cell: (row, position) => factorCell(ctx, [...row, field.name], name, `factor of ${name} in item ${position}`),
+  }));
+}
+
+function gridRow(ctx: FormContext, path: Path, part: Part, columns: readonly Column[]): Row {
   const position = Number(path.at(-1)) + 1;
-  const cells = part.fields.map((field) => cellField(ctx, [...path, field.name], field, `${field.name} of item ${position}`));
+  const cells = columns.map((column) => column.cell(path, position));
   const messages = h("div", { class: "messages" });
   const element = h(
     "tr",
@@ -57,7 +98,8 @@ function gridRow(ctx: FormContext, path: Path, part: Part): Row {
   );
   const update = () => {
     for (const cell of cells) cell.update();
-    const words = faultsOfPart(ctx.faults(), path, part).map(faultWords);
+    const factors = faultsAt(ctx.faults(), [...path, "factors"]).filter((fault) => fault.path.length === path.length + 1);
+    const words = [...faultsOfPart(ctx.faults(), path, part), ...factors].map(faultWords);
     fill(messages, ...words.map((each) => h("p", {}, each)));
   };
   return { element, cells, update };

@@ -1,8 +1,9 @@
 // Elements that edit one value of the case file, by what the value is.
 
 import { fill, h, later, newId } from "../dom";
-import { type Json, type Path, valueAt } from "../paths";
+import { type Json, type Path, startsWith, valueAt } from "../paths";
 import { type FormContext, setValue, waitsForEnd } from "./context";
+import { faultsAt, faultWords } from "./faults";
 import { namesFor } from "./references";
 import type { Field, Node } from "./schema";
 import { defaultText } from "./words";
@@ -84,16 +85,17 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   return { element: known ? h("span", { class: "with-names" }, input, known) : input, focus: input, update };
 }
 
-/** A choice out of some words. */
+/** A choice out of some words; the default is shown faintly where nothing is chosen. */
 export function choiceInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
   const select = h("select", {});
   const update = () => {
     const value = valueAt(ctx.data(), path);
-    const options = words.map((word) => h("option", { value: word }, word));
-    const none = typeof standard === "string" ? `${standard} (default)` : "choose …";
-    const odd = value !== undefined && !words.includes(String(value)) ? [h("option", { value: shown(value) }, shown(value))] : [];
-    fill(select, h("option", { value: "" }, none), ...odd, ...options);
-    select.value = value === undefined ? "" : shown(value);
+    const chosen = shown(value ?? standard);
+    const odd = words.includes(chosen) ? [] : [h("option", { value: chosen }, chosen === "" ? "choose …" : chosen)];
+    fill(select, ...odd, ...words.map((word) => h("option", { value: word }, word)));
+    select.value = chosen;
+    select.classList.toggle("by-default", value === undefined);
+    select.title = value === undefined && standard !== undefined ? "by default" : "";
   };
   select.addEventListener("change", () => setValue(ctx, path, select.value === "" ? undefined : select.value));
   return { element: select, focus: select, update };
@@ -196,4 +198,22 @@ export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
     default:
       return textInput(ctx, path, node, { placeholder: placeholder || (node.is === "quantity" ? `e.g. ${node.example}` : "") });
   }
+}
+
+/** Show what is wrong with a value: at its element, and in words below it. */
+export function showFaults(ctx: FormContext, path: Path, element: HTMLElement, focus: HTMLElement, messages: HTMLElement): void {
+  const faults = faultsAt(ctx.faults(), path);
+  element.classList.toggle("faulty", faults.length > 0);
+  if (faults.length > 0) focus.setAttribute("aria-invalid", "true");
+  else focus.removeAttribute("aria-invalid");
+  const words = faults.map(faultWords);
+  if (messages.textContent !== words.join("")) fill(messages, ...words.map((each) => h("p", {}, each)));
+}
+
+/** Go to a value if a path leads to it. */
+export function revealIn(input: Input, path: Path, target: Path, element: HTMLElement): boolean {
+  if (!startsWith(target, path)) return false;
+  element.scrollIntoView({ block: "nearest" });
+  input.focus.focus();
+  return true;
 }

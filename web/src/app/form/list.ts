@@ -25,8 +25,8 @@ export interface Rows {
   reveal(target: Path): boolean;
 }
 
-/** A list with what adds, copies and removes its items. */
-export function listWidget(ctx: FormContext, path: Path, of: Node, title: string, about: string): Widget {
+/** A list with what adds, copies and removes its items; `bare` without its title. */
+export function listWidget(ctx: FormContext, path: Path, of: Node, title: string, about: string, bare = false): Widget {
   const names = of.is === "kinds" ? of.parts : of.is === "part" ? [of.part] : [];
   const parts = names.map((name) => ctx.schema.part(name));
   const tagged = parts.some((part) => part.kind);
@@ -41,7 +41,7 @@ export function listWidget(ctx: FormContext, path: Path, of: Node, title: string
   const element = h(
     "div",
     { class: "list", "data-part": pathKey(path) },
-    h("div", { class: "sub-head" }, h("h4", { title: about }, title, " ", count, h("span", { class: "hint" }, about))),
+    h("div", { class: "sub-head" }, bare ? h("span", { class: "hint" }, about) : h("h4", { title: about }, title, " ", count, h("span", { class: "hint" }, about))),
     given?.element, messages, rows, h("div", { class: "list-foot" }, kind, add),
   );
   let shown: Rows | null = null;

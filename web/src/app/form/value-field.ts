@@ -1,11 +1,10 @@
 // One key of a part as a row: what it is called, its element, what it means, what is wrong with it.
 
-import { fill, h, newId } from "../dom";
-import { type Path, pathKey, startsWith } from "../paths";
+import { h, newId } from "../dom";
+import { type Path, pathKey } from "../paths";
 import type { FormContext, Widget } from "./context";
 import { factorsInput } from "./factors";
-import { faultsAt, faultWords } from "./faults";
-import { inputFor, type Input } from "./inputs";
+import { inputFor, type Input, revealIn, showFaults } from "./inputs";
 import { placesInput } from "./places";
 import type { Field } from "./schema";
 import { labelOf, symbolElement } from "./words";
@@ -77,20 +76,4 @@ function name(input: Input, label: HTMLLabelElement): void {
     input.element.setAttribute("role", "group");
     input.element.setAttribute("aria-labelledby", label.id);
   }
-}
-
-function showFaults(ctx: FormContext, path: Path, element: HTMLElement, focus: HTMLElement, messages: HTMLElement): void {
-  const faults = faultsAt(ctx.faults(), path);
-  element.classList.toggle("faulty", faults.length > 0);
-  if (faults.length > 0) focus.setAttribute("aria-invalid", "true");
-  else focus.removeAttribute("aria-invalid");
-  const words = faults.map(faultWords);
-  if (messages.textContent !== words.join("")) fill(messages, ...words.map((each) => h("p", {}, each)));
-}
-
-function revealIn(input: Input, path: Path, target: Path, element: HTMLElement): boolean {
-  if (!startsWith(target, path)) return false;
-  element.scrollIntoView({ block: "nearest" });
-  input.focus.focus();
-  return true;
 }

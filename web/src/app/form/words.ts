@@ -25,7 +25,7 @@ export function symbolElement(symbol: string): HTMLElement {
 export function labelOf(field: Field): string {
   const { name, hint } = field;
   if (name === "x" || name === "y") return name;
-  const short = name.length <= 2 || /^[A-Za-z]{1,2}_/.test(name);
+  const short = name.length <= 2 || name === field.symbol || /^[A-Za-z]{1,2}_/.test(name);
   if (!short) return name.replaceAll("_", " ");
   const phrase = (hint.split(/[,;:]/)[0] ?? "").replace(/^its /, "").replace(/ there$/, "").trim();
   return phrase && phrase.length <= LONGEST_LABEL ? phrase : "";

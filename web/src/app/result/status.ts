@@ -60,7 +60,7 @@ export function emptyResult(store: Store, solve: () => void): { element: HTMLEle
   const update = () => {
     const { run, doc } = store;
     const faults = doc?.faults.length ?? 0;
-    if (run.kind === "solving") fill(element, h("h3", {}, "Solving …"), h("p", {}, run.text || "The first result appears here."));
+    if (run.kind === "solving") fill(element, h("h3", {}, "Solving …"), h("p", {}, "The first result appears here."));
     else if (run.kind === "refused") fill(element, h("h3", {}, "Not solved"), h("p", {}, run.message), ...run.faults.map((fault) => h("p", { class: "quiet" }, `${fault.where}: got ${fault.got}, expected ${fault.expected}${fault.mend ? ` — ${fault.mend}` : ""}`)));
     else if (faults > 0) fill(element, h("h3", {}, "No result yet"), h("p", {}, faults === 1 ? "Mend the fault first; it stands below the model." : `Mend the ${faults} faults first; they stand below the model.`));
     else fill(element, h("h3", {}, "No result yet"), h("p", {}, "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve."), h("button", { type: "button", class: "main", onclick: solve }, "Solve"));

@@ -21,6 +21,15 @@ export function showSummary(element: HTMLElement, one: SummaryOfOne | null): voi
       ...section.notes.map((note) => h("p", { class: "quiet" }, note))))));
 }
 
+/** What a certificate holds beside the ratios that tell how well the equations are fulfilled. */
+const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "tolerance", "load", "reaction"]);
+
+/** Whether a ratio that must vanish does not; the effect of a margin is told, but need not vanish. */
+function isTooLarge(one: SummaryOfOne, key: string): boolean {
+  const [value, tolerance] = [one.certificate?.[key], one.certificate?.tolerance];
+  return key !== "margin_effect" && typeof value === "number" && typeof tolerance === "number" && value > tolerance;
+}
+
 /** The verdict on a combination. */
 export type Verdict = "certified" | "not certified" | "refused";
 
@@ -34,19 +43,19 @@ const WORDS: Record<Verdict, string> = { certified: "holds", "not certified": "d
 /** Show the certificates of all combinations; `choose` is called with the position of one that was clicked. */
 export function showCertificates(element: HTMLElement, summary: Summary | null, choose: (n: number) => void): void {
   if (!summary) return fill(element, h("p", { class: "empty" }, "Each solved combination is checked against the equations; the verdicts stand here."));
-  const keys = [...new Set(summary.combinations.flatMap((one) => Object.keys(one.certificate ?? {})))].filter((key) => key !== "holds");
+  const keys = [...new Set(summary.combinations.flatMap((one) => Object.keys(one.certificate ?? {})))].filter((key) => !NO_RATIOS.has(key));
   const bad = summary.combinations.filter((one) => verdictOf(one) !== "certified").length;
   const total = summary.combinations.length;
   const verdict = bad === 0
     ? h("p", { class: "verdict good" }, total === 1 ? "The result fulfils the equations." : `All ${total} combinations fulfil the equations.`)
-    : h("p", { class: "verdict bad" }, `${bad} of ${total} combinations must not be used.`);
+    : h("p", { class: "verdict bad" }, total === 1 ? "This result must not be used." : `${bad} of ${total} combinations have no result that may be used.`);
   const head = h("tr", {}, h("th", { scope: "col" }, "combination"), h("th", { scope: "col" }, "certificate"), ...keys.map((key) => h("th", { scope: "col" }, key.replaceAll("_", " "))));
   const rows = summary.combinations.map((one, n) => {
     const own = verdictOf(one);
     const name = h("button", { type: "button", class: "link", onclick: () => choose(n) }, one.name || `combination ${n + 1}`);
     const figures = own === "refused"
       ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
-      : keys.map((key) => h("td", { class: "figure" }, figure(one.certificate?.[key])));
+      : keys.map((key) => h("td", { class: isTooLarge(one, key) ? "figure too-large" : "figure" }, figure(one.certificate?.[key])));
     return h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, WORDS[own])), ...figures);
   });
   fill(element, verdict, make("div", { class: "wide" }, h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows))));

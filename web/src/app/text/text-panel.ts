@@ -13,6 +13,8 @@ export interface TextPanel {
   readonly element: HTMLElement;
   /** Go to the line of a path. */
   reveal(path: Path, line?: number): void;
+  /** Draw it, once it is seen. */
+  refresh(): void;
   /** Send what has been typed. */
   flush(): void;
 }
@@ -36,6 +38,7 @@ export function textPanel(store: Store, push: (text: string, typedOn: boolean) =
   };
   const soon = later(QUIET, send);
   const draw = () => {
+    if (element.closest("[hidden]")) return;
     const faults = new Map<number, Fault[]>();
     const lines = linesOf(area.value);
     for (const fault of typed ? [] : (store.doc?.faults ?? [])) {
@@ -95,7 +98,7 @@ export function textPanel(store: Store, push: (text: string, typedOn: boolean) =
     area.scrollTop = Math.max(0, (target - 4) * height);
     scrolled();
   };
-  return { element, reveal, flush: () => soon.flush() };
+  return { element, reveal, refresh: draw, flush: () => soon.flush() };
 }
 
 /** The pieces of a text, line by line. */
