@@ -78,6 +78,27 @@ def test_a_drag_is_one_edit_in_the_unit_that_stood_there(server: Server, bench: 
     bench.until(lambda: bench.text() == before)
 
 
+def test_corners_are_drawn_dragged_added_and_removed(server: Server, bench: Bench, case: Path) -> None:
+    """A polygon is drawn corner by corner; its corners can be dragged, added on an edge and removed."""
+    bench.open(server.start(case))
+    bench.tool("zone")
+    for corner in ((0.5, -1.0), (2.5, -1.0), (2.5, 1.0)):
+        bench.click(*corner)
+    bench.page.keyboard.press("Enter")
+    bench.wait_text('points = [["0.5 m", "-1 m"], ["2.5 m", "-1 m"], ["2.5 m", "1 m"]]', 'thickness = "400 mm"')
+    assert bench.seen(".properties h3") == "zone 1"
+    bench.drag((2.5, 1.0), (2.0, 1.5))
+    bench.wait_text('["2 m", "1.5 m"]]')
+    bench.drag((1.5, -1.0), (1.5, -1.5))
+    bench.wait_text('["0.5 m", "-1 m"], ["1.5 m", "-1.5 m"], ["2.5 m", "-1 m"]')
+    bench.click(1.5, -1.5)
+    bench.page.keyboard.press("Delete")
+    bench.wait_text('["0.5 m", "-1 m"], ["2.5 m", "-1 m"], ["2 m", "1.5 m"]]')
+    assert bench.seen(".last-edit") == "remove a corner of zone 1"
+    bench.page.keyboard.press("Delete")
+    bench.until(lambda: "zones" not in bench.text())
+
+
 def test_the_keyboard_alone_moves_and_removes(server: Server, bench: Bench, case: Path) -> None:
     """Things are selected, moved by steps and removed by keys; a row of steps is one edit."""
     bench.open(server.start(case))
@@ -172,6 +193,23 @@ def test_nothing_is_lost_when_the_server_dies(server: Server, tabs: Any, case: P
     bench.page.keyboard.press("Control+s")
     bench.until(lambda: bench.seen(".unsaved") == "")
     assert 'thickness = "275 mm"  # as on the drawing' in case.read_text()
+
+
+def test_a_file_changed_by_others_is_replaced_only_when_asked(server: Server, bench: Bench, case: Path) -> None:
+    """Saving over what another program has written needs a yes."""
+    bench.open(server.start(case))
+    bench.fill("260 mm", "plate", "thickness")
+    bench.wait_text('thickness = "260 mm"')
+    case.write_text(case.read_text() + "# a colleague was here\n")
+    theirs = case.read_text()
+    bench.page.keyboard.press("Control+s")
+    dialog = bench.page.get_by_role("dialog")
+    dialog.get_by_role("button", name="Do not save").click()
+    assert case.read_text() == theirs
+    bench.page.keyboard.press("Control+s")
+    dialog.get_by_role("button", name="Replace it").click()
+    bench.until(lambda: bench.seen(".unsaved") == "")
+    assert 'thickness = "260 mm"' in case.read_text()
 
 
 def test_two_tabs_show_the_same(server: Server, tabs: Any, case: Path) -> None:

@@ -16,6 +16,8 @@ export interface Offer {
   file: string | null;
   when: string;
   kept: string;
+  /** Whether the file is no longer the one that the work builds on. */
+  changed?: boolean;
 }
 
 export interface DocState {
@@ -34,6 +36,10 @@ export interface DocState {
   offer: Offer | null;
   autosolve?: boolean;
   run?: { run: number; version: number } | null;
+  /** Why unsaved work cannot be written to the disk, empty if it can. */
+  unkept?: string;
+  /** Whether another program has changed the file since it was read. */
+  outside?: boolean;
 }
 
 export type Edit =
@@ -90,9 +96,9 @@ export class Outdated extends Error {
   }
 }
 
-/** The server says no; the message is for people. */
+/** The server says no; the message is for people. `kind` names what stands in the way, `url` another workbench. */
 export class Refused extends Error {
-  constructor(message: string, readonly status: number) {
+  constructor(message: string, readonly status: number, readonly kind = "", readonly url = "") {
     super(message);
   }
 }
@@ -179,7 +185,15 @@ async function refusal(response: Response): Promise<Error> {
     return new Refused(`the server answered ${response.status}`, response.status);
   }
   if (response.status === 409 && isState(body)) return new Outdated(body);
-  return new Refused(messageOf(body) ?? `the server answered ${response.status}`, response.status);
+  const words = messageOf(body) ?? `the server answered ${response.status}`;
+  return new Refused(words, response.status, partOf(body, "kind"), partOf(body, "url"));
+}
+
+/** A text in the error of an answer, empty if there is none. */
+function partOf(body: unknown, name: string): string {
+  const error = typeof body === "object" && body !== null && "error" in body ? (body.error as Record<string, unknown> | null) : null;
+  const part = error?.[name];
+  return typeof part === "string" ? part : "";
 }
 
 function isState(body: unknown): body is DocState {

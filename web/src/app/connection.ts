@@ -21,6 +21,7 @@ export class Connection {
   private source: EventSource | null = null;
   private wait = FIRST_WAIT;
   private retrying = false;
+  private another = false; // whether the server is not the one that the page has known
   private timer: ReturnType<typeof setTimeout> | null = null;
 
   constructor(
@@ -54,8 +55,9 @@ export class Connection {
     this.again();
   }
 
-  /** Try at once. */
-  retry(): void {
+  /** Try at once; `another` tells that it is a new server. */
+  retry(another = false): void {
+    this.another ||= another;
     this.wait = FIRST_WAIT;
     if (this.timer !== null) clearTimeout(this.timer);
     this.timer = null;
@@ -83,7 +85,7 @@ export class Connection {
   /** Take a state after a pause, without losing what either side holds. */
   private async welcome(state: DocState): Promise<void> {
     const own = this.store.doc;
-    const what = comparison(own, state, this.queue.waiting.length > 0);
+    const what = comparison(own, state, this.another, this.queue.waiting.length > 0);
     let taken = state;
     if (state.offer) {
       this.queue.hold();
@@ -94,7 +96,9 @@ export class Connection {
         taken = await this.api.edit({ edits: [{ op: "text", value: own.text }], text: "keep the page's text" }, state.version);
       } else this.queue.clear();
     }
-    if (own && own.text !== taken.text) this.store.setSolved(null);
+    if (this.another) this.store.setSolved(null);
+    this.another = false;
+    if (own && own.text !== taken.text) this.queue.rebase(taken);
     this.store.setDoc(taken);
     await this.queue.release();
   }
@@ -149,9 +153,10 @@ export class Connection {
   }
 }
 
-/** How the server's state compares with what the page last knew. */
-export function comparison(own: DocState | null, server: DocState, waiting: boolean): Return {
+/** How the server's state compares with what the page last knew; `another` is a server that was started since. */
+export function comparison(own: DocState | null, server: DocState, another: boolean, waiting: boolean): Return {
   if (server.offer) return "offer";
-  if (!own || own.text === server.text) return own ? "same" : "adopt";
-  return waiting || (own.dirty && own.version > server.version) || (own.dirty && !server.dirty) ? "differs" : "adopt";
+  if (!own) return "adopt";
+  if (own.text === server.text) return "same";
+  return another && (waiting || own.dirty) ? "differs" : "adopt";
 }

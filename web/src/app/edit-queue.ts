@@ -56,6 +56,16 @@ export class EditQueue {
     return this.run();
   }
 
+  /** The server is at another state than the edits were made on: give up those that make no sense there. */
+  rebase(state: DocState): void {
+    const lost = this.waiting.filter((change) => !this.hooks.fits(change, state));
+    if (lost.length === 0) return;
+    const kept = this.waiting.filter((change) => !lost.includes(change));
+    this.waiting.splice(0, this.waiting.length, ...kept);
+    this.hooks.changed();
+    for (const change of lost) this.hooks.refused(change, "this part was changed elsewhere meanwhile");
+  }
+
   /** Forget what waits. */
   clear(): void {
     this.waiting.length = 0;

@@ -56,12 +56,32 @@ function untouched(change: Change, state: DocState): boolean {
 async function offered(state: DocState): Promise<DocState> {
   const { offer } = state;
   if (!offer) return state;
+  const changed = offer.changed === true ? ["The file itself has been changed since by another program; saving asks before it replaces that."] : [];
   const of = offer.file === null ? "a case that was never saved" : offer.file;
   const take = await ask("Unsaved work was found", [
     `An earlier run ended with changes that were not saved: ${of}, last changed ${moment(offer.when)}.`,
-    "Taking them up opens them as they were; the file on the disk stays as it is until you save.",
-  ], [{ label: "Discard them", value: false }, { label: "Take them up", value: true, main: true }], null);
-  return api.restore(take);
+    "Taking them up is a step that can be undone; the file on the disk stays as it is until you save.",
+    ...changed,
+  ], [{ label: "Put them aside", value: false }, { label: "Take them up", value: true, main: true }], null);
+  // there may be more, of still earlier runs
+  return offered(await api.restore(take));
+}
+
+/** Say what the state warns of: unsaved work that cannot be kept, a file that another program has changed. */
+function warnings(actions: Actions): void {
+  let told = "";
+  store.on(["doc"], () => {
+    const { doc } = store;
+    const unkept = doc?.unkept ?? "";
+    const words = unkept || (doc?.outside ? "Another program has changed the file since it was read." : "");
+    if (words === told) return;
+    told = words;
+    if (unkept) store.say({ kind: "bad", text: `${unkept}. Save soon.` });
+    else if (words && doc?.file) {
+      const { file } = doc;
+      store.say({ kind: "bad", text: words, action: { label: "Read it anew", run: () => void actions.openFile(file) } });
+    }
+  });
 }
 
 async function differs(server: DocState, _own: string): Promise<"page" | "server"> {
@@ -110,7 +130,8 @@ function build(): void {
     if (activeElement instanceof HTMLInputElement) activeElement.dispatchEvent(new Event("change"));
     text.flush();
   };
-  const actions = new Actions(api, store, queue, lost, flush, () => faults.open());
+  const actions = new Actions(api, store, queue, lost, flush, () => faults.open(), offered);
+  warnings(actions);
   const model = h("section", { class: "model", "aria-label": "model" }, left.bar, broken, planTab, formTab, textTab, faults.element);
   const results = resultPanel(store, api, () => void actions.solve(), lost);
   const page = h("main", { class: "page" });
@@ -152,7 +173,7 @@ document.addEventListener("keydown", (event) => {
 document.addEventListener("pointerdown", () => (document.documentElement.dataset.input = "pointer"), { capture: true });
 tokenFromElsewhere((token) => {
   api.setToken(token);
-  connection.retry();
+  connection.retry(true);
 });
 addEventListener("beforeunload", (event) => {
   // what the server has is kept; what it has not would be lost

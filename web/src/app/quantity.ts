@@ -35,7 +35,7 @@ export function places(value: Json | undefined): [number, number][] | null {
 }
 
 /** The unit of a length's text, "m" where there is none that is known. */
-export function unitOf(value: Json | undefined): string {
+function unitOf(value: Json | undefined): string {
   const unit = typeof value === "string" ? LENGTH.exec(value)?.[2] : undefined;
   return unit !== undefined && unit in METRES ? unit : "m";
 }

@@ -57,7 +57,7 @@ function shapesOf(camera: Camera, item: Item, loadsAt: ReadonlyMap<string, Item[
     case "opening":
       return [area(ring), ...cross(ring)];
     case "zone":
-      return [area(ring), ...(item.table.thickness === undefined ? [] : [label(leftTop(ring), `t = ${String(item.table.thickness)}`, [5, 13])])];
+      return [area(ring), ...(item.table.thickness === undefined ? [] : [label(topMiddle(ring), `t = ${String(item.table.thickness)}`, [0, 13], "label middle")])];
     case "soil zone":
     case "void":
       return [area(ring), label(leftTop(ring), item.title, [5, 13])];
@@ -102,6 +102,11 @@ export function label([x, y]: Pixel, words: string, [dx, dy]: Pixel = [0, 0], cl
 
 function leftTop(ring: readonly Pixel[]): Pixel {
   return [Math.min(...ring.map((each) => each[0])), Math.min(...ring.map((each) => each[1]))];
+}
+
+function topMiddle(ring: readonly Pixel[]): Pixel {
+  const across = ring.map((each) => each[0]);
+  return [(Math.min(...across) + Math.max(...across)) / 2, leftTop(ring)[1]];
 }
 
 function middle(ring: readonly Pixel[]): Pixel {

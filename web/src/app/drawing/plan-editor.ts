@@ -11,7 +11,7 @@ import { Canvas } from "./canvas";
 import { editsBetween } from "./geometry";
 import { withoutCorner } from "./handles";
 import { EVERYWHERE, type Item } from "./items";
-import { Nudge, Pointer } from "./pointer";
+import { Nudge, Pointer, whyFixed } from "./pointer";
 import { properties } from "./properties";
 import { hintLine, toolBar, toolForKey } from "./tool-bar";
 import { duplicateOf } from "./tools";
@@ -85,7 +85,7 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
     showEverywhere(everywhere, store, push);
     if (store.selection) {
       const item = canvas.selected;
-      if (item) hint.say(`${item.title} is selected. Drag it, or move it with the arrow keys; Delete removes it.`);
+      if (item) hint.say(`${item.title} is selected. ${item.movable ? "Drag it, or move it with the arrow keys; Delete removes it." : whyFixed(item)}`);
     } else hint.say(tools.current().hint);
   });
   const reveal = (path: Path) => {

@@ -239,9 +239,10 @@ function far(a: Point, b: Point): boolean {
   return Math.hypot(a[0] - b[0], a[1] - b[1]) > STILL;
 }
 
-function whyFixed(item: Item): string {
-  if (item.kind === "slab") return "A rectangle by length_x and length_y lies about the origin. Change it into a polygon to move it.";
-  return item.kind === "load" ? "This load stands on a column: move the column." : "This cannot be moved now.";
+/** Why a thing cannot be moved. */
+export function whyFixed(item: Item): string {
+  if (item.kind === "slab") return "A rectangle by its sides lies about the origin: drag its edges, or change it into a polygon to move it.";
+  return item.kind === "load" ? `It stands on column ${String(item.table.column)} and goes with it.` : "It cannot be moved at present.";
 }
 
 /** Moving the selected thing by keys: one edit for a row of steps. */

@@ -53,7 +53,7 @@ export function toolOf(name: ToolName): Tool {
 const text = (point: Point): Json[] => [written(point[0]), written(point[1])];
 
 /** A drawn shape as a table of the case file. */
-export function shapeTable(shape: Shape): Table {
+function shapeTable(shape: Shape): Table {
   if (shape.kind === "polygon") return { kind: "polygon", points: shape.points.map(text) };
   const [x, y] = [0, 1].map((n) => [shape.from[n] ?? 0, shape.to[n] ?? 0].sort((a, b) => a - b).map((each) => written(each)));
   return { kind: "rectangle", x: x ?? [], y: y ?? [] };
@@ -141,7 +141,7 @@ export function madeAtPoint(tool: ToolName, data: Table, at: Point, loadCase: st
 }
 
 /** The name of the column that stands at a place, null if none does. */
-export function columnAt(data: Table, at: Point): string | null {
+function columnAt(data: Table, at: Point): string | null {
   for (const column of listAt(data, ["columns"])) {
     if (!isTable(column) || typeof column.name !== "string" || !column.name) continue;
     const [x, y] = [metres(column.x), metres(column.y)];

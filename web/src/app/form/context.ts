@@ -38,7 +38,7 @@ export function waitsForEnd(path: Path): boolean {
 }
 
 /** What a field is called in the list of edits: `thickness of slab`, `E of ground.layers[1]`. */
-export function wordsFor(data: Table, path: Path): string {
+function wordsFor(data: Table, path: Path): string {
   const key = path.findLast((step) => typeof step === "string") ?? "";
   const above = path.slice(0, path.lastIndexOf(key));
   if (above.length === 0) return String(key);

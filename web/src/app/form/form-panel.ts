@@ -78,7 +78,7 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
     opened(field.name, element.open);
   });
   const update = () => {
-    setText(digest, digestOf(field, ctx.data()));
+    setText(digest, digestOf(field, ctx.data(), isOptional(ctx, field)));
     const count = faultsAt(ctx.faults(), path).length;
     setText(badge, count > 0 ? String(count) : "");
     badge.title = faultCount(count);
@@ -105,12 +105,17 @@ function faultCount(count: number): string {
   return count === 0 ? "" : count === 1 ? "1 fault" : `${count} faults`;
 }
 
-/** What a section holds, in a few words. */
-export function digestOf(field: Field, data: Table): string {
+/** Whether a section does nothing unless it is there. */
+function isOptional(ctx: FormContext, field: Field): boolean {
+  return !field.needed && field.node.is === "part" && ctx.schema.part(field.node.part).fields.some((each) => each.needed);
+}
+
+/** What a section holds, in a few words; `optional` is one that does nothing unless it is there. */
+export function digestOf(field: Field, data: Table, optional: boolean): string {
   const value: Json | undefined = data[field.name];
   if (field.node.is === "list" && value === undefined) return "none";
   if (Array.isArray(value)) return value.length > 0 ? String(value.length) : "none";
-  if (!isTable(value)) return field.needed ? "missing" : "by default";
+  if (!isTable(value)) return field.needed ? "missing" : optional ? "not used" : "by default";
   if (field.name === "plate") {
     const outline = isTable(value.outline) ? String(value.outline.kind ?? "outline") : [value.length_x, value.length_y].map(shortValue).join(" × ");
     return [outline, `t = ${shortValue(value.thickness)}`].filter(Boolean).join(", ");

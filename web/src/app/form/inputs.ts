@@ -86,7 +86,7 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
 }
 
 /** A choice out of some words; the default is shown faintly where nothing is chosen. */
-export function choiceInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
+function choiceInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
   const select = h("select", {});
   const update = () => {
     const value = valueAt(ctx.data(), path);
@@ -102,7 +102,7 @@ export function choiceInput(ctx: FormContext, path: Path, words: readonly string
 }
 
 /** Yes or no. */
-export function flagInput(ctx: FormContext, path: Path, standard: Json | undefined): Input {
+function flagInput(ctx: FormContext, path: Path, standard: Json | undefined): Input {
   const box = h("input", { type: "checkbox", class: "flag" });
   const update = () => {
     const value = valueAt(ctx.data(), path) ?? standard;
@@ -114,7 +114,7 @@ export function flagInput(ctx: FormContext, path: Path, standard: Json | undefin
 }
 
 /** Some out of several words. */
-export function severalInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
+function severalInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
   const boxes = words.map((word) => h("input", { type: "checkbox", value: word }));
   const group = h("span", { class: "checks", role: "group" }, ...boxes.map((box) => h("label", {}, box, box.value)));
   const update = () => {
@@ -154,7 +154,7 @@ function filler(each: Node, standard: Json | undefined, n: number): Json {
 }
 
 /** Names of the values of a tuple: from its symbols, else by what it says. */
-export function tupleLabels(field: Field, length: number): string[] {
+function tupleLabels(field: Field, length: number): string[] {
   const symbols = field.symbol.split(", ");
   if (symbols.length === length) return symbols.map((symbol) => symbol.replace("_", ""));
   if (length === 2 && (field.name === "x" || field.name === "y")) return ["from", "to"];
@@ -164,7 +164,7 @@ export function tupleLabels(field: Field, length: number): string[] {
 }
 
 /** Numbers with commas between. */
-export function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
+function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
   const write = (value: Json | undefined, typing: boolean) => {
     const texts = typeof value === "string" || typeof value === "number" ? String(value).split(",") : [];
     const list = texts.map((text) => parsed(each, text)).filter((item) => item !== undefined);

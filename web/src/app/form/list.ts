@@ -84,7 +84,7 @@ function isFlat(part: Part): boolean {
 }
 
 /** What a new item starts with. */
-export function newItem(data: Table, path: Path, part: Part): Table {
+function newItem(data: Table, path: Path, part: Part): Table {
   const value: Table = { ...(part.kind ? { kind: part.kind } : {}), ...starter(part.name, data), ...placed(data, [...path, 0], part) };
   const named = part.fields.find((field) => field.name === "name");
   if (named?.needed || part.name.endsWith("Support") || part.name === "Borehole") {
