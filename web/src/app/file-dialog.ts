@@ -22,6 +22,7 @@ class FileDialog {
   private readonly message = h("p", { class: "messages", role: "alert" });
   private readonly dialog: HTMLDialogElement;
   private folder: Folder | null = null;
+  private turn = 0; // the latest folder asked for; what comes late is not shown
 
   constructor(
     private readonly api: Pick<Api, "files">,
@@ -50,6 +51,7 @@ class FileDialog {
       event.preventDefault();
       this.close(null);
     });
+    this.place.addEventListener("input", () => (this.turn += 1));
     this.place.addEventListener("keydown", (event) => {
       if (event.key !== "Enter") return;
       event.preventDefault();
@@ -74,8 +76,11 @@ class FileDialog {
   }
 
   private async show(folder: string | null): Promise<void> {
+    const turn = (this.turn += 1);
     try {
-      this.folder = await this.api.files(folder);
+      const found = await this.api.files(folder);
+      if (turn !== this.turn) return;
+      this.folder = found;
     } catch (error) {
       this.message.textContent = error instanceof Refused ? error.message : "The server does not answer.";
       return;
