@@ -66,7 +66,8 @@ class FileDialog {
     const { present } = this;
     this.name.value = present === null ? "" : (present.split(/[\\/]/).at(-1) ?? "");
     const folder = present === null ? null : present.slice(0, Math.max(present.lastIndexOf("/"), present.lastIndexOf("\\")));
-    void this.show(folder || null).then(() => this.name.focus());
+    this.name.focus();
+    void this.show(folder || null);
   }
 
   private close(chosen: Chosen | null): void {

@@ -132,7 +132,7 @@ function build(): void {
   };
   const actions = new Actions(api, store, queue, lost, flush, () => faults.open(), offered);
   warnings(actions);
-  const model = h("section", { class: "model", "aria-label": "model" }, left.bar, broken, planTab, formTab, textTab, faults.element);
+  const model = h("section", { class: "model", "aria-label": "model" }, h("h2", { class: "unseen" }, "Model"), left.bar, broken, planTab, formTab, textTab, faults.element);
   const results = resultPanel(store, api, () => void actions.solve(), lost);
   const page = h("main", { class: "page" });
   page.append(model, splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "width of the model"), results.element);

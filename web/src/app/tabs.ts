@@ -6,6 +6,8 @@ export interface Tab {
   name: string;
   label: string;
   panel: HTMLElement;
+  /** Whether it is longer than its place and holds nothing that takes the keyboard. */
+  scrolls?: boolean;
 }
 
 export interface Tabs {
@@ -22,6 +24,7 @@ export function tabs(all: readonly Tab[], label: string, changed: (name: string)
   const buttons = all.map((tab) => {
     tab.panel.id ||= newId("panel");
     tab.panel.setAttribute("role", "tabpanel");
+    if (tab.scrolls) tab.panel.tabIndex = 0; // so that keys can scroll it
     const button = h("button", { type: "button", role: "tab", "aria-controls": tab.panel.id, id: newId("tab"), onclick: () => show(tab.name) }, tab.label, h("span", { class: "badge" }));
     tab.panel.setAttribute("aria-labelledby", button.id);
     return button;

@@ -47,7 +47,7 @@ export function topBar(store: Store, api: Pick<Api, "reportAddress">, actions: A
   };
   store.on(["doc", "waiting", "run", "solved", "autosolve"], update);
   return h("header", { class: "top" },
-    h("strong", { class: "brand" }, "groundslab"),
+    h("h1", { class: "brand" }, "groundslab"),
     h("div", { class: "group", role: "group", "aria-label": "file" },
       button("New", "Start a new case", () => void actions.fresh()),
       button("Open …", "Open a case file (Ctrl+O)", () => void actions.open()),

@@ -54,8 +54,8 @@ class Panel implements ResultPanel {
     this.chart.onPlace = (at) => this.stage.plan.markPlace(at);
     onTheme((theme) => this.chart.setTheme(theme));
     this.lower = tabs([
-      { name: "summary", label: "Summary", panel: this.summaryBox },
-      { name: "certificate", label: "Certificate", panel: this.certificateBox },
+      { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
+      { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
       { name: "values", label: "Values", panel: valueBox },
       { name: "section", label: "Section", panel: sectionBox },
     ], "about the result");
@@ -63,7 +63,7 @@ class Panel implements ResultPanel {
     this.empty = emptyResult(store, solve);
     this.full = h("div", { class: "result-full", hidden: true });
     this.full.append(this.stage.bar, h("div", { class: "stage-place" }, this.stage.element, this.refusedBox), splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"), panels);
-    element.append(statusLine(store), this.empty.element, this.full);
+    element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     this.chartOf.addEventListener("change", () => this.drawChart());
     this.lines.addEventListener("change", () => this.chooseLine());
     store.on(["solved"], () => void this.fetch());

@@ -11,7 +11,7 @@ export function showSummary(element: HTMLElement, one: SummaryOfOne | null): voi
   if (one.refused !== null) return fill(element, h("p", { class: "verdict bad" }, `${one.name} has no solution: ${one.refused}`));
   fill(element, h("div", { class: "summary-sections" }, ...one.sections.map((section) =>
     h("section", {},
-      h("h4", {}, section.title),
+      h("h3", {}, section.title),
       h("table", { class: "figures" }, h("tbody", {}, ...section.rows.map((row) =>
         h("tr", {},
           h("th", { scope: "row" }, row.label, row.symbol ? " " : "", row.symbol ? symbol(row.symbol) : null),
