@@ -164,7 +164,8 @@ function load(camera: Camera, item: Item, ring: readonly Pixel[], loadsAt: Reado
   const strong = here.filter((each) => !look.loadCase || each.table.case === look.loadCase);
   const marked = here.find((each) => isOne(look.selected, each) || isOne(look.hovered, each));
   const speaks = item === (marked ?? strong[0] ?? here[0]); // for all at the same place
-  const words = !speaks ? [] : marked || strong.length < 2 ? (strong.length > 0 ? strong : here).map(loadWords) : [`${strong.length} loads`];
+  const named = marked && strong.length === 0 ? [marked] : strong;
+  const words = !speaks ? [] : marked || strong.length < 2 ? named.map(loadWords) : [`${strong.length} loads`];
   if (item.geometry.type === "point") {
     const foot = item.foot ? [area(item.foot.map((point) => camera.toPixel(point)))] : [];
     return speaks ? [...foot, ...pointLoad(item, ring[0] ?? [0, 0], words)] : foot;
@@ -239,7 +240,8 @@ function plus([x, y]: Pixel): SVGElement[] {
 /** Lengths of a shape's edges, or of a line, written beside them. */
 export function paintDimensions(camera: Camera, ring: Ring, closed: boolean): SVGElement[] {
   const marks: SVGElement[] = [];
-  const count = closed ? ring.length : ring.length - 1;
+  // opposite sides of a rectangle are alike
+  const count = !closed ? ring.length - 1 : isBox(ring) ? 2 : ring.length;
   if (count > 24) return marks;
   const centre = ring.reduce((sum, [x]) => sum + camera.toPixel([x, 0])[0], 0) / Math.max(1, ring.length);
   for (let n = 0; n < count; n += 1) {
@@ -254,6 +256,12 @@ export function paintDimensions(camera: Camera, ring: Ring, closed: boolean): SV
     marks.push(label(middle, `${plain(length, 3)} m`, steep ? [right ? -8 : 8, -8] : [0, -8], `label dimension ${!steep ? "middle" : right ? "end" : ""}`));
   }
   return marks;
+}
+
+/** Whether a ring is a rectangle along x and y. */
+function isBox(ring: Ring): boolean {
+  const [a, b, c, d] = ring;
+  return ring.length === 4 && !!a && !!b && !!c && !!d && a[1] === b[1] && b[0] === c[0] && c[1] === d[1] && d[0] === a[0];
 }
 
 /** The place of a ring nearest to a place, for pulling a thing by its corner. */
