@@ -13,6 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from groundslab import study
     from groundslab.analysis import solve, solve_combinations
     from groundslab.casefile import load
     from groundslab.errors import GroundslabError, InputError, NoEquilibrium, NotCertified, NotConverged
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
     from groundslab.plots import plot
     from groundslab.report import write as write_report
     from groundslab.results import Combined, Results
+    from groundslab.study import open_study
     from groundslab.tables import tables_of
 
 __version__ = "0.1.0"
@@ -86,8 +88,10 @@ __all__ = [
     "__version__",
     "load",
     "plot",
+    "open_study",
     "solve",
     "solve_combinations",
+    "study",
     "tables_of",
     "write_report",
 ]
@@ -103,6 +107,7 @@ _HOME = {
     "Results": "results",
     "load": "casefile",
     "plot": "plots",
+    "open_study": "study",
     "solve": "analysis",
     "solve_combinations": "analysis",
     "tables_of": "tables",
@@ -118,6 +123,8 @@ def __getattr__(name: str) -> object:
         raise AttributeError(f"module 'groundslab' has no attribute {name!r}")
     from importlib import import_module
 
+    if name == "study":  # a package that can be called
+        return import_module("groundslab.study")
     value: object = getattr(import_module(f"groundslab.{_HOME.get(name, 'model')}"), _CALLED.get(name, name))
     globals()[name] = value
     return value

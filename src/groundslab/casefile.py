@@ -21,6 +21,11 @@ _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
 def load(path: str | Path) -> Model:
     """Return the Model that a file describes; raises InputError with all faults."""
+    return loads(read(path), str(path))
+
+
+def read(path: str | Path) -> str:
+    """Return the text of a TOML file; raises InputError if it cannot be read."""
     try:
         with Path(path).open("rb") as file:
             content = file.read(LARGEST + 1)
@@ -34,27 +39,30 @@ def load(path: str | Path) -> Model:
     if len(content) > LARGEST:
         raise _unreadable(path, "a larger file", f"a TOML file of at most {LARGEST // 1_000_000} MB")
     try:
-        text = content.decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         where = f"{path}, line {line}"
         raise InputError([Fault(where, "bytes that are not UTF-8", "UTF-8 text", "save it as UTF-8")]) from None
-    return loads(text, str(path))
 
 
 def loads(text: str, name: str = "the text") -> Model:
     """Return the Model that a text describes; ``name`` stands for the file in messages."""
+    return from_table(tables(text, name))
+
+
+def tables(text: str, name: str = "the text") -> dict[str, Any]:
+    """Return the tables of a TOML text; ``name`` stands for the file in messages; raises InputError."""
     if len(text) > LARGEST:
         raise _unreadable(name, "a longer text", f"at most {LARGEST:,} characters")
     try:
-        data = tomllib.loads(text)
+        return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError([_syntax(text, name, str(error))]) from None
     except RecursionError:
         raise _unreadable(name, "lists or tables nested too deeply", "the tables of an input file") from None
     except ValueError as error:  # such as a number of very many digits
         raise _unreadable(name, f"a value that cannot be read ({error})", "TOML") from None
-    return from_table(data)
 
 
 def from_table(data: Mapping[str, Any]) -> Model:
@@ -62,9 +70,9 @@ def from_table(data: Mapping[str, Any]) -> Model:
     return Model.model_validate(data, context=FROM_FILE)
 
 
-def to_toml(model: Model) -> str:
-    """Return the Model as an input file that ``loads`` turns into an equal Model; defaults are left out."""
-    return "\n".join(_lines(model, "")).strip() + "\n"
+def to_toml(part: Part) -> str:
+    """Return a Model as an input file that ``loads`` turns into an equal Model; defaults are left out."""
+    return "\n".join(_lines(part, "")).strip() + "\n"
 
 
 def _unreadable(path: str | Path, got: str, expected: str = "a TOML file") -> InputError:

@@ -59,6 +59,11 @@ DIMENSIONS: dict[str, Dimension] = {
     "pressure per area": Dimension(
         "a pressure per area", "2 kPa/m^2", "Pa/m^2", (-3, 1, -2, 0), ((1.0, "Pa/m^2"), (1e3, "kPa/m^2"))
     ),
+    "moment per length": Dimension(
+        "a moment per length", "25 kNm/m", "N m/m", (1, 1, -2, 0), ((1.0, "N m/m"), (1e3, "kNm/m"), (1e6, "MNm/m"))
+    ),
+    "area per length": Dimension("an area per length", "5 cm^2/m", "m^2/m", (1, 0, 0, 0), ((1e-4, "cm^2/m"),)),
+    "slope": Dimension("a slope", "2 mm/m", "m/m", (0, 0, 0, 0), ((1e-3, "mm/m"), (1.0, "m/m"))),
     "temperature difference": Dimension("a temperature difference", "15 K", "K", (0, 0, 0, 1), ((1.0, "K"),)),
     "strain per temperature": Dimension(
         "a strain per temperature", "1e-5 1/K", "1/K", (0, 0, 0, -1), ((1.0, "1/K"),)

@@ -96,6 +96,9 @@ HEAVY = {
     "shapely",
     "pandas",
     "jinja2",
+    "distributed",
+    "dask",
+    "gstools",
 }
 
 
