@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, plot, report, app, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, study, plot, report, app, check, new, dxf, verify, schema.
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 130 interrupted.
@@ -109,6 +109,25 @@ def _parser() -> argparse.ArgumentParser:
     app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
     app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any that is free)")
     app.add_argument("--no-browser", action="store_true", help="print the address only")
+    study = _command(commands, "study", _study, "solve many variants of a case and keep a row of each")
+    study.epilog = (
+        "A row is on the disk as soon as its variant is done. A study that was cut short goes on with --resume. The "
+        "exit code is 1 if variants have no row in the end; those whose row says why they failed have one."
+    )
+    study.add_argument("study", help="study file (TOML)")
+    study.add_argument(
+        "--out", metavar="DIR", help="folder for the rows (default: <study>-study beside the study file)"
+    )
+    study.add_argument("--resume", action="store_true", help="go on with the study that is in the folder")
+    place = study.add_mutually_exclusive_group()
+    place.add_argument(
+        "--workers",
+        type=_count,
+        metavar="N",
+        help="processes on this machine (default: one for each core; 0: none but this one)",
+    )
+    place.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler to use, such as tcp://127.0.0.1:8786")
+    study.add_argument("--quiet", action="store_true", help="print no progress")
 
     check = _command(commands, "check", _check, "read a case file and say everything that is wrong with it")
     check.add_argument("case", help="case file (TOML)")
@@ -200,6 +219,52 @@ def _solve(options: argparse.Namespace) -> int:
     else:
         _say("error: the result does not fulfil the equations (see its certificate); do not use it")
     return NO_RESULT
+
+
+def _count(text: str) -> int:
+    """Return a number of processes that is given as an argument."""
+    number = int(text)
+    if number < 0:
+        raise ValueError
+    return number
+
+
+def _study(options: argparse.Namespace) -> int:
+    """Run a study, and say what became of its variants; interrupted or not, rows that are there are kept."""
+    from groundslab import study
+
+    folder = study.folder_of(options.study, options.out)
+    again = f"groundslab study {options.study}" + (f" --out {options.out}" if options.out is not None else "")
+    _end_on_sigterm()
+    try:
+        found = study.run(
+            options.study,
+            out=folder,
+            workers=options.workers,
+            scheduler=options.scheduler,
+            resume=options.resume,
+            quiet=options.quiet,
+        )
+    except InputError:
+        raise
+    except (KeyboardInterrupt, GroundslabError) as error:
+        _say("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")
+        _say(study.how_to_go_on(folder, again))
+        return INTERRUPTED if isinstance(error, KeyboardInterrupt) else NO_RESULT
+    _print("\n".join(study.outcome(found)))
+    if len(found) < found.count:
+        _say(study.how_to_go_on(folder, again))
+        return NO_RESULT
+    return FINE
+
+
+def _end_on_sigterm() -> None:
+    """End as on Ctrl-C when a batch system asks for it."""
+    import signal
+    import threading
+
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
 
 
 def _to_keep(combined: Combined) -> Results | Combined | None:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Study", "StudyFile", "open_study", "run"]
 
+#: Mishaps that are told of.
+MOST_MISHAPS = 10
 #: Where the names live that load when they are first used.
 _HOME = {"Study": "opened", "open_study": "opened", "StudyFile": "description"}
 
@@ -31,23 +33,57 @@ def run(
     *,
     case: str | Path | Model | None = None,
     out: str | Path | None = None,
+    workers: int | None = None,
+    scheduler: str | None = None,
     resume: bool = False,
+    quiet: bool = False,
 ) -> Study:
-    """Run a study and return it with all its rows; raises InputError if it cannot be run.
+    """Run a study and return it; raises InputError if it cannot begin.
 
-    study is a file or a StudyFile; case takes the place of the case that it names. Rows are kept in the folder out, by
-    default `<study>-study` beside the file.
+    study is a file or a StudyFile; case takes the place of the case that it names. Variants are solved in so many
+    processes of this machine (workers, one for each core by default; 0 for none but this), or on the cluster of a Dask
+    scheduler such as "tcp://127.0.0.1:8786". Rows are kept in the folder out, by default `<study>-study` beside the
+    file; with resume a study that is there goes on. Progress is shown on standard error unless quiet.
+
+    Where rows cannot be written, or the scheduler is lost, GroundslabError is raised; rows that were there are kept.
     """
-    from groundslab.study import files, running
+    from groundslab.study import files, opened, running, terminal
 
-    if isinstance(study, str | Path):
-        path = Path(study)
-        read = files.read(path, case)  # type: ignore[arg-type]
-        folder = path.with_name(f"{path.stem}-study") if out is None else Path(out)
-    else:
-        read = files.made(study, case)
-        folder = Path("study") if out is None else Path(out)
-    return running.run(read, folder, resume)
+    read = files.read(study, case) if isinstance(study, str | Path) else files.made(study, case)
+    folder = folder_of(study, out)
+    where = running.Where(workers, scheduler)
+    with terminal.shown(quiet) as on_progress:
+        running.run(read, folder, where, resume, on_progress)
+    return opened.Study(folder)
+
+
+def folder_of(study: str | Path | StudyFile, out: str | Path | None) -> Path:
+    """Return the folder of a study: the one that is named, or one beside the study's file."""
+    if out is not None:
+        return Path(out)
+    return Path(study).with_name(f"{Path(study).stem}-study") if isinstance(study, str | Path) else Path("study")
+
+
+def outcome(study: Study) -> list[str]:
+    """Return what became of a study's variants, a line each."""
+    counts = study.counts()
+    lines = [f"{study.folder}: {len(study)} of {study.count} variants have a row, {counts.pop('solved', 0)} solved"]
+    lines += [f"  {number} failed: {reason}" for reason, number in counts.items()]
+    mishaps = study.mishaps()
+    lines += [f"  variant {number} has none: {message}" for number, message in list(mishaps.items())[:MOST_MISHAPS]]
+    if len(mishaps) > MOST_MISHAPS:
+        lines.append(f"  and {len(mishaps) - MOST_MISHAPS} more")
+    return lines
+
+
+def how_to_go_on(folder: Path, command: str) -> str:
+    """Return what is kept of a study that is not at its end, and the command by which it goes on."""
+    from groundslab.study import opened, store
+
+    if not store.is_store(folder):
+        return f"nothing was begun; again: {command}"
+    study = opened.Study(folder)
+    return f"{len(study)} of {study.count} rows are kept in {folder}; go on with: {command} --resume"
 
 
 def __getattr__(name: str) -> object:

@@ -40,7 +40,7 @@ def sha256(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def read(path: str | Path, case: str | Path | None = None) -> Read:
+def read(path: str | Path, case: Model | str | Path | None = None) -> Read:
     """Return a study file with its case, or another one; raises InputError with all faults of both."""
     text = casefile.read(path)
     name = str(path)
@@ -52,7 +52,11 @@ def read(path: str | Path, case: str | Path | None = None) -> Read:
     except InputError as error:
         faults += error.faults
     named = tables.get("case")
-    where = Path(case) if case is not None else Path(path).parent / named if isinstance(named, str) else None
+    where = Path(path).parent / named if isinstance(named, str) else None
+    if isinstance(case, Model):
+        model, case_text, where = case, casefile.to_toml(case), None
+    elif case is not None:
+        where = Path(case)
     if where is not None:
         try:
             case_text = casefile.read(where)

@@ -68,6 +68,16 @@ class Study:
         """Return how many variants the study has, whether they have a row or not."""
         return self.setup.count
 
+    def __len__(self) -> int:
+        """Return how many variants have a row."""
+        with self._store() as rows:
+            return rows.count()
+
+    def counts(self) -> dict[str, int]:
+        """Return how many variants are solved, and how many failed for each reason."""
+        with self._store() as rows:
+            return rows.counts()
+
     def table(self) -> pd.DataFrame:
         """Return all rows that are there as a pandas.DataFrame, in SI units; its index is the variant's number.
 
@@ -86,6 +96,16 @@ class Study:
         with self._store() as rows:
             frame = pd.DataFrame(rows.rows(names), columns=names).set_index("number")
         return frame.astype(dict.fromkeys(["seconds", *columns.results], float))
+
+    def mishaps(self) -> dict[int, str]:
+        """Return why variants have no row, by their numbers: what happened to the machine, not to the variant."""
+        with self._store() as rows:
+            return rows.mishaps()
+
+    def runs(self) -> list[dict[str, Any]]:
+        """Return when the study was run, and with which versions."""
+        with self._store() as rows:
+            return rows.runs()
 
     def blocks(self) -> dict[str, range]:
         """Return the numbers of the variants in each block of a saltelli sample: A, B, then each input's name."""
@@ -143,7 +163,7 @@ class Study:
         return Map(mesh, lifted / n, "", n)
 
     def _store(self) -> store.Store:
-        return store.Store(self.folder, columns_in(self.setup))
+        return store.Store(self.folder, columns_in(self.setup), read_only=True)
 
     def _column(self, name: str) -> str:
         """Return the column of a field kept everywhere, by its name or by what it is of."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -113,24 +113,31 @@ class Output:
         return self.take == "everywhere"
 
 
-def taken(output: Output, combined: Combined, wanted: tuple[str, ...]) -> float | Array | None:
-    """Return what is kept of a variant, in SI units; None if a combination that it needs has no results.
+def figure_of(output: Output, combined: Combined, wanted: Sequence[str]) -> float | None:
+    """Return the one number that is kept of a variant, in SI units; None if a combination that it needs has none.
 
     `wanted` are the names of the combinations that it is of. Of several the worst one's is taken: the largest of the
     largest, the smallest of the smallest, else the one of the largest size.
     """
     if not all(name in combined.results for name in wanted):
         return None
-    values = [_one(output, combined.results[name]) for name in wanted]
-    if any(value is None for value in values):
+    figures = [_figure(output, combined.results[name]) for name in wanted]
+    there = [figure for figure in figures if figure is not None]
+    if len(there) < len(figures):
         return None
-    if output.everywhere:
-        return _largest_size(np.stack(values))  # type: ignore[arg-type]
     if output.take == "largest":
-        return float(max(values))  # type: ignore[type-var, arg-type]
-    if output.take == "smallest":
-        return float(min(values))  # type: ignore[type-var, arg-type]
-    return float(max(values, key=abs))
+        return max(there)
+    return min(there) if output.take == "smallest" else max(there, key=abs)
+
+
+def whole_of(output: Output, combined: Combined, wanted: Sequence[str]) -> Array | None:
+    """Return the whole field that is kept of a variant (n,), in SI units; None if a combination has no results.
+
+    Of several combinations each node has the value of the largest size, with its sign.
+    """
+    if not all(name in combined.results for name in wanted):
+        return None
+    return _largest_size(np.stack([field_of(combined.results[name], output.of) for name in wanted]))
 
 
 def _largest_size(fields: Array) -> Array:
@@ -139,16 +146,14 @@ def _largest_size(fields: Array) -> Array:
     return worst
 
 
-def _one(output: Output, results: Results) -> float | Array | None:
-    """Return what is kept of one combination's results."""
+def _figure(output: Output, results: Results) -> float | None:
+    """Return the one number that is kept of a combination's results."""
     if output.of in FIGURES:
         return _FIGURE[output.of](results, output)
     if output.take == "at":
         return _at(results, output)
     values = field_of(results, output.of)
     plate = results.plate
-    if output.take == "everywhere":
-        return values
     if output.take == "mean":
         return float(values @ plate.area / plate.area.sum())
     counts = _counting(results, output.of)

@@ -2,59 +2,141 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, closing, contextmanager
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
-from importlib.metadata import PackageNotFoundError, version
+from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from groundslab import __version__
 from groundslab.errors import Fault, InputError
-from groundslab.study import files, store
-from groundslab.study.opened import Study, columns_in
+from groundslab.study import asked, cluster, files, store
+from groundslab.study.cluster import Mishap
+from groundslab.study.opened import columns_in
 from groundslab.study.sampling import Sample, sample_of
 from groundslab.study.setup import columns_of
 from groundslab.study.variant import Row, Worker
 
-#: Packages whose versions a study's folder tells.
-TOLD = ("numpy", "scipy", "pypardiso", "gstools", "dask", "distributed")
+if TYPE_CHECKING:
+    from groundslab.study.sampling import Variant
+    from groundslab.study.setup import Setup
 
-OnRow = Callable[[Row], None]
-
-
-def versions() -> dict[str, str]:
-    """Return the versions of groundslab, Python and what the rows hang on; packages that are not there are left out."""
-    import platform
-
-    found = {"groundslab": __version__, "python": platform.python_version()}
-    for package in TOLD:
-        try:
-            found[package] = version(package)
-        except PackageNotFoundError:
-            continue
-    return found
+#: Packages whose versions a study's folder tells: also those that need not be the same everywhere.
+TOLD = (*asked.MUST_AGREE, "pypardiso", "mkl")
 
 
-def run(read: files.Read, folder: Path, resume: bool, on_row: OnRow | None = None) -> Study:
-    """Run a study in this process and return it, all rows there."""
+@dataclass(frozen=True, slots=True)
+class Where:
+    """Where variants are solved: in so many processes of this machine, on a cluster, or (0) in this process."""
+
+    workers: int | None = None  # None: one for each core
+    scheduler: str | None = None
+
+
+@dataclass(slots=True)
+class Progress:
+    """How far a study is, for who shows it."""
+
+    folder: Path
+    total: int
+    there: int  # rows of earlier runs
+    failed: int  # rows there now that say failed, those of earlier runs too
+    solved: int
+    where: str = ""
+    dashboard: str = ""
+    mishaps: list[Mishap] = field(default_factory=list)
+
+    @property
+    def rows(self) -> int:
+        """Return the number of rows that are there."""
+        return self.solved + self.failed
+
+
+#: Is told the progress at the start, when workers are there, and after rows were written.
+OnProgress = Callable[[Progress], None]
+
+
+def run(read: files.Read, folder: Path, where: Where, resume: bool, on_progress: OnProgress) -> Progress:
+    """Run a study in its folder and return how far it came: to the end, unless there were mishaps.
+
+    Raises InputError if it cannot begin, StoreFull or LostScheduler if it cannot go on; then, and if it is interrupted,
+    all rows that were there are on the disk.
+    """
     prepare(read, folder, resume)
-    sample = sample_of(read.setup)
-    with closing(store.Store(folder, columns_in(read.setup))) as rows:
-        worker = Worker(read.setup)
-        for number in missing(rows, sample):
-            row = worker.row(sample[number], rows.mesh_keys())
-            rows.add(row)
-            if on_row is not None:
-                on_row(row)
-    return Study(folder)
+    with store.locked(folder), store.Store(folder, columns_in(read.setup)) as rows:
+        sample = sample_of(read.setup)
+        _require_same_inputs(rows, sample)
+        there = rows.count()
+        failed = rows.count("failed")
+        progress = Progress(folder, len(sample), there, failed, there - failed)
+        todo = [sample[number] for number in _missing(rows, sample)]
+        on_progress(progress)
+        if not todo:
+            return progress
+        rows.begin(versions_told())
+        with _solving(read, folder, where, todo, rows.mesh_keys, progress) as outcomes:
+            on_progress(progress)
+            for batch in outcomes:
+                made = [each for each in batch if isinstance(each, Row)]
+                mishaps = [each for each in batch if isinstance(each, Mishap)]
+                rows.add(*made)
+                for mishap in mishaps:
+                    rows.tell(mishap.number, mishap.message)
+                progress.solved += sum(row.status == "solved" for row in made)
+                progress.failed += sum(row.status != "solved" for row in made)
+                progress.mishaps += mishaps
+                on_progress(progress)
+    return progress
+
+
+@contextmanager
+def _solving(
+    read: files.Read,
+    folder: Path,
+    where: Where,
+    todo: Sequence[Variant],
+    known_meshes: Callable[[], Sequence[str]],
+    progress: Progress,
+) -> Iterator[Iterator[list[Row | Mishap]]]:
+    """Return what yields the rows of variants, wherever they are solved."""
+    if where.scheduler is None and where.workers == 0:
+        progress.where = "in this process"
+        yield _here(read.setup, todo, known_meshes)
+        return
+    with ExitStack() as stack:
+        if where.scheduler is None:
+            workers = where.workers if where.workers is None else min(where.workers, len(todo))
+            found = stack.enter_context(cluster.local(workers))
+        else:
+            found = stack.enter_context(cluster.there(where.scheduler))
+        progress.where, progress.dashboard = f"on {found.threads} workers", found.dashboard
+        # of a folder that is locked no other run can have the same name
+        mark = sha256(f"{folder.resolve()} {read.study_sha256} {read.case_sha256}".encode()).hexdigest()[:12]
+        outcomes = cluster.rows(found, f"groundslab-{mark}", read.setup, todo, known_meshes)
+        with closing(outcomes):
+            yield outcomes
+
+
+def _here(
+    setup: Setup, todo: Iterable[Variant], known_meshes: Callable[[], Sequence[str]]
+) -> Iterator[list[Row | Mishap]]:
+    """Yield the rows of variants solved in this process, one after the other."""
+    worker = Worker(setup)
+    for variant in todo:
+        outcome: Row | Mishap
+        try:
+            outcome = worker.row(variant, known_meshes())
+        except Exception as error:
+            outcome = Mishap(variant.number, f"{type(error).__name__}: {error}")
+        yield [outcome]
 
 
 def prepare(read: files.Read, folder: Path, resume: bool) -> None:
     """Make the folder of a study, or make sure that the one which is there is of this study; raises InputError."""
     if resume and folder.is_dir():
-        about = store.about(folder)
-        faults = _other(about, read)
+        faults = _other(store.about(folder), read)
         if faults:
             raise InputError(faults)
         return
@@ -64,10 +146,25 @@ def prepare(read: files.Read, folder: Path, resume: bool) -> None:
     store.create(folder, read.study_text, read.case_text, _about(read), columns_in(read.setup))
 
 
-def missing(rows: store.Store, sample: Sample) -> Iterator[int]:
+def versions_told() -> dict[str, str]:
+    """Return the versions of all that rows hang on."""
+    return asked.versions(TOLD)
+
+
+def _missing(rows: store.Store, sample: Sample) -> Iterator[int]:
     """Yield the numbers of the variants that have no row."""
     there = rows.numbers()
     return (number for number in range(1, len(sample) + 1) if number not in there)
+
+
+def _require_same_inputs(rows: store.Store, sample: Sample) -> None:
+    """Raise InputError if rows that are there have other values than the study has now."""
+    for number, *inputs in rows.rows(["number", *rows.columns.inputs]):
+        variant = sample[number]
+        if tuple(inputs) != tuple(store.plain(value) for value in (*variant.values, *variant.seeds)):
+            got = "another version of numpy or scipy, which draws other numbers"
+            expected = f"that of {store.ABOUT} there"
+            raise InputError([Fault(f"{rows.folder}, row {number}", got, expected, "choose another folder with --out")])
 
 
 def _about(read: files.Read) -> dict[str, Any]:
@@ -80,7 +177,7 @@ def _about(read: files.Read) -> dict[str, Any]:
         "variants": read.setup.count,
         "study_sha256": read.study_sha256,
         "case_sha256": read.case_sha256,
-        "versions": versions(),
+        "versions": versions_told(),
         "units": dict(columns_of(read.setup)),
     }
 

@@ -3,7 +3,8 @@
     STUDY-study/
         study.toml, case.toml    copies of what was asked
         about.json               seed, versions, SHA-256 of both files, what the columns are
-        rows.sqlite              one table of rows, one of meshes
+        rows.sqlite              tables of rows, meshes, runs, mishaps
+        lock.sqlite              empty; locked while a study runs
 
 A folder is made under another name and renamed when it is whole. Rows are added one by one, each in a transaction of
 its own that has reached the disk when `add` returns (SQLite in WAL mode with synchronous = FULL); a row's number is
@@ -19,7 +20,8 @@ import shutil
 import sqlite3
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import closing, suppress
+from contextlib import closing, contextmanager, suppress
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,7 +34,7 @@ from groundslab.study.variant import Row, key_of
 if TYPE_CHECKING:
     from groundslab.shape import Array
 
-STUDY, CASE, ABOUT, ROWS = "study.toml", "case.toml", "about.json", "rows.sqlite"
+STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
 FORMAT = 1
 #: Columns before those of the study.
 FIXED = ("number", "status", "reason", "message", "seconds")
@@ -90,19 +92,26 @@ class Columns:
         return [
             f"CREATE TABLE rows ({', '.join([*fixed, *own, 'mesh TEXT NOT NULL'])})",
             "CREATE TABLE meshes (key TEXT PRIMARY KEY, nodes BLOB NOT NULL, elements BLOB NOT NULL) WITHOUT ROWID",
+            "CREATE TABLE mishaps (number INTEGER NOT NULL, at TEXT NOT NULL, message TEXT NOT NULL)",
+            "CREATE TABLE runs (at TEXT NOT NULL, versions TEXT NOT NULL)",
         ]
 
 
 class Store:
     """The rows of a study in its folder, to be read and added to."""
 
-    def __init__(self, folder: str | Path, columns: Columns) -> None:
+    def __init__(self, folder: str | Path, columns: Columns, read_only: bool = False) -> None:
         self.folder = Path(folder)
         self.columns = columns
-        self._connection = _connect(self.folder / ROWS)
+        self._read_only = read_only
+        self._connection = (_connect_to_read if read_only else _connect)(self.folder / ROWS)
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Let go of the file; whoever wrote leaves no second file behind."""
+        if not self._read_only:
+            # not while somebody reads, nor on a full disk
+            with suppress(sqlite3.Error):
+                self._connection.execute("PRAGMA journal_mode = DELETE")
         self._connection.close()
 
     def __enter__(self) -> Store:
@@ -113,22 +122,52 @@ class Store:
         """Let go of the file."""
         self.close()
 
-    def add(self, row: Row) -> bool:
-        """Write a row to the disk; return whether it was not there yet. Raises StoreFull, and nothing is written."""
-        values = [row.number, row.status, row.reason, row.message, row.seconds]
-        values += [*map(_plain, row.inputs), *row.results, *map(_packed, row.fields), row.mesh]
-        marks = ", ".join("?" * len(values))
-        try:
-            with self._connection:
+    def add(self, *rows: Row) -> int:
+        """Write rows to the disk, all or none; return how many were not there yet. Raises StoreFull."""
+        marks = ", ".join("?" * len(self.columns.all))
+        new = 0
+        with self._writing(f"row {rows[0].number}" if rows else "a row"):
+            for row in rows:
                 for mesh in row.meshes:
                     self._connection.execute(
                         "INSERT OR IGNORE INTO meshes VALUES (?, ?, ?)",
                         (key_of(mesh), _bytes(mesh.nodes, "<f8"), _bytes(mesh.elements, "<i8")),
                     )
-                done = self._connection.execute(f"INSERT OR IGNORE INTO rows VALUES ({marks})", values)
+                values = [row.number, row.status, row.reason, row.message, row.seconds]
+                values += [*map(plain, row.inputs), *row.results, *map(_packed, row.fields), row.mesh]
+                new += self._connection.execute(f"INSERT OR IGNORE INTO rows VALUES ({marks})", values).rowcount
+        return new
+
+    def begin(self, versions: Mapping[str, str]) -> None:
+        """Write down that a run begins, and with which versions; raises StoreFull."""
+        with self._writing("the run"):
+            self._connection.execute("INSERT INTO runs VALUES (?, ?)", (_now(), json.dumps(dict(versions))))
+
+    def tell(self, number: int, message: str) -> None:
+        """Write down why a variant has no row; raises StoreFull."""
+        with self._writing("a mishap"):
+            self._connection.execute("INSERT INTO mishaps VALUES (?, ?, ?)", (number, _now(), message))
+
+    def mishaps(self) -> dict[int, str]:
+        """Return the last mishap of each variant that has no row."""
+        found = self._connection.execute(
+            "SELECT number, message FROM mishaps WHERE number NOT IN (SELECT number FROM rows) ORDER BY at"
+        )
+        return dict(found)
+
+    def runs(self) -> list[dict[str, Any]]:
+        """Return when the study was run, and with which versions."""
+        found = self._connection.execute("SELECT at, versions FROM runs ORDER BY at")
+        return [{"at": at, "versions": json.loads(versions)} for at, versions in found]
+
+    @contextmanager
+    def _writing(self, what: str) -> Iterator[None]:
+        """Make what is written within one transaction; raises StoreFull if it fails, with nothing written."""
+        try:
+            with self._connection:
+                yield
         except sqlite3.Error as error:
-            raise StoreFull(f"row {row.number} could not be written to {self.folder / ROWS}: {error}") from error
-        return done.rowcount == 1
+            raise StoreFull(f"{what} could not be written to {self.folder / ROWS}: {error}") from error
 
     def numbers(self) -> set[int]:
         """Return the numbers of the rows that are there."""
@@ -139,6 +178,11 @@ class Store:
         where, values = ("", ()) if status is None else (" WHERE status = ?", (status,))
         (found,) = self._connection.execute(f"SELECT COUNT(*) FROM rows{where}", values).fetchone()
         return int(found)
+
+    def counts(self) -> dict[str, int]:
+        """Return how many rows are solved, and how many failed for each reason, the most frequent first."""
+        statement = "SELECT CASE reason WHEN '' THEN status ELSE reason END AS what, COUNT(*) FROM rows GROUP BY what"
+        return dict(self._connection.execute(f"{statement} ORDER BY 2 DESC, 1"))
 
     def rows(self, names: Sequence[str]) -> list[tuple[Any, ...]]:
         """Return some columns of all rows, in the order of their numbers."""
@@ -188,7 +232,22 @@ def is_store(folder: str | Path) -> bool:
     return True
 
 
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Keep other runs out of a study's folder; raises InputError if another one is in. A dead one keeps nobody out."""
+    with closing(sqlite3.connect(folder / LOCK, timeout=0, isolation_level=None)) as connection:
+        try:
+            connection.execute("BEGIN EXCLUSIVE")
+        except sqlite3.Error as error:
+            got = "a study that runs at this moment" if "locked" in str(error) else str(error)
+            raise InputError(
+                [Fault(str(folder), got, "one that no other process runs and that can be written")]
+            ) from None
+        yield
+
+
 def _connect(path: Path) -> sqlite3.Connection:
+    """Return a connection for writing."""
     connection = sqlite3.connect(path)
     # on a disk that knows no shared memory the mode stays as it was, which is as safe
     with suppress(sqlite3.Error):
@@ -197,11 +256,33 @@ def _connect(path: Path) -> sqlite3.Connection:
     return connection
 
 
+def _connect_to_read(path: Path) -> sqlite3.Connection:
+    """Return a connection for reading, also while a run writes, and where nothing can be written."""
+    place = path.resolve().as_uri()
+    connection = sqlite3.connect(f"{place}?mode=ro", uri=True)
+    try:
+        connection.execute("SELECT COUNT(*) FROM runs")
+    except sqlite3.OperationalError:
+        connection.close()
+        if path.with_name(f"{path.name}-wal").exists():
+            mend = "rows of a run that was cut short are still in its log; copy the folder to where it can be written"
+            raise InputError(
+                [Fault(str(path), "a place without leave to write", "one that can be written", mend)]
+            ) from None
+        # a reader's shared memory cannot be made there, and nobody can be writing either
+        connection = sqlite3.connect(f"{place}?immutable=1", uri=True)
+    return connection
+
+
+def _now() -> str:
+    return datetime.now(UTC).isoformat(timespec="milliseconds")
+
+
 def _quoted(name: str) -> str:
     return '"' + name.replace('"', '""') + '"'
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """Return an input as SQLite keeps it: numbers, words, lists as text."""
     return json.dumps(value) if isinstance(value, tuple | list) else value
 

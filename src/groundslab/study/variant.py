@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from groundslab.errors import (
+    Fault,
     GroundslabError,
     InputError,
     NoEquilibrium,
@@ -66,51 +67,90 @@ class Row:
 
 
 class Worker:
-    """Solves variants of one study in this process, keeping what they have in common."""
+    """Solves variants of one study in this process, keeping what they have in common.
+
+    All start from the case as it is, not from one another, so that a row does not depend on those before it.
+    """
 
     def __init__(self, setup: Setup) -> None:
         self._setup = setup
-        self._solve = _solver()
+        self._names = tuple(each.name for each in combinations_of(setup.model))
+        named = {output.combination for output in setup.outputs}
+        #: Combinations of the case that are solved, by their positions.
+        self._solved = [n for n, name in enumerate(self._names) if "" in named or name in named]
+        self._all = [self._names[n] for n in self._solved]
+        self._solve = self._solver()
 
     def row(self, variant: Variant, known_meshes: Sequence[str] = ()) -> Row:
         """Return the row of a variant; errors that lie in the variant are rows too, others are raised."""
         began = time.perf_counter()
-        setup = self._setup
-        numbers, whole = split(setup.outputs)
         status, reason, message = SOLVED, "", ""
-        combined, names = None, tuple[str, ...]()
+        combined, names = None, dict[str, str]()
         try:
-            combined, names = self._solved(variant)
-            refused = [combined.refused[name] for name in names if name in combined.refused]
+            model, names = self._model(variant.values)
+            combined = self._solve(model, self._factors(variant.seeds))
+            refused = list(combined.refused.values())
             if refused:
                 status, reason, message = FAILED, *_why(refused[0])
         except InputError as error:
             status, reason, message = FAILED, *_why(error)
+        numbers, whole = split(self._setup.outputs)
         results: list[float | None] = [None] * len(numbers)
         arrays: list[Array | None] = [None] * len(whole)
         mesh, meshes = "", tuple[Mesh, ...]()
         if combined is not None:
-            of = {output.name: _wanted(output, names) for output in setup.outputs}
-            results = [outputs.taken(output, combined, of[output.name]) for output in numbers]  # type: ignore[misc]
-            arrays = [outputs.taken(output, combined, of[output.name]) for output in whole]  # type: ignore[misc]
-            if any(array is not None for array in arrays):
-                plate = next(iter(combined.results.values())).plate
-                made = Mesh(plate.nodes, plate.elements)
-                mesh = key_of(made)
-                meshes = () if mesh in known_meshes else (made,)
+            results = [outputs.figure_of(each, combined, self._wanted(each, names)) for each in numbers]
+            arrays = [outputs.whole_of(each, combined, self._wanted(each, names)) for each in whole]
+        if combined is not None and any(array is not None for array in arrays):
+            plate = next(iter(combined.results.values())).plate
+            made = Mesh(plate.nodes, plate.elements)
+            mesh = key_of(made)
+            meshes = () if mesh in known_meshes else (made,)
         return Row(
             variant.number, status, reason, message, time.perf_counter() - began, (*variant.values, *variant.seeds),
             tuple(results), tuple(arrays), mesh, meshes,
         )  # fmt: skip
 
-    def _solved(self, variant: Variant) -> tuple[Combined, tuple[str, ...]]:
-        """Return the results of a variant, and the names of the combinations that count, in the base case's order."""
-        setup = self._setup
-        model = model_of(setup, variant.values)
-        over_plan = {
-            each.path: fields.factors(each, seed) for each, seed in zip(setup.fields, variant.seeds, strict=True)
-        }
-        return self._solve(model, over_plan)
+    def _wanted(self, output: Output, names: dict[str, str]) -> list[str]:
+        """Return the combinations of a variant that an output is of."""
+        return [names[each] for each in ([output.combination] if output.combination else self._all)]
+
+    def _model(self, values: Sequence[Any]) -> tuple[Model, dict[str, str]]:
+        """Return the case with the variables' values, and what its combinations that count are called in it by name.
+
+        Names that EN 1990 makes hold factors, which may vary; then a combination is that of the same position.
+        """
+        model = model_of(self._setup, values)
+        there = combinations_of(model)
+        if len(there) != len(self._names):
+            expected = f"{len(self._names)}, as the case has"
+            raise InputError([Fault("combinations", f"{len(there)} combinations", expected)])
+        chosen = [there[n] for n in self._solved]
+        if len(chosen) < len(there):
+            model = model.replace(combinations=tuple(chosen), combine=None)
+        return model, {self._names[n]: each.name for n, each in zip(self._solved, chosen, strict=True)}
+
+    def _factors(self, seeds: Sequence[int]) -> dict[str, Any]:
+        """Return the random fields of a variant by the constants of the ground that they multiply."""
+        return {each.path: fields.factors(each, seed) for each, seed in zip(self._setup.fields, seeds, strict=True)}
+
+    def _solver(self) -> Callable[[Model, dict[str, Any]], Combined]:
+        """Return what solves a variant of the case."""
+        from groundslab.analysis import Variants, solve_combinations
+
+        base = self._setup.model
+        try:
+            if len(self._solved) < len(self._names):
+                there = combinations_of(base)
+                base = base.replace(combinations=tuple(there[n] for n in self._solved), combine=None)
+            if self._setup.fields:
+                base = base.replace(mesh=base.mesh.replace(symmetry="off"))
+            return Variants(base).solve_combinations
+        except InputError:
+            # a case that cannot be solved, as one without any load, may have variants that can
+            if self._setup.fields:
+                raise
+            return lambda model, factors: solve_combinations(model)  # noqa: ARG005
 
 
 def split(kept: Sequence[Output]) -> tuple[list[Output], list[Output]]:
@@ -122,26 +162,6 @@ def model_of(setup: Setup, values: Sequence[Any]) -> Model:
     """Return the case with the variables' values; raises InputError."""
     pairs = zip(setup.variables, values, strict=True)
     return paths.changed(setup.model, {variable.place: variable.put(value) for variable, value in pairs})
-
-
-Solve = Callable[["Model", Mapping[str, Any]], tuple["Combined", tuple[str, ...]]]
-
-
-def _solver() -> Solve:
-    """Return what solves a variant of the case."""
-    from groundslab.analysis import solve_combinations
-
-    def solve(model: Model, over_plan: Mapping[str, Any]) -> tuple[Combined, tuple[str, ...]]:
-        if over_plan:
-            raise GroundslabError("random fields cannot be solved yet")
-        return solve_combinations(model), tuple(each.name for each in combinations_of(model))
-
-    return solve
-
-
-def _wanted(output: Output, names: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the combinations that an output is of."""
-    return (output.combination,) if output.combination else names
 
 
 def _why(error: GroundslabError) -> tuple[str, str]:

@@ -1,0 +1,28 @@
+"""Which versions are there: sent as it is to the processes of a cluster, which may lack groundslab.
+
+Nothing but the standard library may be imported here.
+"""
+
+from __future__ import annotations
+
+#: What must be the same everywhere for rows to be the same.
+MUST_AGREE = ("python", "groundslab", "numpy", "scipy", "gstools", "dask", "distributed")
+
+
+def versions(packages: tuple[str, ...]) -> dict[str, str]:
+    """Return the versions of packages, and of Python without its last part; of what is not there nothing."""
+    import importlib
+    import importlib.metadata
+    import sys
+
+    found = {"python": f"{sys.version_info[0]}.{sys.version_info[1]}"}
+    for name in packages:
+        try:
+            # an installed package may not be the one that is imported
+            if name == "groundslab":
+                found[name] = importlib.import_module(name).__version__
+            elif name != "python":
+                found[name] = importlib.metadata.version(name)
+        except ImportError:
+            continue
+    return found

@@ -1,0 +1,217 @@
+"""Variants solved on Dask: the cores of this machine, or a cluster that is there already.
+
+The setup of a study goes to each worker once, as a plugin that new and restarted workers are given too; tasks are
+small. Only some more tasks than there are threads are under way at a time. A task whose worker dies is given to
+another by Dask's scheduler; one that has brought down several workers comes back as a mishap.
+"""
+
+from __future__ import annotations
+
+import itertools
+import logging
+import secrets
+import time
+import warnings
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.study import asked
+
+if TYPE_CHECKING:
+    from groundslab.study.sampling import Variant
+    from groundslab.study.setup import Setup
+    from groundslab.study.variant import Row
+
+#: Tasks under way for each thread: one at work, the others waiting so that none idles.
+AHEAD = 3
+#: How long the workers of a cluster are waited for [s].
+PATIENCE = 60.0
+#: How often it is asked how many threads there are [s].
+LOOK = 2.0
+#: Keeps a worker's libraries from starting threads of their own beside the other workers; also makes MKL's sums come
+#: out the same from run to run (its documentation, conditional numerical reproducibility).
+ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+DASHBOARD = "127.0.0.1:8787"
+
+
+class LostScheduler(GroundslabError):
+    """The scheduler of the cluster is gone; rows written before are as they were."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mishap:
+    """A variant that has no row for a reason that lies in the machine, not in the variant."""
+
+    number: int
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cluster:
+    """A connection to Dask's scheduler."""
+
+    client: Any
+    dashboard: str
+
+    @property
+    def threads(self) -> int:
+        """Return the number of threads of all workers that are there now."""
+        return sum(self.client.nthreads().values())
+
+
+@contextmanager
+def local(workers: int | None) -> Iterator[Cluster]:
+    """Return a cluster of processes on this machine with one thread each, as many as there are cores by default."""
+    distributed, dask = _dask()
+    with (
+        dask.config.set({"distributed.nanny.pre-spawn-environ": ONE_THREAD, "distributed.worker.daemon": True}),
+        warnings.catch_warnings(),
+    ):
+        # that the usual port of the dashboard is taken
+        warnings.simplefilter("ignore", UserWarning)
+        with (
+            distributed.LocalCluster(
+                n_workers=workers or dask.system.CPU_COUNT,
+                threads_per_worker=1,
+                processes=True,
+                dashboard_address=DASHBOARD,
+                silence_logs=logging.CRITICAL,
+            ) as cluster,
+            distributed.Client(cluster) as client,
+        ):
+            yield Cluster(client, cluster.dashboard_link)
+
+
+@contextmanager
+def there(scheduler: str) -> Iterator[Cluster]:
+    """Return the cluster of a scheduler that runs already; InputError if it cannot be used."""
+    distributed, _ = _dask()
+    try:
+        client = distributed.Client(scheduler, timeout=PATIENCE / 4)
+    except (OSError, ValueError) as error:
+        raise InputError(
+            [Fault("scheduler", f"{scheduler}: {error}", 'a Dask scheduler such as "tcp://127.0.0.1:8786"')]
+        ) from None
+    try:
+        with suppress(TimeoutError):
+            client.wait_for_workers(1, timeout=PATIENCE)
+        if not client.nthreads():
+            raise InputError([Fault("scheduler", f"{scheduler}, without workers", "at least one worker")])
+        _require_same_versions(client)
+        yield Cluster(client, client.dashboard_link)
+    finally:
+        with suppress(Exception):
+            client.close(timeout=5)
+
+
+def rows(
+    cluster: Cluster, name: str, setup: Setup, variants: Iterable[Variant], known_meshes: Callable[[], Sequence[str]]
+) -> Generator[list[Row | Mishap]]:
+    """Yield the rows of variants as they come, in whatever order, several at a time if they come together.
+
+    `name` is the study's on the cluster. Raises LostScheduler. When it is closed early it yields nothing more, and what
+    is under way is given up.
+    """
+    from groundslab.study.plugin import Plugin, solve
+
+    client = cluster.client
+    client.register_plugin(Plugin(name, setup, asked.versions(asked.MUST_AGREE)), name=name)
+    run, left = secrets.token_hex(4), iter(variants)
+    under_way: dict[Any, int] = {}
+    looked, room = -LOOK, 0
+    import distributed
+
+    pool = distributed.as_completed([])
+    try:
+        while True:
+            if time.monotonic() - looked > LOOK:
+                looked, room = time.monotonic(), AHEAD * max(1, _asked(cluster))
+            meshes = known_meshes()
+            for variant in itertools.islice(left, max(0, room - len(under_way))):
+                future = client.submit(solve, name, variant, meshes, key=f"{name}-{run}-{variant.number}", pure=False)
+                under_way[future] = variant.number
+                pool.add(future)
+            if not under_way:
+                return
+            done = [future for future in next(pool.batches()) if future in under_way]
+            yield [_outcome(future, under_way.pop(future)) for future in done]
+    finally:
+        with suppress(Exception):
+            client.cancel(list(under_way), force=True)
+            client.unregister_worker_plugin(name)
+
+
+def _asked(cluster: Cluster) -> int:
+    """Return the number of threads; raises LostScheduler."""
+    try:
+        return cluster.threads
+    except Exception as error:
+        raise _lost(error) from error
+
+
+def _outcome(future: Any, number: int) -> Row | Mishap:
+    """Return what became of a task."""
+    if future.status == "finished":
+        try:
+            row: Row = future.result()
+        except Exception as error:
+            raise _lost(error) from error
+        return row
+    if future.status == "error":
+        raised = future.exception()
+        if type(raised).__name__ == "KilledWorker":
+            return Mishap(number, f"workers died of it, maybe for want of memory: {raised}")
+        return Mishap(number, f"{type(raised).__name__}: {raised}")
+    raise _lost(None)
+
+
+def _lost(error: Exception | None) -> LostScheduler:
+    why = f" ({error})" if error is not None and str(error) else ""
+    return LostScheduler(f"the connection to Dask's scheduler is lost{why}")
+
+
+def _require_same_versions(client: Any) -> None:
+    """Raise InputError if a process of the cluster has not the same packages as this one."""
+    import cloudpickle
+
+    # sent by value, as groundslab may be what is missing there
+    cloudpickle.register_pickle_by_value(asked)
+    try:
+        found = {f"worker {address}": each for address, each in client.run(asked.versions, asked.MUST_AGREE).items()}
+        found["scheduler"] = client.run_on_scheduler(asked.versions, asked.MUST_AGREE)
+    finally:
+        cloudpickle.unregister_pickle_by_value(asked)
+    faults = differences(asked.versions(asked.MUST_AGREE), found)
+    if faults:
+        raise InputError(faults)
+
+
+def differences(here: Mapping[str, str], elsewhere: Mapping[str, Mapping[str, str]]) -> list[Fault]:
+    """Return which packages differ from those here, by the process that has others."""
+    return [
+        Fault(
+            where,
+            f"{package} {there[package]}" if package in there else f"no {package}",
+            f"{package} {here[package]}, as here" if package in here else f"no {package}, as here",
+            "rows would differ; install the same versions everywhere",
+        )
+        for where, there in elsewhere.items()
+        for package in asked.MUST_AGREE
+        if here.get(package) != there.get(package)
+    ]
+
+
+def _dask() -> tuple[Any, Any]:
+    """Return Dask's two packages."""
+    try:
+        import dask
+        import dask.system
+        import distributed
+    except ImportError:
+        expected = "distributed, Dask's package for several processes"
+        mend = "pip install groundslab[study]; --workers 0 does without it"
+        raise InputError([Fault("distributed", "nothing that can be imported", expected, mend)]) from None
+    return distributed, dask
