@@ -55,6 +55,7 @@ class Cluster:
 
     client: Any
     dashboard: str
+    own: bool  # made for the study, and gone with it
 
     @property
     def threads(self) -> int:
@@ -63,8 +64,8 @@ class Cluster:
 
 
 @contextmanager
-def local(workers: int | None) -> Iterator[Cluster]:
-    """Return a cluster of processes on this machine with one thread each, as many as there are cores by default."""
+def local(workers: int | None, most: int) -> Iterator[Cluster]:
+    """Return a cluster on this machine, of processes with one thread: one for each core by default, at most `most`."""
     distributed, dask = _dask()
     with (
         dask.config.set({"distributed.nanny.pre-spawn-environ": ONE_THREAD, "distributed.worker.daemon": True}),
@@ -74,7 +75,7 @@ def local(workers: int | None) -> Iterator[Cluster]:
         warnings.simplefilter("ignore", UserWarning)
         with (
             distributed.LocalCluster(
-                n_workers=workers or dask.system.CPU_COUNT,
+                n_workers=min(workers or dask.system.CPU_COUNT, most),
                 threads_per_worker=1,
                 processes=True,
                 dashboard_address=DASHBOARD,
@@ -82,7 +83,7 @@ def local(workers: int | None) -> Iterator[Cluster]:
             ) as cluster,
             distributed.Client(cluster) as client,
         ):
-            yield Cluster(client, cluster.dashboard_link)
+            yield Cluster(client, cluster.dashboard_link, own=True)
 
 
 @contextmanager
@@ -101,7 +102,7 @@ def there(scheduler: str) -> Iterator[Cluster]:
         if not client.nthreads():
             raise InputError([Fault("scheduler", f"{scheduler}, without workers", "at least one worker")])
         _require_same_versions(client)
-        yield Cluster(client, client.dashboard_link)
+        yield Cluster(client, client.dashboard_link, own=False)
     finally:
         with suppress(Exception):
             client.close(timeout=5)
@@ -118,7 +119,7 @@ def rows(
     from groundslab.study.plugin import Plugin, solve
 
     client = cluster.client
-    client.register_plugin(Plugin(name, setup, asked.versions(asked.MUST_AGREE)), name=name)
+    client.register_plugin(Plugin(name, setup, asked.versions(asked.MUST_AGREE), cluster.own), name=name)
     run, left = secrets.token_hex(4), iter(variants)
     under_way: dict[Any, int] = {}
     looked, room = -LOOK, 0

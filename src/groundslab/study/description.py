@@ -156,9 +156,11 @@ def one_of_numbers(numbers: set[int]) -> str:
     return listed(map(str, sorted(numbers)), "and")
 
 
-def _fields_fit(sampling: Sampling, random_field: tuple[RandomField, ...]) -> Iterator[Finding]:
+def _fields_fit(sampling: Sampling, vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]) -> Iterator[Finding]:
     if sampling.kind == "grid" and random_field:
         yield Finding(("random_field",), describe(random_field), 'none, as sampling.kind is "grid"')
+    if sampling.kind == "list" and not vary:
+        yield Finding(("vary",), "nothing", 'at least one variable with a list, as sampling.kind is "list"')
 
 
 def _known_keeps(keep: tuple[Keep, ...], limit_state: tuple[LimitState, ...]) -> Iterator[Finding]:

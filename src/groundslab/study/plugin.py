@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -17,10 +18,11 @@ from groundslab.study.variant import Row, Worker
 class Plugin(WorkerPlugin):  # type: ignore[misc]
     """The setup of a study, and for each thread of a worker what its variants have in common."""
 
-    def __init__(self, name: str, setup: Setup, versions: Mapping[str, str]) -> None:
+    def __init__(self, name: str, setup: Setup, versions: Mapping[str, str], deaf: bool) -> None:
         self.name = name
         self._setup = setup
         self._versions = versions
+        self._deaf = deaf
         self._own: threading.local | None = None
 
     def setup(self, worker: Any) -> None:
@@ -28,6 +30,9 @@ class Plugin(WorkerPlugin):  # type: ignore[misc]
         here = asked.versions(tuple(self._versions))
         if here != self._versions:
             raise RuntimeError(f"{worker.address} has {here}, the study is run with {self._versions}")
+        if self._deaf and threading.current_thread() is threading.main_thread():
+            # Ctrl-C reaches all processes of a terminal; the one that runs the study ends the others
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
         self._own = threading.local()
 
     def teardown(self, worker: Any) -> None:  # noqa: ARG002

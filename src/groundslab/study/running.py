@@ -107,11 +107,11 @@ def _solving(
         return
     with ExitStack() as stack:
         if where.scheduler is None:
-            workers = where.workers if where.workers is None else min(where.workers, len(todo))
-            found = stack.enter_context(cluster.local(workers))
+            found = stack.enter_context(cluster.local(where.workers, len(todo)))
         else:
             found = stack.enter_context(cluster.there(where.scheduler))
-        progress.where, progress.dashboard = f"on {found.threads} workers", found.dashboard
+        count = found.threads
+        progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", found.dashboard
         # of a folder that is locked no other run can have the same name
         mark = sha256(f"{folder.resolve()} {read.study_sha256} {read.case_sha256}".encode()).hexdigest()[:12]
         outcomes = cluster.rows(found, f"groundslab-{mark}", read.setup, todo, known_meshes)
