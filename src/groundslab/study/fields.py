@@ -36,7 +36,7 @@ def correlation(model: str, r: Array) -> Array:
 
 def scores(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     """Return a Gaussian field with mean 0 and variance 1, a function of x (n,) and y (n,) [m]."""
-    gstools = _gstools()
+    gstools = library()
     # so that the library's correlations are those of `correlation`; its own are scaled to a length integral of one
     kinds = {
         "gaussian": (gstools.Gaussian, {"rescale": 1.0}),
@@ -65,8 +65,8 @@ def factors(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     return at
 
 
-def _gstools() -> Any:
-    """Return the library of random fields."""
+def library() -> Any:
+    """Return the library of random fields; raises InputError where it is not installed."""
     try:
         import gstools
     except ImportError:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab import __version__
 from groundslab.errors import Fault, InputError
-from groundslab.study import asked, cluster, files, store
+from groundslab.study import asked, cluster, fields, files, store
 from groundslab.study.cluster import Mishap
 from groundslab.study.opened import columns_in
 from groundslab.study.sampling import Sample, sample_of
@@ -64,6 +64,8 @@ def run(read: files.Read, folder: Path, where: Where, resume: bool, on_progress:
     Raises InputError if it cannot begin, StoreFull or LostScheduler if it cannot go on; then, and if it is interrupted,
     all rows that were there are on the disk.
     """
+    if read.setup.fields:
+        fields.library()
     prepare(read, folder, resume)
     with store.locked(folder), store.Store(folder, columns_in(read.setup)) as rows:
         sample = sample_of(read.setup)
