@@ -123,11 +123,11 @@ class TestDistributions:
         """Mean and standard deviation, integrated over the quantiles, are those asked for."""
         found = distributions.distribution_of(part, read_si)
         # midpoints of equal probabilities; the last ones carry little
-        p = (np.arange(2_000_000) + 0.5) / 2_000_000
+        p = (np.arange(200_000) + 0.5) / 200_000
         values = found.at(p)
-        assert values.mean() == pytest.approx(math.copysign(40.0, part.mean), rel=2e-5)
-        assert values.std() == pytest.approx(12.0, rel=1e-3)
-        assert found.mean == pytest.approx(values.mean(), rel=2e-5)
+        assert values.mean() == pytest.approx(math.copysign(40.0, part.mean), rel=2e-4)
+        assert values.std() == pytest.approx(12.0, rel=3e-3)
+        assert found.mean == pytest.approx(values.mean(), rel=2e-4)
         assert found.std == pytest.approx(12.0, rel=1e-9)
 
     @pytest.mark.parametrize(

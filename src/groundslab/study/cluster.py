@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 #: Tasks under way for each thread: one at work, the others waiting so that none idles.
 AHEAD = 3
+#: How long a connection may take [s].
+CONNECT = 10.0
 #: How long the workers of a cluster are waited for [s].
 PATIENCE = 60.0
 #: How often it is asked how many threads there are [s].
@@ -90,8 +92,10 @@ def local(workers: int | None, most: int) -> Iterator[Cluster]:
 def there(scheduler: str) -> Iterator[Cluster]:
     """Return the cluster of a scheduler that runs already; InputError if it cannot be used."""
     distributed, _ = _dask()
+    # what becomes of the connection is told in our own words
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     try:
-        client = distributed.Client(scheduler, timeout=PATIENCE / 4)
+        client = distributed.Client(scheduler, timeout=CONNECT)
     except (OSError, ValueError) as error:
         raise InputError(
             [Fault("scheduler", f"{scheduler}: {error}", 'a Dask scheduler such as "tcp://127.0.0.1:8786"')]
@@ -105,7 +109,7 @@ def there(scheduler: str) -> Iterator[Cluster]:
         yield Cluster(client, client.dashboard_link, own=False)
     finally:
         with suppress(Exception):
-            client.close(timeout=5)
+            client.close(timeout=CONNECT if client.status == "running" else 0.1)
 
 
 def rows(
@@ -140,9 +144,11 @@ def rows(
             done = [future for future in next(pool.batches()) if future in under_way]
             yield [_outcome(future, under_way.pop(future)) for future in done]
     finally:
-        with suppress(Exception):
-            client.cancel(list(under_way), force=True)
-            client.unregister_worker_plugin(name)
+        # else there is nobody to tell that it is over
+        if client.status == "running":
+            with suppress(Exception):
+                client.cancel(list(under_way), force=True)
+                client.unregister_worker_plugin(name)
 
 
 def _asked(cluster: Cluster) -> int:

@@ -1,0 +1,199 @@
+"""Studies on Dask: the same rows on one process or several, whatever of them is killed."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from pathlib import Path
+
+import psutil
+import pytest
+
+import groundslab
+from groundslab.errors import InputError
+from groundslab.study import Study, asked, cluster
+from studies import STUDY, run, write
+
+#: Enough variants for something to happen in between.
+MANY = STUDY.replace("count = 12", "count = 60")
+PATIENCE = 60.0  # seconds, on a machine that has other things to do
+
+
+def wait_for(what: Callable[[], bool]) -> None:
+    """Wait until something is so."""
+    end = time.monotonic() + PATIENCE
+    while not what():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def count(folder: Path) -> int:
+    """Return how many rows a study has so far, 0 if there is none yet."""
+    try:
+        return len(groundslab.open_study(folder))
+    except InputError:
+        return 0
+
+
+def same(one: Study, other: Study) -> bool:
+    """Return whether two studies have the same rows to the last bit, but for the time that they took."""
+    fields = [list(study.fields("settlement")) for study in (one, other)]
+    return (
+        one.table().drop(columns="seconds").equals(other.table().drop(columns="seconds"))
+        and all((a[1] == b[1]).all() for a, b in zip(*fields, strict=True))
+    )  # fmt: skip
+
+
+def started(*arguments: str, **environment: str) -> subprocess.Popen[str]:
+    """Return a process of Python that runs a module, in a group of its own."""
+    return subprocess.Popen(
+        [sys.executable, "-m", *arguments],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        env={**os.environ, **cluster.ONE_THREAD, **environment},
+    )  # fmt: skip
+
+
+@contextmanager
+def ended(process: subprocess.Popen[str]) -> Iterator[subprocess.Popen[str]]:
+    """Kill a process and all of its group in the end."""
+    with process:
+        try:
+            yield process
+        finally:
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    """Return the study of many variants as one process solves it, one after the other."""
+    return run(tmp_path_factory.mktemp("whole"), MANY)
+
+
+def test_killed_worker(tmp_path: Path, whole: Study) -> None:
+    """Two workers of this machine, one of them killed, make the rows that one process makes, each once."""
+    folder = tmp_path / "study-study"
+
+    def kill() -> None:
+        wait_for(lambda: count(folder) >= 3)
+        workers = [each for each in psutil.Process().children(recursive=True) if "spawn_main" in str(each.cmdline())]
+        killed.append(workers[0].pid)
+        workers[0].kill()
+
+    killed: list[int] = []
+    killer = threading.Thread(target=kill)
+    killer.start()
+    study = groundslab.study(write(tmp_path, MANY), workers=2, quiet=True)
+    killer.join()
+    assert killed
+    assert study.mishaps() == {}
+    assert same(study, whole)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None:
+    """A study that is killed or interrupted leaves whole rows and no process; it goes on with the rest only."""
+    path, folder = write(tmp_path, MANY), tmp_path / "study-study"
+    with ended(started("groundslab", "study", str(path), "--workers", "2")) as process:
+        wait_for(lambda: count(folder) >= 3)
+        children = psutil.Process(process.pid).children(recursive=True)
+        # Ctrl-C reaches every process of the terminal
+        os.kill(process.pid, how) if how == signal.SIGKILL else os.killpg(process.pid, how)
+        _, told = process.communicate(timeout=PATIENCE)
+        assert psutil.wait_procs(children, timeout=PATIENCE)[1] == []
+    before = groundslab.open_study(folder).table()
+    assert 3 <= len(before) < 60
+    if how == signal.SIGINT:
+        assert process.returncode == 130
+        assert f"{len(before)} of 60 rows are kept" in told
+        assert "Traceback" not in told
+    study = groundslab.study(path, workers=0, quiet=True, resume=True)
+    assert study.table().loc[before.index].equals(before)
+    assert same(study, whole)
+
+
+#: A scheduler's address, its process, and what starts a worker for it.
+Scheduler = tuple[str, subprocess.Popen[str], Callable[..., None]]
+
+
+@pytest.fixture
+def scheduler(tmp_path: Path) -> Iterator[Scheduler]:
+    """Return the address of a scheduler on the loopback, its process, and what starts a worker for it."""
+    with ExitStack() as stack:
+        told = tmp_path / "scheduler.json"
+        process = stack.enter_context(
+            ended(started("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
+                          "--scheduler-file", str(told)))
+        )  # fmt: skip
+        wait_for(lambda: told.exists() and "address" in told.read_text())
+        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+
+        def worker(**environment: str) -> None:
+            options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
+            stack.enter_context(ended(started("distributed.cli.dask_worker", address, *options, **environment)))
+
+        yield address, process, worker
+
+
+def test_cluster(
+    tmp_path: Path, whole: Study, scheduler: tuple[str, subprocess.Popen[str], Callable[..., None]]
+) -> None:
+    """A scheduler and two workers make the same rows; when the scheduler is killed, the rest is done elsewhere."""
+    address, process, worker = scheduler
+    worker()
+    worker()
+    first, second = tmp_path / "first", tmp_path / "second"
+    path = write(tmp_path, MANY)
+    assert same(groundslab.study(path, scheduler=address, out=first, quiet=True), whole)
+    command = ("groundslab", "study", str(path), "--scheduler", address, "--out", str(second), "--quiet")
+    with ended(started(*command)) as study:
+        wait_for(lambda: count(second) >= 3)
+        process.kill()
+        _, told = study.communicate(timeout=PATIENCE)
+    assert study.returncode == 1
+    assert "lost" in told
+    assert "--resume" in told
+    before = groundslab.open_study(second).table()
+    assert len(before) < 60
+    after = groundslab.study(path, workers=0, out=second, quiet=True, resume=True)
+    assert after.table().loc[before.index].equals(before)
+    assert same(after, whole)
+
+
+def test_other_versions(tmp_path: Path, scheduler: Scheduler) -> None:
+    """A worker with another version of groundslab, or without it, is found out before anything is solved."""
+    address, _, worker = scheduler
+    other = tmp_path / "other" / "groundslab"
+    other.mkdir(parents=True)
+    (other / "__init__.py").write_text('__version__ = "0.0.1"\n')
+    worker(PYTHONPATH=str(tmp_path / "other"))
+    path = write(tmp_path)
+    with pytest.raises(InputError) as caught:
+        groundslab.study(path, scheduler=address, quiet=True)
+    faults = caught.value.faults
+    assert all(fault.where.startswith("worker tcp://127.0.0.1:") for fault in faults)
+    assert [fault.got for fault in faults] == ["groundslab 0.0.1"]
+    assert len(groundslab.open_study(tmp_path / "study-study")) == 0
+
+
+def test_no_scheduler(tmp_path: Path) -> None:
+    """An address where no scheduler answers is a fault of the input."""
+    with pytest.raises(InputError, match="Dask scheduler such as"):
+        groundslab.study(write(tmp_path), scheduler="nothing at all", quiet=True)
+
+
+def test_differences() -> None:
+    """Packages that differ or are missing are told process by process; others are not."""
+    here = {"python": "3.12", "groundslab": "1", "numpy": "2.1"}
+    there = {"a": here, "b": {**here, "numpy": "2.0"}, "c": {"python": "3.12", "numpy": "2.1", "gstools": "1.6"}}
+    assert [(fault.where, fault.got) for fault in cluster.differences(here, there)] == [
+        ("b", "numpy 2.0"), ("c", "no groundslab"), ("c", "gstools 1.6")
+    ]  # fmt: skip
+    assert asked.versions(("groundslab", "no_such_package_at_all", "python")).keys() == {"python", "groundslab"}
