@@ -13,7 +13,9 @@ from groundslab import casefile
 from groundslab.errors import InputError
 from groundslab.model import Model
 from groundslab.results import PLATE_FIELDS
-from groundslab.study import outputs, sampling, variant
+from groundslab.study import fields, outputs, sampling, variant
+from groundslab.study.distributions import Distribution
+from groundslab.study.setup import Field
 from studies import CASE, STUDY, read, run
 
 MODEL = casefile.loads(CASE)
@@ -199,6 +201,34 @@ correlation_length = "2 m"
         text = 'case = "slab.toml"\n[sampling]\nkind = "monte carlo"\ncount = 1\n[[keep]]\nof = "settlement"\n'
         study = run(tmp_path, text + 'take = "largest"\ncombination = "service"\n' + field, case)
         assert study.table()["largest settlement under service"][1] == pytest.approx(2e3 / 40e6, rel=1e-6)
+
+    @pytest.mark.parametrize("model", ["gaussian", "exponential", "matern32"])
+    def test_correlation(self, model: str) -> None:
+        """Over 1000 seeds the scores have mean 0, variance 1 and the formula's correlation, along x and along y."""
+        field = Field("f", "ground.k", Distribution("norm", (("loc", 1.0), ("scale", 0.1))), (4.0, 1.0), model)
+        x, y = np.array([[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [0.0, 0.5], [0.0, 1.0], [8.0, 2.0]]).T
+        drawn = np.array([fields.scores(field, seed)(x, y) for seed in range(1000)])
+        r = np.hypot((x[:, None] - x) / 4, (y[:, None] - y) / 1)
+        formulas = {
+            "gaussian": np.exp(-(r**2)), "exponential": np.exp(-r),
+            "matern32": (1 + np.sqrt(3) * r) * np.exp(-np.sqrt(3) * r),
+        }  # fmt: skip
+        # four standard errors of a covariance of normal numbers, at most sqrt(2 / 1000)
+        assert drawn.mean(axis=0) == pytest.approx(np.zeros(6), abs=4 / np.sqrt(1000))
+        assert np.cov(drawn.T) == pytest.approx(formulas[model], abs=4 * np.sqrt(2 / 1000))
+        made = np.array([fields.factors(field, seed)(x, y) for seed in range(3)])
+        assert made == pytest.approx(1 + 0.1 * drawn[:3])
+
+    @pytest.mark.parametrize("model", ["gaussian", "exponential", "matern32"])
+    def test_correlation_of_the_library(self, model: str) -> None:
+        """The library's own correlation is the formula's, so that the length means what the page says."""
+        field = Field("f", "ground.k", Distribution("norm", ()), (3.0, 3.0), model)
+        r = np.linspace(0, 3, 31)
+        formulas = {
+            "gaussian": np.exp(-(r**2)), "exponential": np.exp(-r),
+            "matern32": (1 + np.sqrt(3) * r) * np.exp(-np.sqrt(3) * r),
+        }  # fmt: skip
+        assert fields.waves(field).correlation(3 * r) == pytest.approx(formulas[model], abs=1e-12)
 
     def test_python_that_lacks_gstools(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """Without the library it is told before anything is solved what to install."""

@@ -1,0 +1,107 @@
+"""Whatever a case holds can be reached by its path and put back; whatever a study file holds, the answer is clear."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from groundslab import casefile
+from groundslab.errors import InputError
+from groundslab.findings import Wrong
+from groundslab.keys import FROM_FILE, Factors
+from groundslab.model import Model
+from groundslab.schema import Part, key_of, nested
+from groundslab.study import paths
+from groundslab.study.description import StudyFile
+from strategies import rich_models
+from studies import CASE, STUDY
+
+
+def all_paths(part: Part, path: str) -> Iterator[tuple[str, Any]]:
+    """Yield the path of every key below a part with what it holds."""
+    for name, field in type(part).model_fields.items():
+        below = f"{path}.{name}" if path else name
+        held = getattr(part, name)
+        key = key_of(field)
+        if isinstance(key, Factors):
+            yield from ((f'{below}."{each.replace(chr(92), chr(92) * 2).replace(chr(34), chr(92) + chr(34))}"', value)
+                        for each, value in held)  # fmt: skip
+        elif key is not None:
+            yield below, held
+            if isinstance(held, tuple):
+                yield from ((f"{below}[{n}]", item) for n, item in enumerate(held, start=1))
+        elif nested(field).many:
+            for n, item in enumerate(held, start=1):
+                yield from all_paths(item, f"{below}[{n}]")
+        elif nested(field).parts and held is not None:
+            yield from all_paths(held, below)
+
+
+@settings(max_examples=20, derandomize=True, deadline=None)
+@given(model=rich_models(), number=st.integers(0, 10**6))
+def test_every_key_can_be_reached(model: Model, number: int) -> None:
+    """Each key of a case is found by its path, and the case with its own values put in is the same case."""
+    places = {}
+    for path, held in all_paths(model, ""):
+        place = paths.place_of(model, path)
+        assert paths.value_at(model, place) == held
+        places[place] = held
+    one = list(places)[number % len(places)]
+    assert paths.changed(model, {one: places[one]}) == model
+    whole = {place: held for place, held in places.items() if not isinstance(place.steps[-1], int)}
+    assert paths.changed(model, whole) == model
+
+
+@settings(max_examples=200, derandomize=True, deadline=None)
+@given(path=st.text(alphabet='abk.[]01"\\gq-', max_size=12))
+def test_paths_are_refused_in_words(path: str) -> None:
+    """Any text is a path to a key, or is refused with what was expected."""
+    model = casefile.loads(CASE)
+    try:
+        place = paths.place_of(model, path)
+    except Wrong as error:
+        told = error.findings[0].expected
+    else:
+        told = str(paths.value_at(model, place))
+    assert told
+
+
+SCRAPS = st.recursive(
+    st.none() | st.booleans() | st.integers(-2, 10**12) | st.floats() | st.text(max_size=5)
+    | st.sampled_from(["grid", "sobol", "normal", "k", "settlement", "at", "largest", "1 m", "2 MPa", "ground.k"]),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3),
+    max_leaves=5,
+)  # fmt: skip
+
+
+@settings(max_examples=300, derandomize=True, deadline=None)
+@given(data=st.data())
+def test_spoilt_study_files(data: st.DataObject) -> None:
+    """A study file with anything put anywhere is a study or an InputError, and what is a study can be written."""
+    tables: Any = tomllib.loads(STUDY)
+    held = tables
+    while True:
+        keys = list(held) if isinstance(held, dict) else list(range(len(held)))
+        step = data.draw(st.sampled_from(keys))
+        below = held[step]
+        if not isinstance(below, dict | list) or not below or data.draw(st.integers(0, 2)) == 0:
+            break
+        held = below
+    held[step] = data.draw(SCRAPS)
+    try:
+        study = StudyFile.model_validate(tables, context=FROM_FILE)
+    except InputError:
+        return
+    assert StudyFile.model_validate(tomllib.loads(casefile.to_toml(study)), context=FROM_FILE) == study
+
+
+@pytest.mark.parametrize("text", [STUDY])
+def test_study_survives_being_written(text: str) -> None:
+    """A study file that is read, written and read again is the same study."""
+    study = StudyFile.model_validate(tomllib.loads(text), context=FROM_FILE)
+    assert StudyFile.model_validate(tomllib.loads(casefile.to_toml(study)), context=FROM_FILE) == study
