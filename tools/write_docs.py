@@ -1,4 +1,4 @@
-"""Writes the parts of docs/ that follow from the code: the table of keys in input.md, and the JSON schema."""
+"""Writes the parts of docs/ that follow from the code: tables of keys in input.md and study.md, JSON schemas."""
 
 from __future__ import annotations
 
@@ -6,21 +6,29 @@ import json
 from pathlib import Path
 
 from groundslab.model import docs_table, json_schema
+from groundslab.study import description
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
-BEGIN, END = "<!-- keys: begin -->", "<!-- keys: end -->"
 
 
 def contents() -> dict[Path, str]:
     """Return what each of the files should hold."""
-    page = DOCS / "input.md"
-    text = page.read_text(encoding="utf-8")
-    before, after = text.split(BEGIN)[0], text.split(END)[1]
-    schema = json.dumps(json_schema(), indent=2)
     return {
-        page: f"{before}{BEGIN}\n\n{docs_table()}\n{END}{after}",
-        DOCS / "groundslab.schema.json": schema + "\n",
+        DOCS / "input.md": _page("input.md", keys=docs_table()),
+        DOCS / "groundslab.schema.json": json.dumps(json_schema(), indent=2) + "\n",
+        DOCS / "study.md": _page("study.md", keys=description.docs_table(), kept=description.kept_table()),
+        DOCS / "study.schema.json": json.dumps(description.json_schema(), indent=2) + "\n",
     }
+
+
+def _page(name: str, **parts: str) -> str:
+    """Return a page with the parts between its marks written anew."""
+    text = (DOCS / name).read_text(encoding="utf-8")
+    for part, content in parts.items():
+        begin, end = f"<!-- {part}: begin -->", f"<!-- {part}: end -->"
+        before, after = text.split(begin)[0], text.split(end)[1]
+        text = f"{before}{begin}\n\n{content}\n{end}{after}"
+    return text
 
 
 if __name__ == "__main__":

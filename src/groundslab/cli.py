@@ -129,8 +129,10 @@ def _parser() -> argparse.ArgumentParser:
     place.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler to use, such as tcp://127.0.0.1:8786")
     study.add_argument("--quiet", action="store_true", help="print no progress")
 
-    check = _command(commands, "check", _check, "read a case file and say everything that is wrong with it")
-    check.add_argument("case", help="case file (TOML)")
+    check = _command(
+        commands, "check", _check, "read a case file, or a study file, and say everything that is wrong with it"
+    )
+    check.add_argument("case", help="case file or study file (TOML)")
 
     new = _command(commands, "new", _new, "write a case file to start from")
     new.add_argument("file", nargs="?", metavar="FILE", help="file to make (default: print the text)")
@@ -341,12 +343,19 @@ def _app(options: argparse.Namespace) -> int:
 
 
 def _check(options: argparse.Namespace) -> int:
-    """Read a case file; wrong ones raise InputError."""
+    """Read a case file, or a study file with its case; wrong ones raise InputError."""
     from pathlib import Path
 
     from groundslab import casefile
 
-    model = casefile.load(Path(options.case))
+    text = casefile.read(options.case)
+    tables = casefile.tables(text, options.case)
+    if "sampling" in tables:
+        from groundslab import study
+
+        _print("\n".join(study.described(Path(options.case))))
+        return FINE
+    model = casefile.from_table(tables)
     plate = model.plate
     lines = [
         f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "

@@ -392,7 +392,8 @@ class Several(Key):
 
     def expected(self) -> str:
         """Return how many of what."""
-        count = ("at least one" if self.least else "any number") if self.length is None else str(self.length)
+        least = {0: "any number", 1: "at least one"}.get(self.least, f"at least {self.least}")
+        count = least if self.length is None else str(self.length)
         return f"a list of {count}, each {self.each.expected()}"
 
     def write(self, value: Sequence[Any]) -> str:
@@ -401,7 +402,8 @@ class Several(Key):
 
     def type_words(self) -> str:
         """Return how many of what."""
-        return f"list of {self.length or ('one or more' if self.least else 'any number')}: {self.each.type_words()}"
+        least = {0: "any number", 1: "one or more"}.get(self.least, f"{self.least} or more")
+        return f"list of {self.length or least}: {self.each.type_words()}"
 
     def range_words(self) -> str:
         """Return each value's range and the order."""

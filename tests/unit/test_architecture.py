@@ -100,6 +100,8 @@ HEAVY = {
     "dask",
     "gstools",
 }
+#: Modules that are imported by functions only, with the heavy library that they are made of.
+LATE = {"study.plugin": {"distributed"}}
 
 
 def name_of(path: Path) -> str:
@@ -217,7 +219,21 @@ def test_rooms_do_not_import_in_circles(module: str) -> None:
 @pytest.mark.parametrize("module", MODULES)
 def test_heavy_libraries_are_imported_when_used(module: str) -> None:
     """Plots, files, tables, units and solvers cost nothing until a function needs them."""
-    assert not at_once(module) & HEAVY
+    assert not at_once(module) & (HEAVY - LATE.get(module, set()))
+
+
+@pytest.mark.parametrize("late", LATE)
+def test_what_loads_with_its_library_is_imported_when_used(late: str) -> None:
+    """A module that needs a heavy library as soon as it is imported is imported by functions only."""
+    home, _, name = late.rpartition(".")
+    for module in MODULES:
+        names = [
+            alias.name
+            for node in tree(module).body
+            if isinstance(node, ast.ImportFrom) and node.module in (f"groundslab.{home}", f"groundslab.{late}")
+            for alias in node.names
+        ]
+        assert name not in names, module
 
 
 def test_front_imports_nothing() -> None:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from groundslab.model import Model
     from groundslab.study.description import StudyFile
     from groundslab.study.opened import Study, open_study
+    from groundslab.study.setup import Variable
 
 __all__ = ["Study", "StudyFile", "open_study", "run"]
 
@@ -62,6 +63,30 @@ def folder_of(study: str | Path | StudyFile, out: str | Path | None) -> Path:
     if out is not None:
         return Path(out)
     return Path(study).with_name(f"{Path(study).stem}-study") if isinstance(study, str | Path) else Path("study")
+
+
+def described(path: Path) -> list[str]:
+    """Return what a study file describes, a line each; raises InputError with all that is wrong with it."""
+    from groundslab.study import files, setup
+
+    found = files.read(path).setup
+    lines = [f"{path}: fine ({found.count} variants, {found.sampling.kind})"]
+    lines += [f"  varies {each.name}: {_how(each)}" for each in found.variables]
+    lines += [f"  random field {each.name}: a factor on {each.path}" for each in found.fields]
+    lines += [f"  keeps {output.name}" + (f" [{output.unit}]" if output.unit else "") for output in found.outputs]
+    return lines + [f"warning: {line}" for line in setup.warnings_of(found)]
+
+
+def _how(variable: Variable) -> str:
+    """Return in words how a quantity varies."""
+    parts = [variable.path if variable.name != variable.path else "", "a factor" if variable.times else ""]
+    drawn = variable.distribution
+    if drawn is None:
+        parts.append(f"{len(variable.values or ())} values")
+    else:
+        parts.append(f"{drawn.name}, mean {drawn.mean:.5g} {variable.unit}".strip())
+        parts.append(f"standard deviation {drawn.std:.5g} {variable.unit}".strip())
+    return ", ".join(filter(None, parts))
 
 
 def outcome(study: Study) -> list[str]:

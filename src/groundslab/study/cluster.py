@@ -33,8 +33,7 @@ CONNECT = 10.0
 PATIENCE = 60.0
 #: How often it is asked how many threads there are [s].
 LOOK = 2.0
-#: Keeps a worker's libraries from starting threads of their own beside the other workers; also makes MKL's sums come
-#: out the same from run to run (its documentation, conditional numerical reproducibility).
+#: Keeps a worker's libraries from starting threads of their own beside the other workers.
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 DASHBOARD = "127.0.0.1:8787"
 

@@ -292,5 +292,18 @@ def json_schema() -> dict[str, Any]:
 
 
 def docs_table() -> str:
-    """Return all keys of a study file as Markdown, one table per section and kind."""
-    return reference.docs_table(StudyFile)
+    """Return all keys of a study file as Markdown, one table per section and kind; distributions once."""
+    sections = reference.docs_table(StudyFile).split("\n### ")
+    return "\n### ".join(each for each in sections if not each.startswith("`[random_field.distribution]`"))
+
+
+def kept_table() -> str:
+    """Return all that can be kept of a variant as Markdown."""
+    from groundslab.study.outputs import FIELDS, FIGURES
+
+    lines = []
+    for title, kept in (("fields: `take` says what of them", FIELDS), ("figures: without `take`", FIGURES)):
+        lines += [f"| {title} | dimension | meaning |", "|---|---|---|"]
+        lines += [f"| `{each.name}` | {each.dimension or 'pure number'} | {each.meaning} |" for each in kept.values()]
+        lines.append("")
+    return "\n".join(lines).strip() + "\n"

@@ -16,7 +16,7 @@ from groundslab.study import asked, cluster, fields, files, store
 from groundslab.study.cluster import Mishap
 from groundslab.study.opened import columns_in
 from groundslab.study.sampling import Sample, sample_of
-from groundslab.study.setup import columns_of
+from groundslab.study.setup import columns_of, warnings_of
 from groundslab.study.variant import Row, Worker
 
 if TYPE_CHECKING:
@@ -46,6 +46,7 @@ class Progress:
     solved: int
     where: str = ""
     dashboard: str = ""
+    warnings: tuple[str, ...] = ()
     mishaps: list[Mishap] = field(default_factory=list)
 
     @property
@@ -72,7 +73,7 @@ def run(read: files.Read, folder: Path, where: Where, resume: bool, on_progress:
         _require_same_inputs(rows, sample)
         there = rows.count()
         failed = rows.count("failed")
-        progress = Progress(folder, len(sample), there, failed, there - failed)
+        progress = Progress(folder, len(sample), there, failed, there - failed, warnings=tuple(warnings_of(read.setup)))
         todo = [sample[number] for number in _missing(rows, sample)]
         on_progress(progress)
         if not todo:

@@ -35,6 +35,9 @@ from groundslab.wanted import OutputPoint
 #: Nobody waits for more; a typing error would fill the disk.
 MOST_VARIANTS = 10_000_000
 
+#: Fewer values outside a key's range are not worth a word.
+MOST_OUTSIDE = 0.5
+
 #: The constants of the ground that a random field can multiply, by the kind of ground.
 _OF_GROUND = {
     "winkler": ("ground.k",),
@@ -70,6 +73,26 @@ class Variable:
 
         key = self.place.key
         return DIMENSIONS[key.dimension].si if isinstance(key, Quantity) and not self.times else ""
+
+    @property
+    def outside(self) -> float:
+        """Return the probability of a value outside the key's range, with which the variant fails."""
+        limits = getattr(self.place.key, "range", None)
+        if self.distribution is None or limits is None:
+            return 0.0
+        cdf = self.distribution.frozen().cdf
+        low, high = (
+            next((each for each in ends if each is not None), None)
+            for ends in ((limits.above, limits.at_least), (limits.below, limits.at_most))
+        )
+        if self.times and self.base == 0:
+            return 0.0
+        if self.times:
+            low, high = (None if end is None else end / self.base for end in (low, high))
+            # a negative number turns the range around
+            if self.base < 0:
+                low, high = high, low
+        return (0.0 if low is None else float(cdf(low))) + (0.0 if high is None else float(1 - cdf(high)))
 
     def put(self, value: Any) -> Any:
         """Return what stands in the case for a value of the variable."""
@@ -298,6 +321,20 @@ def _correlation(names: list[str], correlation: tuple[Correlation, ...]) -> Arra
     if least < 1e-10:
         got = f"correlations that cannot hold together (least eigenvalue {least:.2g})"
         raise Wrong(Finding((), got, "a positive definite matrix of them", "smaller correlations"))
+    return found
+
+
+def warnings_of(setup: Setup) -> list[str]:
+    """Return what a reader should know before a study is run, a line each."""
+    found = []
+    for variable in setup.variables:
+        share = variable.outside
+        if share * setup.count > MOST_OUTSIDE:
+            words = variable.place.key.range_words()
+            found.append(
+                f"{variable.name}: about {share * setup.count:.2g} of {setup.count} values will lie outside the range "
+                f"of {variable.path} ({words}); these variants will fail"
+            )
     return found
 
 

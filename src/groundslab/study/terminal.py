@@ -29,7 +29,7 @@ def shown(quiet: bool, console: Console | None = None) -> Iterator[OnProgress]:
     console = console or Console(file=sys.stderr)
     columns = (
         SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
-        TextColumn("{task.fields[failed]}"),
+        TextColumn("left {task.fields[failed]}"),
     )  # fmt: skip
     with Bar(*columns, console=console, speed_estimate_period=LOOK_BACK, disable=not console.is_terminal) as bar:
         task = bar.add_task("begins", total=None, failed="")
@@ -41,7 +41,8 @@ def shown(quiet: bool, console: Console | None = None) -> Iterator[OnProgress]:
                 console.print(line, markup=False, highlight=False, soft_wrap=True)
 
         def on_progress(progress: Progress) -> None:
-            tell(head(progress))
+            for line in (head(progress), *progress.warnings):
+                tell(line)
             if progress.where:
                 tell(whereabouts(progress))
             # what is there already counts for the bar, not for the speed
