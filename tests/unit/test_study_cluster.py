@@ -96,6 +96,22 @@ def test_killed_worker(tmp_path: Path, whole: Study) -> None:
     assert same(study, whole)
 
 
+def test_variant_that_kills_its_worker(tmp_path: Path) -> None:
+    """A variant that brings down every worker, as for want of memory, has no row; all others have one."""
+    (tmp_path / "sitecustomize.py").write_text(
+        "import os\nfrom groundslab.study.variant import Worker\nrow = Worker.row\n"
+        "Worker.row = lambda self, one, known=(): os._exit(9) if one.number == 3 else row(self, one, known)\n"
+    )
+    places = os.pathsep.join([str(tmp_path), *sys.path])
+    command = ("groundslab", "study", str(write(tmp_path)), "--workers", "2", "--quiet")
+    with ended(started(*command, PYTHONPATH=places)) as process:
+        said, told = process.communicate(timeout=2 * PATIENCE)
+    assert process.returncode == 1
+    assert "11 of 12 variants have a row" in said
+    assert "variant 3 has none: 4 workers died of it" in said
+    assert "--resume" in told
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
 def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None:

@@ -35,6 +35,8 @@ PATIENCE = 60.0
 LOOK = 2.0
 #: Keeps a worker's libraries from starting threads of their own beside the other workers.
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+#: Of the local cluster. No task waits at a worker, where it would be blamed for the worker's death.
+SETTINGS = {"distributed.nanny.pre-spawn-environ": ONE_THREAD, "distributed.scheduler.worker-saturation": 1.0}
 DASHBOARD = "127.0.0.1:8787"
 
 
@@ -69,7 +71,7 @@ def local(workers: int | None, most: int) -> Iterator[Cluster]:
     """Return a cluster on this machine, of processes with one thread: one for each core by default, at most `most`."""
     distributed, dask = _dask()
     with (
-        dask.config.set({"distributed.nanny.pre-spawn-environ": ONE_THREAD, "distributed.worker.daemon": True}),
+        dask.config.set(SETTINGS),
         warnings.catch_warnings(),
     ):
         # that the usual port of the dashboard is taken
@@ -140,8 +142,15 @@ def rows(
                 pool.add(future)
             if not under_way:
                 return
-            done = [future for future in next(pool.batches()) if future in under_way]
-            yield [_outcome(future, under_way.pop(future)) for future in done]
+            done = []
+            for future in next(pool.batches()):
+                # a worker that dies takes with it what was not fetched; the scheduler has it solved again
+                if future.status in ("lost", "pending"):
+                    pool.add(future)
+                elif future in under_way:
+                    done.append(_outcome(future, under_way.pop(future)))
+            if done:
+                yield done
     finally:
         # else there is nobody to tell that it is over
         if client.status == "running":
@@ -169,7 +178,7 @@ def _outcome(future: Any, number: int) -> Row | Mishap:
     if future.status == "error":
         raised = future.exception()
         if type(raised).__name__ == "KilledWorker":
-            return Mishap(number, f"workers died of it, maybe for want of memory: {raised}")
+            return Mishap(number, f"{raised.allowed_failures + 1} workers died of it, maybe for want of memory")
         return Mishap(number, f"{type(raised).__name__}: {raised}")
     raise _lost(None)
 
