@@ -209,7 +209,7 @@ def test_differences() -> None:
     """Packages that differ or are missing are told process by process; others are not."""
     here = {"python": "3.12", "groundslab": "1", "numpy": "2.1"}
     there = {"a": here, "b": {**here, "numpy": "2.0"}, "c": {"python": "3.12", "numpy": "2.1", "gstools": "1.6"}}
-    assert [(fault.where, fault.got) for fault in cluster.differences(here, there)] == [
+    assert [(fault.where, fault.got) for fault in cluster.differences(asked.MUST_AGREE, here, there)] == [
         ("b", "numpy 2.0"), ("c", "no groundslab"), ("c", "gstools 1.6")
     ]  # fmt: skip
     assert asked.versions(("groundslab", "no_such_package_at_all", "python")).keys() == {"python", "groundslab"}

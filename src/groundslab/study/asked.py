@@ -5,8 +5,10 @@ Nothing but the standard library may be imported here.
 
 from __future__ import annotations
 
-#: What must be the same everywhere for rows to be the same.
-MUST_AGREE = ("python", "groundslab", "numpy", "scipy", "gstools", "dask", "distributed")
+#: What must be the same everywhere for rows to be the same, whatever the case.
+MUST_AGREE = ("python", "groundslab", "numpy", "scipy", "pypardiso", "gstools", "dask", "distributed")
+#: Where the mesh is not a plain grid: the makers of meshes.
+MESHERS = ("shapely", "gmsh", "netgen-mesher")
 
 
 def versions(packages: tuple[str, ...]) -> dict[str, str]:

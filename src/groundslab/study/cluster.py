@@ -90,7 +90,7 @@ def local(workers: int | None, most: int) -> Iterator[Cluster]:
 
 
 @contextmanager
-def there(scheduler: str) -> Iterator[Cluster]:
+def there(scheduler: str, setup: Setup) -> Iterator[Cluster]:
     """Return the cluster of a scheduler that runs already; InputError if it cannot be used."""
     distributed, _ = _dask()
     # what becomes of the connection is told in our own words
@@ -106,7 +106,7 @@ def there(scheduler: str) -> Iterator[Cluster]:
             client.wait_for_workers(1, timeout=PATIENCE)
         if not client.nthreads():
             raise InputError([Fault("scheduler", f"{scheduler}, without workers", "at least one worker")])
-        _require_same_versions(client)
+        _require_same_versions(client, packages_of(setup))
         yield Cluster(client, client.dashboard_link, own=False)
     finally:
         with suppress(Exception):
@@ -124,7 +124,8 @@ def rows(
     from groundslab.study.plugin import Plugin, solve
 
     client = cluster.client
-    client.register_plugin(Plugin(name, setup, asked.versions(asked.MUST_AGREE), cluster.own), name=name)
+    packages = packages_of(setup)
+    client.register_plugin(Plugin(name, setup, packages, asked.versions(packages), cluster.own), name=name)
     run, left = secrets.token_hex(4), iter(variants)
     under_way: dict[Any, int] = {}
     looked, room = -LOOK, 0
@@ -188,23 +189,30 @@ def _lost(error: Exception | None) -> LostScheduler:
     return LostScheduler(f"the connection to Dask's scheduler is lost{why}")
 
 
-def _require_same_versions(client: Any) -> None:
+def packages_of(setup: Setup) -> tuple[str, ...]:
+    """Return the packages that must be the same everywhere for the rows of a study to be the same."""
+    return asked.MUST_AGREE if setup.model.plain else (*asked.MUST_AGREE, *asked.MESHERS)
+
+
+def _require_same_versions(client: Any, packages: tuple[str, ...]) -> None:
     """Raise InputError if a process of the cluster has not the same packages as this one."""
     import cloudpickle
 
     # sent by value, as groundslab may be what is missing there
     cloudpickle.register_pickle_by_value(asked)
     try:
-        found = {f"worker {address}": each for address, each in client.run(asked.versions, asked.MUST_AGREE).items()}
-        found["scheduler"] = client.run_on_scheduler(asked.versions, asked.MUST_AGREE)
+        found = {f"worker {address}": each for address, each in client.run(asked.versions, packages).items()}
+        found["scheduler"] = client.run_on_scheduler(asked.versions, packages)
     finally:
         cloudpickle.unregister_pickle_by_value(asked)
-    faults = differences(asked.versions(asked.MUST_AGREE), found)
+    faults = differences(packages, asked.versions(packages), found)
     if faults:
         raise InputError(faults)
 
 
-def differences(here: Mapping[str, str], elsewhere: Mapping[str, Mapping[str, str]]) -> list[Fault]:
+def differences(
+    packages: Sequence[str], here: Mapping[str, str], elsewhere: Mapping[str, Mapping[str, str]]
+) -> list[Fault]:
     """Return which packages differ from those here, by the process that has others."""
     return [
         Fault(
@@ -214,7 +222,7 @@ def differences(here: Mapping[str, str], elsewhere: Mapping[str, Mapping[str, st
             "rows would differ; install the same versions everywhere",
         )
         for where, there in elsewhere.items()
-        for package in asked.MUST_AGREE
+        for package in packages
         if here.get(package) != there.get(package)
     ]
 

@@ -174,7 +174,7 @@ def field_of(results: Results, name: str) -> Array:
 
 def _counting(results: Results, name: str) -> Any:
     """Return which nodes count for the extremes of a field (n,)."""
-    from groundslab.tables.quantities import holds_line_force
+    from groundslab.readings import holds_line_force
 
     inside = ~results.plate.on_edge
     if name == "pressure inside" and holds_line_force(results) and inside.any():

@@ -18,16 +18,19 @@ from groundslab.study.variant import Row, Worker
 class Plugin(WorkerPlugin):  # type: ignore[misc]
     """The setup of a study, and for each thread of a worker what its variants have in common."""
 
-    def __init__(self, name: str, setup: Setup, versions: Mapping[str, str], deaf: bool) -> None:
+    def __init__(
+        self, name: str, setup: Setup, packages: tuple[str, ...], versions: Mapping[str, str], deaf: bool
+    ) -> None:
         self.name = name
         self._setup = setup
+        self._packages = packages
         self._versions = versions
         self._deaf = deaf
         self._own: threading.local | None = None
 
     def setup(self, worker: Any) -> None:
         """Begin on a worker; raises RuntimeError if its versions differ, so that one that comes later stays out."""
-        here = asked.versions(tuple(self._versions))
+        here = asked.versions(self._packages)
         if here != self._versions:
             raise RuntimeError(f"{worker.address} has {here}, the study is run with {self._versions}")
         if self._deaf and threading.current_thread() is threading.main_thread():

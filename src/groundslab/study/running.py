@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from groundslab.study.setup import Setup
 
 #: Packages whose versions a study's folder tells: also those that need not be the same everywhere.
-TOLD = (*asked.MUST_AGREE, "pypardiso", "mkl")
+TOLD = (*asked.MUST_AGREE, *asked.MESHERS, "mkl")
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +112,7 @@ def _solving(
         if where.scheduler is None:
             found = stack.enter_context(cluster.local(where.workers, len(todo)))
         else:
-            found = stack.enter_context(cluster.there(where.scheduler))
+            found = stack.enter_context(cluster.there(where.scheduler, read.setup))
         count = found.threads
         progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", found.dashboard
         # of a folder that is locked no other run can have the same name

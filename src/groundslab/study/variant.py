@@ -92,7 +92,7 @@ class Worker:
             refused = list(combined.refused.values())
             if refused:
                 status, reason, message = FAILED, *_why(refused[0])
-        except InputError as error:
+        except GroundslabError as error:
             status, reason, message = FAILED, *_why(error)
         numbers, whole = split(self._setup.outputs)
         results: list[float | None] = [None] * len(numbers)
