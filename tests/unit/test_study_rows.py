@@ -143,9 +143,15 @@ class TestRows:
         )
         assert study.table()["load under service"].tolist() == pytest.approx([224e3, 224e3])
 
-    def test_rows_do_not_depend_on_their_order(self, tmp_path: Path) -> None:
+    @pytest.mark.parametrize("ground", ["winkler", "vlasov"])
+    def test_rows_do_not_depend_on_their_order(self, tmp_path: Path, ground: str) -> None:
         """Variants solved in another order, or each by a new worker, give the same numbers to the last bit."""
-        setup = read(tmp_path, STUDY.replace("count = 12", "count = 5")).setup
+        study, case = STUDY.replace("count = 12", "count = 5"), CASE
+        if ground == "vlasov":  # with gamma to be found, and infinite ground
+            case = case.replace('kind = "winkler"\nk = "20 MPa/m"', 'kind = "vlasov"\n[beyond]\nkind = "infinite"')
+            case += '[[ground.layers]]\nE = "20 MPa"\nnu = 0.3\nthickness = "4 m"\n'
+            study = study.replace("ground.k", "ground.layers[1].E").replace("20 MPa/m", "20 MPa")
+        setup = read(tmp_path, study, case).setup
         sample = sampling.sample_of(setup)
         worker = variant.Worker(setup)
         one = {number: worker.row(sample[number]) for number in (1, 2, 3, 4, 5)}
