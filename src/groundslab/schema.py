@@ -85,7 +85,11 @@ class Part(BaseModel):
         try:
             super().__init__(**data)
         except ValidationError as error:
-            raise self._input_error(error) from None
+            refused = self._input_error(error)
+        else:
+            return
+        # raised out here it does not carry pydantic's error with all of the data along as its context
+        raise refused
 
     # so that pydantic does not call __init__ for a part within a part, whose faults must reach the outer one
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
@@ -96,7 +100,8 @@ class Part(BaseModel):
         try:
             return super().model_validate(obj, **options)
         except ValidationError as error:
-            raise cls._input_error(error) from None
+            refused = cls._input_error(error)
+        raise refused
 
     def replace(self, **changes: Any) -> Self:
         """Return the part with some fields changed, checked anew."""
