@@ -139,6 +139,16 @@ def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None
 Scheduler = tuple[str, subprocess.Popen[str], Callable[..., None]]
 
 
+def test_program_without_guard(tmp_path: Path) -> None:
+    """A program that would run itself again in each process is told so; nothing is left behind but the folder."""
+    path = write(tmp_path)
+    program = tmp_path / "program.py"
+    program.write_text(f"import groundslab\ngroundslab.study({str(path)!r}, workers=1, quiet=True)\n")
+    ended = subprocess.run([sys.executable, str(program)], capture_output=True, text=True, timeout=PATIENCE)
+    assert ended.returncode != 0
+    assert 'below if __name__ == "__main__":' in ended.stderr
+
+
 @pytest.fixture
 def scheduler(tmp_path: Path) -> Iterator[Scheduler]:
     """Return the address of a scheduler on the loopback, its process, and what starts a worker for it."""

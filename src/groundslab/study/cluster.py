@@ -10,8 +10,8 @@ from __future__ import annotations
 import itertools
 import logging
 import secrets
+import socket
 import time
-import warnings
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -37,7 +37,7 @@ LOOK = 2.0
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 #: Of the local cluster. No task waits at a worker, where it would be blamed for the worker's death.
 SETTINGS = {"distributed.nanny.pre-spawn-environ": ONE_THREAD, "distributed.scheduler.worker-saturation": 1.0}
-DASHBOARD = "127.0.0.1:8787"
+DASHBOARD = 8787  # port, where it is free
 
 
 class LostScheduler(GroundslabError):
@@ -70,23 +70,31 @@ class Cluster:
 def local(workers: int | None, most: int) -> Iterator[Cluster]:
     """Return a cluster on this machine, of processes with one thread: one for each core by default, at most `most`."""
     distributed, dask = _dask()
-    with (
-        dask.config.set(SETTINGS),
-        warnings.catch_warnings(),
-    ):
-        # that the usual port of the dashboard is taken
-        warnings.simplefilter("ignore", UserWarning)
-        with (
-            distributed.LocalCluster(
+    with dask.config.set(SETTINGS):
+        try:
+            cluster = distributed.LocalCluster(
                 n_workers=min(workers or dask.system.CPU_COUNT, most),
                 threads_per_worker=1,
                 processes=True,
-                dashboard_address=DASHBOARD,
+                dashboard_address=f"127.0.0.1:{_free_port(DASHBOARD)}",
                 silence_logs=logging.CRITICAL,
-            ) as cluster,
-            distributed.Client(cluster) as client,
-        ):
+            )
+        except RuntimeError as error:
+            # they load the program that called anew, and run it again if nothing keeps them from it
+            mend = 'call groundslab.study in a file, below if __name__ == "__main__":, or with workers=0'
+            raise InputError([Fault("workers", f"none that start ({error})", "processes of Python", mend)]) from error
+        with cluster, distributed.Client(cluster) as client:
             yield Cluster(client, cluster.dashboard_link, own=True)
+
+
+def _free_port(port: int) -> int:
+    """Return a port of the loopback if nobody has it, else 0 for any."""
+    with socket.socket() as tried:
+        try:
+            tried.bind(("127.0.0.1", port))
+        except OSError:
+            return 0
+    return port
 
 
 @contextmanager
