@@ -14,20 +14,21 @@ from groundslab.schema import Check, Part, Table
 from groundslab.study.amounts import Amount, OneOrTwo, Raw
 from groundslab.study.distributions import DistributionOf
 
-SamplingKind = Literal["grid", "list", "latin hypercube", "sobol", "saltelli", "monte carlo"]
+SamplingKind = Literal["grid", "list", "latin hypercube", "sobol", "saltelli", "monte carlo", "tornado"]
 Take = Literal["largest", "smallest", "mean", "at", "everywhere"]
 Correlogram = Literal["gaussian", "exponential", "matern32"]
 
 #: What is counted through, not drawn.
 COUNTED = ("grid", "list")
+#: What says by itself how many variants there are.
+UNCOUNTED = (*COUNTED, "tornado")
 
 
 def _count_fits(kind: str, count: int | None) -> Iterator[Finding]:
-    if kind in COUNTED and count is not None:
-        yield Finding(
-            ("count",), str(count), f"no count, as kind is {quote(kind)}", "the values say how many there are"
-        )
-    if kind not in COUNTED and count is None:
+    if kind in UNCOUNTED and count is not None:
+        mend = "the values say how many there are" if kind in COUNTED else "two for each variable, and one more"
+        yield Finding(("count",), str(count), f"no count, as kind is {quote(kind)}", mend)
+    if kind not in UNCOUNTED and count is None:
         yield Finding(("count",), "nothing", "a whole number of variants", f"kind is {quote(kind)}")
 
 
@@ -40,13 +41,18 @@ class Sampling(Part):
         SamplingKind,
         Choice(
             SamplingKind,
-            "grid: all values with all others; list: the first of each, the second of each, ...; the others draw from "
-            "the distributions",
+            "grid: all values with all others; list: the first of each, the second of each, ...; tornado: all medians, "
+            "then each variable by itself at its 10 % and its 90 % quantile; the others draw from the distributions",
         ),
     ]
     count: Annotated[
         int | None, Whole("variants to draw; of saltelli those of each of the two samples that are mixed")
     ] = None
+
+
+def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[Finding]:
+    if choose and values is None:
+        yield Finding(("choose",), "true", "values to choose from")
 
 
 def _values_or_distribution(values: tuple[Raw, ...] | None, distribution: Part | None) -> Iterator[Finding]:
@@ -58,7 +64,7 @@ def _values_or_distribution(values: tuple[Raw, ...] | None, distribution: Part |
 class Vary(Part):
     """A quantity of the case that varies."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_values_or_distribution,)
+    checks: ClassVar[tuple[Check, ...]] = (_values_or_distribution, _choice_of_values)
 
     path: Annotated[str, Text("key of the case; positions count from 1, as in ground.layers[1].E")]
     name: Annotated[str, Text("its name in the study; the path by default")] = ""
@@ -66,6 +72,9 @@ class Vary(Part):
         None
     )
     distribution: Annotated[DistributionOf | None, Table("distribution of the values, instead of values")] = None
+    choose: Annotated[
+        bool, Flag("whether values are for the designer to choose from: not drawn, each is solved with all that is")
+    ] = False
     times: Annotated[bool, Flag("whether values are pure numbers that the value in the case is multiplied by")] = False
 
 
@@ -129,6 +138,9 @@ class LimitState(Part):
     keep: Annotated[str, Text("name of the kept result")]
     at_most: Annotated[Raw | None, Amount("", "largest value that is fine", "as the kept result")] = None
     at_least: Annotated[Raw | None, Amount("", "smallest value that is fine", "as the kept result")] = None
+    target: Annotated[
+        float | None, Number("", "probability of failure that is aimed at, for the evaluation", Range(above=0, below=1))
+    ] = None
 
 
 def _something_varies(vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]) -> Iterator[Finding]:
@@ -136,7 +148,21 @@ def _something_varies(vary: tuple[Vary, ...], random_field: tuple[RandomField, .
         yield Finding((), "nothing that varies", "[[vary]] or [[random_field]]")
 
 
+def _choices_fit(sampling: Sampling, vary: tuple[Vary, ...], correlation: tuple[Correlation, ...]) -> Iterator[Finding]:
+    """Find choices where nothing is drawn, and choices that are said to hang together with chance."""
+    for position, each in enumerate(vary):
+        if each.choose and sampling.kind in (*UNCOUNTED, "saltelli"):
+            expected = f"no choice, as sampling.kind is {quote(sampling.kind)}"
+            yield Finding(("vary", position, "choose"), "true", expected)
+        if each.choose and any((each.name or each.path) in pair.between for pair in correlation):
+            yield Finding(("vary", position, "choose"), "true", "no choice, as [[correlation]] names it")
+
+
 def _kinds_fit(sampling: Sampling, vary: tuple[Vary, ...]) -> Iterator[Finding]:
+    if sampling.kind == "tornado":
+        for position, each in enumerate(vary):
+            if each.values is not None:
+                yield Finding(("vary", position, "values"), "values", 'a distribution, as sampling.kind is "tornado"')
     if sampling.kind not in COUNTED:
         return
     for position, each in enumerate(vary):
@@ -157,8 +183,8 @@ def one_of_numbers(numbers: set[int]) -> str:
 
 
 def _fields_fit(sampling: Sampling, vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]) -> Iterator[Finding]:
-    if sampling.kind == "grid" and random_field:
-        yield Finding(("random_field",), describe(random_field), 'none, as sampling.kind is "grid"')
+    if sampling.kind in ("grid", "tornado") and random_field:
+        yield Finding(("random_field",), describe(random_field), f"none, as sampling.kind is {quote(sampling.kind)}")
     if sampling.kind == "list" and not vary:
         yield Finding(("vary",), "nothing", 'at least one variable with a list, as sampling.kind is "list"')
 
@@ -225,7 +251,7 @@ def _known_correlations(vary: tuple[Vary, ...], correlation: tuple[Correlation, 
 
 
 def _correlation_fits(sampling: Sampling, correlation: tuple[Correlation, ...]) -> Iterator[Finding]:
-    if correlation and sampling.kind in (*COUNTED, "saltelli"):
+    if correlation and sampling.kind in (*UNCOUNTED, "saltelli"):
         why = "Sobol's indices are for independent variables" if sampling.kind == "saltelli" else "nothing is drawn"
         yield Finding(("correlation",), describe(correlation), f"none, as sampling.kind is {quote(sampling.kind)}", why)
 
@@ -262,6 +288,7 @@ class StudyFile(Part):
     checks: ClassVar[tuple[Check, ...]] = (
         _something_varies,
         _kinds_fit,
+        _choices_fit,
         _fields_fit,
         _names_once,
         _few_columns,

@@ -8,11 +8,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from groundslab.errors import Fault, InputError
 from groundslab.findings import one_of, suggestion
 from groundslab.study import files, store
+from groundslab.study.maps import moments
 from groundslab.study.sampling import Sample, sample_of
 from groundslab.study.setup import Setup, columns_of
 from groundslab.study.variant import split
@@ -148,19 +147,14 @@ class Study:
         output = next(each for each in self.setup.outputs if each.name == column)
         if what == "probability of uplift" and output.of != "settlement":
             raise InputError([Fault("map", f"{output.of}", "settlement, which alone says where the plate lifts")])
-        mesh, n = self.mesh(column), 0
-        mean, squares, lifted = np.zeros((3, len(mesh.nodes)))
-        for n, (_, values) in enumerate(self.fields(column), start=1):
-            # (Welford 1962): no difference of large sums
-            step = values - mean
-            mean += step / n
-            squares += step * (values - mean)
-            lifted += values < -1e-9 * np.abs(values).max()
+        mesh = self.mesh(column)
+        found = moments(values for _, values in self.fields(column))
+        assert found is not None  # where there is a mesh there is a field
         if what == "mean":
-            return Map(mesh, mean, output.unit, n)
+            return Map(mesh, found.mean, output.unit, found.n)
         if what == "std":
-            return Map(mesh, np.sqrt(squares / max(n - 1, 1)), output.unit, n)
-        return Map(mesh, lifted / n, "", n)
+            return Map(mesh, found.deviation, output.unit, found.n)
+        return Map(mesh, found.below_zero, "", found.n)
 
     def _store(self) -> store.Store:
         return store.Store(self.folder, columns_in(self.setup), read_only=True)

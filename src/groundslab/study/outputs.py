@@ -48,6 +48,7 @@ FIELDS: dict[str, Kept] = {
         Kept("shear", "force per length", "transverse shear force in its own direction, never negative"),
         Kept("principal moment 1", _MOMENT, "larger principal moment"),
         Kept("principal moment 2", _MOMENT, "smaller principal moment"),
+        Kept("tensile stress", "pressure", "largest tension by bending at either face, 6 m / t^2"),
         Kept("design moment bottom x", _MOMENT, "Wood's moment for bars along x at the bottom, never negative"),
         Kept("design moment bottom y", _MOMENT, "the same along y"),
         Kept("design moment top x", _MOMENT, "the same along x at the top, never positive"),
@@ -61,12 +62,16 @@ FIELDS: dict[str, Kept] = {
     )
 }  # fmt: skip
 
+#: Fields that the thickness of the plate is part of.
+_OF_THICKNESS = {name for name in FIELDS if name.startswith("reinforcement")} | {"tensile stress"}
+
 #: Figures of the whole plate, by name.
 FIGURES: dict[str, Kept] = {
     kept.name: kept
     for kept in (
         Kept("load", "force", "sum of the loads"),
         Kept("reaction", "force", "sum of the reactions of ground and supports"),
+        Kept("settlement difference", "length", "largest settlement less the smallest"),
         Kept("in contact", "", "share of the plate's area that rests on the ground"),
         Kept("tilt", "slope", "largest slope of the plane that fits the settlement best"),
         Kept("tilt x", "slope", "its slope along x, positive where the side of larger x is lower"),
@@ -165,7 +170,7 @@ def field_of(results: Results, name: str) -> Array:
     from groundslab.tables.thickness import of_nodes
 
     fields = {each: getattr(results.plate, each) for each in PLATE_FIELDS}
-    thickness = of_nodes(results.model, results.plate) if name.startswith("reinforcement") else np.zeros(0)
+    thickness = of_nodes(results.model, results.plate) if name in _OF_THICKNESS else np.zeros(0)
     values = _made(results, name, fields, thickness)
     if name == "pressure inside":
         return np.where(_counting(results, name), values, 0.0)
@@ -211,6 +216,11 @@ def _made(results: Results, name: str, fields: dict[str, Array], thickness: Arra
     if name.startswith("principal"):
         principal = principal_moments(*moments)
         return principal.m_1 if name.endswith("1") else principal.m_2
+    if name == "tensile stress":
+        principal = principal_moments(*moments)
+        # linear over the thickness: at the bottom by the larger moment, at the top by the smaller one
+        stress: Array = 6 * np.maximum(np.maximum(principal.m_1, -principal.m_2), 0.0) / thickness**2
+        return stress
     design = wood_armer(*moments)
     if name.startswith("design"):
         values: Array = getattr(design, name.removeprefix("design moment ").replace(" ", "_"))
@@ -264,6 +274,7 @@ def _in_contact(results: Results, output: Output) -> float | None:  # noqa: ARG0
 _FIGURE: dict[str, Callable[[Results, Output], float | None]] = {
     "load": lambda results, _: results.certificate.load,
     "reaction": lambda results, _: results.certificate.reaction,
+    "settlement difference": lambda results, _: float(np.ptp(results.plate.settlement)),
     "in contact": _in_contact,
     "tilt": _tilt("tilt"),
     "tilt x": _tilt("tilt_x"),

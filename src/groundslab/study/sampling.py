@@ -7,13 +7,14 @@ correlations given for the scores, not for the values).
 
 from __future__ import annotations
 
+import itertools
 import warnings
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from groundslab.shape import Array, Integers
+from groundslab.shape import Array, Flags, Integers
 from groundslab.study.setup import Setup, Variable
 
 #: Probabilities are kept this far from 0 and 1, where distributions may be infinite.
@@ -21,6 +22,8 @@ _END = 2.0**-53
 #: What random numbers are drawn for, so that none are drawn twice.
 _VALUES, _FIELDS = 0, 1
 _MOST_SEED = 2**31
+#: How far from the median the variables of a tornado go, as a probability: to the 10 % and the 90 % quantile.
+SWING = 0.4
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +65,38 @@ def sample_of(setup: Setup) -> Sample:
         return Sample(tuple(lists), _seeds(setup, n, 0))
     if kind == "saltelli":
         return _saltelli(setup)
-    points = unit_points(setup, len(setup.variables))
-    return Sample(_columns(setup, points), _seeds(setup, n, 0))
+    if kind == "tornado":
+        return Sample(_columns(setup, _one_at_a_time(len(setup.variables))), _seeds(setup, n, 0))
+    chosen = np.array([variable.chosen for variable in setup.variables], dtype=bool)
+    if not chosen.any():
+        return Sample(_columns(setup, unit_points(setup, len(chosen))), _seeds(setup, n, 0))
+    return _designs(setup, chosen)
+
+
+def _one_at_a_time(d: int) -> Array:
+    """Return points (1 + 2 d, d) in the unit cube: the middle, then two for each variable, SWING below and above."""
+    points = np.full((1 + 2 * d, d), 0.5)
+    for i in range(d):
+        points[1 + 2 * i : 3 + 2 * i, i] = 0.5 - SWING, 0.5 + SWING
+    return points
+
+
+def _designs(setup: Setup, chosen: Flags) -> Sample:
+    """Return the drawn variants once for each design, always the same ones, and one design after the other.
+
+    chosen (d,) says which variables the designer chooses; of these the last one changes first.
+    """
+    count = setup.sampling.count
+    assert count is not None
+    points = np.full((count, len(chosen)), 0.5)
+    points[:, ~chosen] = unit_points(setup, int((~chosen).sum()))
+    designs = list(itertools.product(*(variable.values or () for variable in setup.variables if variable.chosen)))
+    picked = iter(zip(*designs, strict=True))
+    values = [
+        [value for value in next(picked) for _ in range(count)] if chosen[place] else column * len(designs)
+        for place, column in enumerate(_columns(setup, points))
+    ]
+    return Sample(tuple(values), np.tile(_seeds(setup, count, 0), (len(designs), 1)))
 
 
 def unit_points(setup: Setup, dimensions: int) -> Array:

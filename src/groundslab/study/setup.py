@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -59,6 +60,7 @@ class Variable:
     values: tuple[Any, ...] | None
     distribution: Distribution | None
     times: bool
+    chosen: bool  # by the designer, out of the values; not drawn
     base: Any  # in the case; None if nothing is given there
 
     @property
@@ -118,6 +120,7 @@ class Limit:
     keep: str
     value: float
     at_most: bool  # else at least
+    target: float | None  # probability of failure aimed at
 
     def margin(self, result: float) -> float:
         """Return how far a result is on the safe side, negative beyond the limit."""
@@ -146,9 +149,12 @@ class Setup:
             return int(np.prod([float(n) for n in lengths]))
         if self.sampling.kind == "list":
             return lengths[0] if lengths else 1
+        if self.sampling.kind == "tornado":
+            return 1 + 2 * len(self.variables)
         assert self.sampling.count is not None
+        designs = math.prod(len(each.values) for each in self.variables if each.chosen and each.values is not None)
         blocks = len(self.variables) + len(self.fields) + 2 if self.sampling.kind == "saltelli" else 1
-        return self.sampling.count * blocks
+        return self.sampling.count * blocks * designs
 
 
 def setup_of(file: StudyFile, model: Model, from_file: bool = True) -> Setup:
@@ -219,7 +225,8 @@ def _variable(vary: Vary, model: Model, from_file: bool) -> Variable:
     if findings:
         raise Wrong(*findings)
     name = vary.name or vary.path
-    return Variable(name, place, None if values is None else tuple(values), distribution, vary.times, base)
+    kept = None if values is None else tuple(values)
+    return Variable(name, place, kept, distribution, vary.times, vary.choose, base)
 
 
 def _distribution(part: AnyDistribution, key: Key, from_file: bool) -> Distribution:
@@ -305,7 +312,7 @@ def _limit(limit: LimitState, outputs: list[Output | None], from_file: bool) -> 
         value = key.read(raw, from_file)
     except Wrong as error:
         raise Wrong(*(finding.below((name,)) for finding in error.findings)) from None
-    return Limit(limit.name, limit.keep, float(value), name == "at_most")
+    return Limit(limit.name, limit.keep, float(value), name == "at_most", limit.target)
 
 
 def _correlation(names: list[str], correlation: tuple[Correlation, ...]) -> Array:
