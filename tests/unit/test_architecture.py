@@ -99,6 +99,8 @@ HEAVY = {
     "distributed",
     "dask",
     "gstools",
+    "SALib",
+    "openturns",
 }
 #: Modules that are imported by functions only, with the heavy library that they are made of.
 LATE = {"study.plugin": {"distributed"}}

@@ -5,7 +5,8 @@
     study = groundslab.study("study.toml")
     study.table()
 
-The package can be called: ``groundslab.study(...)`` runs a study, ``groundslab.study.open_study`` opens one.
+The package can be called: ``groundslab.study(...)`` runs a study, ``groundslab.study.open_study`` opens one,
+``groundslab.study.evaluate`` writes its page and tables, ``groundslab.study.reliability`` finds a design point.
 """
 
 from __future__ import annotations
@@ -18,15 +19,23 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from groundslab.model import Model
     from groundslab.study.description import StudyFile
+    from groundslab.study.first_order import reliability
     from groundslab.study.opened import Study, open_study
     from groundslab.study.setup import Variable
+    from groundslab.study.writing import evaluate
 
-__all__ = ["Study", "StudyFile", "open_study", "run"]
+__all__ = ["Study", "StudyFile", "evaluate", "open_study", "reliability", "run"]
 
 #: Mishaps that are told of.
 MOST_MISHAPS = 10
 #: Where the names live that load when they are first used.
-_HOME = {"Study": "opened", "open_study": "opened", "StudyFile": "description"}
+_HOME = {
+    "Study": "opened",
+    "open_study": "opened",
+    "StudyFile": "description",
+    "evaluate": "writing",
+    "reliability": "first_order",
+}
 
 
 def run(

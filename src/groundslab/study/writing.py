@@ -1,0 +1,86 @@
+"""What is made of a study, as files: one page, and each table as CSV, in a folder beside the rows."""
+
+from __future__ import annotations
+
+import secrets
+import shutil
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab.errors import Fault, InputError
+from groundslab.study import evaluation, page, reading
+from groundslab.study.gathered import Unit, unit_for
+from groundslab.study.statistics import LEVEL
+
+if TYPE_CHECKING:
+    from groundslab.study.first_order import Reliability
+    from groundslab.study.opened import Study
+    from groundslab.tables.table import Table
+
+#: The folder within the study's, and the page in it.
+FOLDER, PAGE = "evaluation", "report.html"
+
+
+def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float = LEVEL) -> tuple[Path, ...]:
+    """Write report.html and the tables as CSV into the folder `evaluation` of a study and return their paths.
+
+    An evaluation that is there is replaced by a whole one or not at all.
+    """
+    from groundslab.study import first_order
+
+    sample = reading.sample_in(study)
+    if len(sample.number) == 0:
+        raise InputError([Fault(str(study.folder), "a study without a row", "a study with rows to evaluate")])
+    tables = [*evaluation.tables_of(sample, level), *(first_order.tables(reliability) if reliability else ())]
+    texts = {f"{table.name}.csv": table.csv() for table in tables}
+    texts[PAGE] = page.html(sample, origin(study), list(maps(study)), reliability, level)
+    folder = study.folder / FOLDER
+    staging = folder.with_name(f".{FOLDER}.partial-{secrets.token_hex(4)}")
+    try:
+        staging.mkdir()
+        for name, text in texts.items():
+            (staging / name).write_text(text, encoding="utf-8", newline="\n")
+        if folder.exists():
+            shutil.rmtree(folder)
+        staging.rename(folder)
+    finally:
+        shutil.rmtree(staging, ignore_errors=True)
+    return tuple(folder / name for name in (PAGE, *(name for name in texts if name != PAGE)))
+
+
+def tables_of(study: Study, level: float = LEVEL) -> tuple[Table, ...]:
+    """Return the tables that are made of a study's rows; level is the confidence of the intervals."""
+    return evaluation.tables_of(reading.sample_in(study), level)
+
+
+def maps(study: Study) -> Iterator[page.Map]:
+    """Yield maps of each field kept everywhere: mean, standard deviation, of the settlement where the plate lifts.
+
+    There are none if the variants differ in their mesh.
+    """
+    for output in study.setup.outputs:
+        if not output.everywhere:
+            continue
+        try:
+            found = study.map(output.name, "mean")
+        except InputError:
+            return
+        nodes, elements = found.mesh.nodes, found.mesh.elements
+        unit = unit_for(output.dimension or None, found.values)
+        yield page.Map(f"{output.name}: mean", nodes, elements, found.values * unit.scale, unit)
+        spread = study.map(output.name, "std").values
+        own = unit_for(output.dimension or None, spread)
+        yield page.Map(f"{output.name}: standard deviation", nodes, elements, spread * own.scale, own)
+        if output.of == "settlement":
+            share = study.map(output.name, "probability of uplift").values
+            yield page.Map(f"{output.name}: probability of uplift", nodes, elements, share * 100, Unit("%", 100.0))
+
+
+def origin(study: Study) -> page.Origin:
+    """Return what makes a study repeatable: its seed, versions and checksums, for the page."""
+    about = study.about
+    facts = [("seed", str(about["seed"])), ("variants", str(about["variants"])), ("made", str(about["made"]))]
+    facts += [("SHA-256 of the study file", about["study_sha256"]), ("SHA-256 of the case file", about["case_sha256"])]
+    facts += [(f"version of {name}", str(version)) for name, version in about["versions"].items()]
+    return page.Origin(study.title, tuple(facts))

@@ -1,0 +1,196 @@
+"""A small study from its rows on the disk to its page, its tables and its design points, with answers known by hand."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+pytest.importorskip("SALib")
+pytest.importorskip("jinja2")
+pytest.importorskip("openturns")
+
+import groundslab
+from groundslab import Mesh, Model, Plate, UniformLoad, Winkler
+from groundslab.errors import InputError
+from groundslab.study import StudyFile, evaluate, reliability
+from groundslab.study.opened import Study
+from groundslab.study.reading import sample_in
+from groundslab.study.writing import tables_of
+
+#: Under an even load on even springs the plate settles by q / k, whatever its stiffness.
+CASE = Model(
+    title="Even load <b>",
+    plate=Plate(length_x=4.0, length_y=2.0, thickness=0.3, E=30e9, nu=0.2),
+    ground=Winkler(k=20e6),
+    loads=[UniformLoad(q=50e3)],
+    mesh=Mesh(size=2.0),
+)
+#: Lognormal load over lognormal spring: ln w = ln q - ln k is normal.
+COV_Q, COV_K = 0.2, 0.3
+Q = {"path": "loads[1].q", "name": "q", "distribution": {"kind": "lognormal", "mean": 50e3, "cov": COV_Q}}
+K = {"path": "ground.k", "name": "k", "distribution": {"kind": "lognormal", "mean": 20e6, "cov": COV_K}}
+T = {"path": "plate.thickness", "name": "t", "values": [0.2, 0.4], "choose": True}
+SOFT = {"name": "w", "of": "settlement", "take": "largest"}
+MAP = {"name": "all w", "of": "settlement", "take": "everywhere"}
+LIMIT = {"name": "too soft", "keep": "w", "at_most": 5e-3, "target": 0.05}
+
+
+def run(folder: Path, kind: str, count: int | None, vary: list[Any], **more: Any) -> Study:
+    """Run a study of the case."""
+    sampling: dict[str, Any] = {"kind": kind} | ({} if count is None else {"count": count})
+    keep = more.pop("keep", [SOFT, MAP])
+    limits = more.pop("limit_state", [LIMIT])
+    file = StudyFile(case="", seed=5, sampling=sampling, vary=vary, keep=keep, limit_state=limits, **more)
+    study: Study = groundslab.study.run(file, case=CASE, out=folder / "study", workers=0, quiet=True)
+    return study
+
+
+def logs() -> tuple[float, float, float]:
+    """Return mean of ln w, and the standard deviations of ln q and ln k."""
+    s_q, s_k = np.sqrt(np.log1p(COV_Q**2)), np.sqrt(np.log1p(COV_K**2))
+    return float(np.log(50e3) - s_q**2 / 2 - np.log(20e6) + s_k**2 / 2), float(s_q), float(s_k)
+
+
+def exact_beta(rho: float = 0.0) -> float:
+    """Return the reliability index of w <= 5 mm: the distance of ln 5 mm from the mean of ln w."""
+    mean, s_q, s_k = logs()
+    return float((np.log(5e-3) - mean) / np.sqrt(s_q**2 + s_k**2 - 2 * rho * s_q * s_k))
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    """Return a study of load and springs drawn at random."""
+    return run(tmp_path_factory.mktemp("drawn"), "monte carlo", 50, [Q, K])
+
+
+def test_monte_carlo_of_an_even_load(study: Study) -> None:
+    """Each row is q / k; the probability's interval holds the exact one; page and tables stand in the folder."""
+    sample = sample_in(study)
+    q, k = (each.values for each in sample.inputs)
+    assert sample.outputs[0].values == pytest.approx(q / k, rel=1e-9)
+    assert [each.unit.name for each in sample.inputs] == ["kPa", "MPa/m"]
+    assert sample.outputs[0].unit.name == "mm"
+    files = evaluate(study)
+    assert files[0] == study.folder / "evaluation" / "report.html"
+    assert {each.name for each in files} == {each.name for each in (study.folder / "evaluation").iterdir()}
+    with (study.folder / "evaluation" / "limit_states.csv").open(encoding="utf-8", newline="") as opened:
+        (row,) = csv.DictReader(opened)
+    low, high = (float(row[f"probability of failure, {end}"]) for end in ("low", "high"))
+    assert low < stats.norm.sf(exact_beta()) < high
+    page = files[0].read_text(encoding="utf-8")
+    assert "Even load &lt;b&gt;" in page
+    assert study.about["case_sha256"] in page
+    assert "all w: probability of uplift" in page
+
+
+def test_maps_are_the_rows(study: Study) -> None:
+    """Under an even load mean and deviation of the settlement at every node are those of the largest settlement."""
+    w = study.table()["w"].to_numpy()
+    mean, std = study.map("settlement", "mean"), study.map("settlement", "std")
+    # fields are kept with seven digits
+    assert mean.values == pytest.approx(np.full(len(mean.mesh.nodes), w.mean()), rel=1e-6)
+    assert std.values == pytest.approx(np.full(len(mean.mesh.nodes), w.std(ddof=1)), rel=1e-5)
+    assert not study.map("settlement", "probability of uplift").values.any()
+
+
+def test_evaluating_again_replaces_the_old_evaluation(tmp_path: Path) -> None:
+    """An evaluation takes the place of the one before, with nothing left of it and nothing left beside it."""
+    study = run(tmp_path, "latin hypercube", 4, [Q, K])
+    (study.folder / "evaluation").mkdir()
+    (study.folder / "evaluation" / "old.csv").write_text("old", encoding="utf-8")
+    first, second = evaluate(study), evaluate(study)
+    assert first == second
+    assert not (study.folder / "evaluation" / "old.csv").exists()
+    assert not [each for each in study.folder.iterdir() if each.name.startswith(".")]
+
+
+def test_saltellis_sample_of_the_engine_fits_the_analysis(tmp_path: Path) -> None:
+    """From the engine's own sample come the indices of ln w = ln q - ln k's parts, and k's field has none.
+
+    w = q x with x = 1 / k: V_q = Var(q) E(x)^2, V_x = Var(x) E(q)^2, Var(q) Var(x) together.
+    """
+    study = run(tmp_path, "saltelli", 32, [Q, K], keep=[SOFT], limit_state=[])
+    v_q, v_x = COV_Q**2, COV_K**2  # squares of the coefficients of variation; 1 / k has that of k
+    parts = np.array([v_q, v_x]) / (v_q + v_x + v_q * v_x)
+    (table,) = [each for each in tables_of(study) if each.name == "sobol"]
+    for place in range(2):
+        for name, exact in (("first-order", parts[place]), ("total", 1 - parts[1 - place])):
+            low, high = (table[f"{name} index, {end}"][place] for end in ("low", "high"))
+            assert low < exact < high  # type: ignore[operator]
+    first = [table["first-order index"][place] for place in range(2)]
+    assert first == pytest.approx(parts, abs=0.15)
+
+
+def test_the_design_point_of_an_even_load(study: Study) -> None:
+    """beta, design point and importance of lognormal load over lognormal spring are exact; sampling agrees."""
+    found = reliability(study)
+    _, s_q, s_k = logs()
+    beta, s = exact_beta(), np.hypot(s_q, s_k)
+    assert found.point.beta == pytest.approx(beta, rel=1e-6)
+    assert found.point.importance == pytest.approx([s_q**2 / s**2, s_k**2 / s**2], rel=1e-3)
+    q, k = (float(each.values[0]) for each in found.inputs)
+    assert q / k == pytest.approx(5e-3, rel=1e-3)
+    median_q, median_k = (50e3 * np.exp(-(s_q**2) / 2), 20e6 * np.exp(-(s_k**2) / 2))
+    assert q == pytest.approx(median_q * np.exp(beta * s_q**2 / s), rel=1e-3)
+    assert k == pytest.approx(median_k * np.exp(-beta * s_k**2 / s), rel=1e-3)
+    assert found.sampled is not None
+    assert found.sampled.low < found.point.probability < found.sampled.high
+    assert f"too soft: w at most 5 mm\nbeta {beta:.4g}, probability" in str(found)
+    page = evaluate(study, [found])[0].read_text(encoding="utf-8")
+    assert "First-order reliability" in page
+    assert (study.folder / "evaluation" / "design_points.csv").exists()
+
+
+def test_the_design_point_with_correlation(tmp_path: Path) -> None:
+    """With correlated logarithms beta is that of their difference."""
+    correlation = [{"between": ["q", "k"], "rho": -0.5}]
+    study = run(tmp_path, "monte carlo", 4, [Q, K], correlation=correlation, keep=[SOFT])
+    assert reliability(study, "too soft").point.beta == pytest.approx(exact_beta(-0.5), rel=1e-6)
+
+
+def test_designs_have_maps_and_probabilities_of_their_own(tmp_path: Path) -> None:
+    """An even load settles the plate alike for each thickness: both designs have the same figures."""
+    study = run(tmp_path, "sobol", 4, [Q, T, K])
+    (table,) = [each for each in tables_of(study) if each.name == "statistics"]
+    assert table["design"] == ("t = 200 mm", "t = 400 mm")
+    assert table["mean"][0] == pytest.approx(table["mean"][1], rel=1e-9)
+    assert "t = 400 mm" in evaluate(study)[0].read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("vary", "more", "name", "where"),
+    [
+        ([Q, T], {}, "", r"vary\[2\]"),
+        ([Q], {"random_field": [{"path": "ground.k", "correlation_length": 2.0,
+                                 "distribution": {"kind": "lognormal", "mean": 1.0, "cov": 0.1}}]}, "", "random_field"),
+        ([Q], {}, "too sofd", "limit_state"),
+        ([Q], {"limit_state": []}, "", "limit_state"),
+    ],
+)  # fmt: skip
+def test_studies_without_a_design_point_are_refused(
+    tmp_path: Path, vary: Any, more: dict[str, Any], name: str, where: str
+) -> None:
+    """Listed values, random fields and unknown limit states have no design point; the fault says so."""
+    if "random_field" in more:
+        pytest.importorskip("gstools")
+    study = run(tmp_path, "monte carlo", 1, vary, keep=[SOFT], **more)
+    with pytest.raises(InputError, match=where):
+        reliability(study, name)
+
+
+def test_a_study_without_rows_is_no_study_to_evaluate(tmp_path: Path) -> None:
+    """Where no row is there yet, nothing is written and the fault says so."""
+    import sqlite3
+
+    study = run(tmp_path, "monte carlo", 1, [Q])
+    with sqlite3.connect(study.folder / "rows.sqlite") as rows:
+        rows.execute("DELETE FROM rows")
+    rows.close()
+    with pytest.raises(InputError, match="without a row"):
+        evaluate(study)
+    assert not (study.folder / "evaluation").exists()
