@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, study, plot, report, app, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, study, evaluate, plot, report, app, check, new, dxf, verify, schema.
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 130 interrupted.
@@ -129,6 +129,22 @@ def _parser() -> argparse.ArgumentParser:
     place.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler to use, such as tcp://127.0.0.1:8786")
     study.add_argument("--quiet", action="store_true", help="print no progress")
 
+    evaluate = _command(commands, "evaluate", _evaluate, "make the page and the tables of a study from its rows")
+    evaluate.epilog = (
+        "Writes report.html and the tables as CSV into the folder evaluation within the study's, as groundslab study "
+        "does at its end. A study that still runs can be evaluated as far as it is."
+    )
+    evaluate.add_argument("folder", help="folder of a study")
+    evaluate.add_argument(
+        "--design-points",
+        nargs="*",
+        metavar="NAME",
+        help="find the design point of these limit states, or of all, by solving the case some more times",
+    )
+    evaluate.add_argument(
+        "--level", type=_level, default=0.95, metavar="P", help="confidence of the intervals (default: 0.95)"
+    )
+
     check = _command(
         commands, "check", _check, "read a case file, or a study file, and say everything that is wrong with it"
     )
@@ -254,10 +270,38 @@ def _study(options: argparse.Namespace) -> int:
         _say(study.how_to_go_on(folder, again))
         return INTERRUPTED if isinstance(error, KeyboardInterrupt) else NO_RESULT
     _print("\n".join(study.outcome(found)))
+    if len(found):
+        try:
+            _print(f"evaluation: {study.evaluate(found)[0]}")
+        except InputError as error:
+            # the rows are there, only a library that evaluates them is not
+            _say(_faults(error))
     if len(found) < found.count:
         _say(study.how_to_go_on(folder, again))
         return NO_RESULT
     return FINE
+
+
+def _evaluate(options: argparse.Namespace) -> int:
+    """Make page and tables of a study; find design points of its limit states if asked to."""
+    from groundslab import study
+
+    found = study.open_study(options.folder)
+    names = options.design_points
+    if names is not None and not names:
+        names = [limit.name for limit in found.setup.limits] or [""]
+    points = [study.reliability(found, name) for name in names or ()]
+    files = study.evaluate(found, points, options.level)
+    _print("\n\n".join(map(str, points)) + "\n" * 2 * bool(points) + f"evaluation: {files[0]}")
+    return FINE
+
+
+def _level(text: str) -> float:
+    """Return a confidence; argparse says what is wrong with another one."""
+    level = float(text)
+    if not 0 < level < 1:
+        raise argparse.ArgumentTypeError("expected a number between 0 and 1, such as 0.95")
+    return level
 
 
 def _end_on_sigterm() -> None:

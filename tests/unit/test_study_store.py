@@ -223,7 +223,9 @@ class TestCommand:
         path = write(tmp_path)
         assert cli.main(["study", str(path), "--workers", "0"]) == 0
         shown = capsys.readouterr()
-        assert shown.out.splitlines() == [f"{tmp_path / 'study-study'}: 12 of 12 variants have a row, 12 solved"]
+        rows, evaluation = shown.out.splitlines()
+        assert rows == f"{tmp_path / 'study-study'}: 12 of 12 variants have a row, 12 solved"
+        assert evaluation == f"evaluation: {tmp_path / 'study-study' / 'evaluation' / 'report.html'}"
         assert "solving in this process" in shown.err
         assert cli.main(["study", str(path), "--workers", "0"]) == 2
         assert "--resume goes on" in capsys.readouterr().err

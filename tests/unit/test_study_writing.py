@@ -15,7 +15,8 @@ pytest.importorskip("jinja2")
 pytest.importorskip("openturns")
 
 import groundslab
-from groundslab import Mesh, Model, Plate, UniformLoad, Winkler
+from groundslab import Mesh, Model, Plate, UniformLoad, Winkler, casefile
+from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.study import StudyFile, evaluate, reliability
 from groundslab.study.opened import Study
@@ -194,3 +195,49 @@ def test_a_study_without_rows_is_no_study_to_evaluate(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="without a row"):
         evaluate(study)
     assert not (study.folder / "evaluation").exists()
+
+
+STUDY = """
+case = "case.toml"
+[sampling]
+kind = "monte carlo"
+count = 3
+[[vary]]
+path = "loads[1].q"
+name = "q"
+distribution = {kind = "lognormal", mean = "50 kPa", cov = 0.2}
+[[keep]]
+name = "w"
+of = "settlement"
+take = "largest"
+[[limit_state]]
+name = "too soft"
+keep = "w"
+at_most = "4 mm"
+"""
+
+
+def test_commands_evaluate_a_study(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A study is evaluated at its end, and again by a command of its own, which finds the exact design point."""
+    (tmp_path / "case.toml").write_text(casefile.to_toml(CASE), encoding="utf-8")
+    (tmp_path / "soft.toml").write_text(STUDY, encoding="utf-8")
+    assert main(["study", str(tmp_path / "soft.toml"), "--workers", "0", "--quiet"]) == 0
+    page = tmp_path / "soft-study" / "evaluation" / "report.html"
+    assert f"evaluation: {page}" in capsys.readouterr().out
+    page.unlink()
+    assert main(["evaluate", str(tmp_path / "soft-study"), "--design-points", "--level", "0.9"]) == 0
+    out = capsys.readouterr().out
+    s = np.sqrt(np.log1p(0.2**2))
+    beta = (np.log(4e-3 * 20e6 / 50e3) + s**2 / 2) / s
+    assert f"beta {beta:.4g}, probability of failure {stats.norm.sf(beta):.4g}" in out
+    assert "Intervals of 90% confidence" in page.read_text(encoding="utf-8")
+
+
+def test_commands_refuse_what_they_cannot_evaluate(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A folder that is no study, and a level that is no confidence, end with exit code 2 and a word why."""
+    assert main(["evaluate", str(tmp_path)]) == 2
+    assert "a folder that groundslab study made" in capsys.readouterr().err
+    with pytest.raises(SystemExit) as caught:
+        main(["evaluate", str(tmp_path), "--level", "95"])
+    assert caught.value.code == 2
+    assert "between 0 and 1" in capsys.readouterr().err

@@ -269,7 +269,7 @@ def _jinja2() -> Any:
     try:
         import jinja2
     except ImportError:
-        mend = "pip install groundslab[study]; the tables do without it"
+        mend = "pip install groundslab[study]"
         fault = Fault("jinja2", "nothing that can be imported", "Jinja2, which makes the page", mend)
         raise InputError([fault]) from None
     return jinja2
