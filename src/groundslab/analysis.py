@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from groundslab import contact, forecast, linear
-from groundslab.checks import certificate, decay_squared
+from groundslab.checks import certificate, decay_squared, worst
 from groundslab.contact import Contact, slipped
 from groundslab.errors import (
     Fault,
@@ -26,7 +26,7 @@ from groundslab.layout import coarsest
 from groundslab.loadcases import Combination, combinations_of
 from groundslab.model import Model
 from groundslab.problem import System, W, bearings, nodal, right_hand_side
-from groundslab.recover import recover
+from groundslab.recover import increment, recover
 from groundslab.results import Combined, Results, Step
 from groundslab.shape import Array
 from groundslab.solution import Solution
@@ -153,14 +153,26 @@ def _each(
 
         factors = _factors(model, combination)
         try:
-            solution = _nested(ladder, combination.name, factors, report)
+            *earlier, solution = _nested(ladder, combination.name, factors, report)
             effect = _margin_effect(margins, combination.name, factors) if model.beyond.kind == "infinite" else None
-            proof = certificate(solution, effect)
-            results = recover(model, combination, solution, ladder.frame(solution), proof, tuple(steps), name)
+            frame, partial = ladder.frame(solution), _under_their_share(earlier)
+            proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in partial)])
+            before = tuple(increment(model, each, frame, share) for share, each in partial)
+            results = recover(model, combination, solution, frame, proof, tuple(steps), name, before)
             yield results if results.certificate.holds else NotCertified(results)
         except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
             # what it was raised in holds meshes and factors, which nobody needs any more
             yield refusal.with_traceback(None)
+
+
+def _under_their_share(earlier: Sequence[Solution]) -> list[tuple[float, Solution]]:
+    """Return the solutions of all load increments but the last with the share of the load that each is for."""
+    found = []
+    for number, solution in enumerate(earlier, start=1):
+        share, problem = number / (len(earlier) + 1), solution.system.problem
+        own = replace(problem, loading=problem.loading.times(share))
+        found.append((share, replace(solution, system=replace(solution.system, problem=own))))
+    return found
 
 
 def _factors(model: Model, combination: Combination) -> Array:
@@ -169,8 +181,8 @@ def _factors(model: Model, combination: Combination) -> Array:
     return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])
 
 
-def _nested(ladder: Ladder, combination: str, factors: Array, report: OnStep) -> Solution:
-    """Return the solution on the ladder's finest mesh, reached from the coarsest one upwards.
+def _nested(ladder: Ladder, combination: str, factors: Array, report: OnStep) -> list[Solution]:
+    """Return the solution of each load increment on the ladder's finest mesh, reached from the coarsest one upwards.
 
     Or in one step from that of a model like this one, if that leads there.
     """
@@ -181,13 +193,13 @@ def _nested(ladder: Ladder, combination: str, factors: Array, report: OnStep) ->
         like = ladder.like(combination, s)
         if like:
             with suppress(NotConverged, SingularMatrix):
-                return _increments(model, s, level, like, report, True)[-1]
+                return _increments(model, s, level, like, report, True)
     for coarsening in _coarsenings(max(_first(model), ladder.finest), ladder.finest):
         level = ladder.level(coarsening, factors)
         s = replace(level.system, problem=level.system.problem.under(factors))
         before = _increments(model, s, level, before, report, coarsening == ladder.finest)
     ladder.remember(combination, before)
-    return before[-1]
+    return before
 
 
 def _coarsenings(first: int, last: int) -> list[int]:
@@ -323,6 +335,6 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
 def _margin_effect(margins: list[Ladder], combination: str, factors: Array) -> float:
     """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively."""
     unheard = list[Step]()
-    found = [_nested(ladder, combination, factors, unheard.append) for ladder in margins]
+    found = [_nested(ladder, combination, factors, unheard.append)[-1] for ladder in margins]
     largest = [np.abs(solution.U[:, W]).max() for solution in found]
     return float(abs(largest[1] - largest[0]) / max(largest)) if any(largest) else 0.0

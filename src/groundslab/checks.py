@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 
 from groundslab.assembly import scatter
@@ -179,6 +182,12 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
     )
+
+
+def worst(proofs: Sequence[Certificate]) -> Certificate:
+    """Return the first certificate with the largest of all for every figure that must vanish."""
+    names = proofs[0].must_vanish()
+    return replace(proofs[0], **{name: max(getattr(proof, name) for proof in proofs) for name in names})
 
 
 def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:

@@ -6,6 +6,7 @@ Patterns are upper CSR, numbered in an order of elimination that is already good
 from __future__ import annotations
 
 import ctypes
+import functools
 import os
 import platform
 import sys
@@ -182,23 +183,24 @@ def choose(name: str) -> tuple[str, Solver]:
     """Return the solver "pardiso" or "superlu"; for "auto" PARDISO where it can be imported."""
     solvers: dict[str, Solver] = {"pardiso": pardiso, "superlu": superlu}
     if name != "auto":
-        if name == "pardiso":
-            try:
-                _pardiso_wrapper()
-            except ImportError as error:
-                mend = 'solver = "auto" takes it where it is there'
-                fault = Fault(
-                    "analysis.solver", f'"pardiso", which cannot be loaded ({error})', '"superlu" or "auto"', mend
-                )
-                raise InputError([fault]) from error
+        if name == "pardiso" and without_pardiso():
+            mend = 'solver = "auto" takes it where it is there'
+            got = f'"pardiso", which cannot be loaded ({without_pardiso()})'
+            raise InputError([Fault("analysis.solver", got, '"superlu" or "auto"', mend)])
         return name, solvers[name]
-    if platform.machine().lower() in ("x86_64", "amd64"):
-        try:
-            _pardiso_wrapper()
-        except ImportError:
-            return "superlu", superlu
+    if platform.machine().lower() in ("x86_64", "amd64") and not without_pardiso():
         return "pardiso", pardiso
     return "superlu", superlu
+
+
+@functools.cache
+def without_pardiso() -> str:
+    """Return why PARDISO cannot be loaded, nothing if it can; asked once, as a search in vain takes long."""
+    try:
+        _pardiso_wrapper()
+    except ImportError as error:
+        return str(error)
+    return ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -17,6 +17,7 @@ from groundslab.results import (
     Constants,
     ElementResult,
     GroundResult,
+    Increment,
     PlateResult,
     Results,
     Step,
@@ -40,8 +41,36 @@ def recover(
     proof: Certificate,
     steps: tuple[Step, ...],
     solver: str,
+    increments: tuple[Increment, ...] = (),
 ) -> Results:
     """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
+    plate, elements, ground = _parts(model, solution, frame)
+    return Results(
+        model=model,
+        plate=plate,
+        elements=elements,
+        ground=ground,
+        constants=_constants(solution),
+        certificate=proof,
+        steps=steps,
+        solver=solver,
+        unknowns=solution.system.pattern.size,
+        symmetry=solution.system.problem.symmetry,
+        combination=combination.name,
+        limit_state=combination.limit_state,
+        factors=combination.factors if model.cases else (),
+        supports=_supports(model, solution),
+        increments=increments,
+    )
+
+
+def increment(model: Model, solution: Solution, frame: Frame, share: float) -> Increment:
+    """Return the state under a share of the load; the solution's problem has that share for its load."""
+    return Increment(share, *_parts(model, solution, frame))
+
+
+def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
+    """Return plate, elements and ground of the whole, with their fields."""
     problem, plate, ground = solution.system.problem, frame.plate, frame.ground
     fields = _plate_fields(solution, frame)
     at_centres = _element_fields(model, problem, solution.U, frame, fields["pressure"])
@@ -50,21 +79,10 @@ def recover(
     section = elements.pop("section").astype(np.int64)
     in_contact, on_edge = (nodal.pop(name) > 0 for name in ("in_contact", "on_edge"))
     surfaces = surface_settlement(problem, solution.U)
-    return Results(
-        model=model,
-        plate=PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, on_edge=on_edge, **nodal),
-        elements=ElementResult(section=section, **elements),
-        ground=GroundResult(ground.mesh.nodes, ground.mesh.elements, surfaces[:, ground.node]),
-        constants=_constants(solution),
-        certificate=proof,
-        steps=steps,
-        solver=solver,
-        unknowns=solution.system.pattern.size,
-        symmetry=problem.symmetry,
-        combination=combination.name,
-        limit_state=combination.limit_state,
-        factors=combination.factors if model.cases else (),
-        supports=_supports(model, solution),
+    return (
+        PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, on_edge=on_edge, **nodal),
+        ElementResult(section=section, **elements),
+        GroundResult(ground.mesh.nodes, ground.mesh.elements, surfaces[:, ground.node]),
     )
 
 

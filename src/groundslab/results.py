@@ -175,7 +175,8 @@ class Step:
 class Certificate:
     """How well the result fulfils the equations; every figure is a ratio unless it says otherwise.
 
-    All of them are computed anew from the solution, with none of the matrices that were factorised.
+    All of them are computed anew from the solution, with none of the matrices that were factorised. Of several load
+    increments the worst counts.
     """
 
     residual: float  # largest force left over at a node / largest nodal force
@@ -207,6 +208,16 @@ class Certificate:
 
 
 @dataclass(frozen=True, slots=True)
+class Increment:
+    """The state under a share of the load, on the way to all of it."""
+
+    share: float  # of the load, settlements of supports included
+    plate: PlateResult
+    elements: ElementResult
+    ground: GroundResult
+
+
+@dataclass(frozen=True, slots=True)
 class Results:
     """All that came out of one analysis, with the description that it came from."""
 
@@ -224,6 +235,7 @@ class Results:
     limit_state: str
     factors: tuple[tuple[str, float], ...]
     supports: tuple[SupportResult, ...]
+    increments: tuple[Increment, ...] = ()  # all but the last, which is what these results tell
 
     def plot(self, *fields: str, **wanted: Any) -> Figure:
         """Return a figure of these results: `groundslab.plot` with them."""

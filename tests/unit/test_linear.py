@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -150,6 +151,15 @@ def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
     assert phases == [12, 33, 22, 33, 22, 33]
 
 
+@pytest.fixture
+def asked_anew() -> Iterator[None]:
+    """Let it be asked anew whether PARDISO can be loaded, in this test and after it."""
+    linear.without_pardiso.cache_clear()
+    yield
+    linear.without_pardiso.cache_clear()
+
+
+@pytest.mark.usefixtures("asked_anew")
 def test_without_pypardiso_superlu_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where pypardiso cannot be imported "auto" is SuperLU, and asking for it by name is an input error."""
     monkeypatch.setitem(sys.modules, "pypardiso", None)
@@ -158,6 +168,7 @@ def test_without_pypardiso_superlu_takes_its_place(monkeypatch: pytest.MonkeyPat
         linear.choose("pardiso")
 
 
+@pytest.mark.usefixtures("asked_anew")
 def test_on_other_processors_auto_is_superlu(monkeypatch: pytest.MonkeyPatch) -> None:
     """MKL exists for x86-64 alone, so elsewhere its import is not even tried."""
     monkeypatch.setattr(linear.platform, "machine", lambda: "arm64")

@@ -15,6 +15,7 @@ from groundslab.results import (
     Constants,
     ElementResult,
     GroundResult,
+    Increment,
     PlateResult,
     Results,
     Step,
@@ -25,16 +26,20 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 2
+FORMAT = 3
+
+
+#: Arrays that all states have in common.
+MESH = {"nodes", "elements"}
 
 
 def write(results: Results, path: Path) -> None:
     """Write arrays named as "plate.settlement", the model as TOML in "model", the rest as JSON in "about"."""
     from groundslab import casefile
 
-    arrays: dict[str, Any] = {}
-    for part, values in (("plate", results.plate), ("elements", results.elements), ("ground", results.ground)):
-        arrays |= {f"{part}.{item.name}": getattr(values, item.name) for item in fields(values)}
+    arrays: dict[str, Any] = _arrays("", results)
+    for number, increment in enumerate(results.increments):
+        arrays |= _arrays(f"increments.{number}.", increment)
     for number, support in enumerate(results.supports):
         names = (item.name for item in fields(support) if item.name != "name")
         arrays |= {f"supports.{number}.{name}": getattr(support, name) for name in names}
@@ -51,6 +56,7 @@ def write(results: Results, path: Path) -> None:
         "limit_state": results.limit_state,
         "factors": results.factors,
         "supports": [support.name for support in results.supports],
+        "increments": [each.share for each in results.increments],
     }
     text = json.dumps(about, allow_nan=False, default=lambda number: number.item())
     arrays |= {"model": np.array(casefile.to_toml(results.model)), "about": np.array(text)}
@@ -84,9 +90,7 @@ def _results(arrays: dict[str, Any]) -> Results:
     constants = about["constants"]
     return Results(
         model=casefile.loads(str(arrays["model"])),
-        plate=PlateResult(**{item.name: arrays[f"plate.{item.name}"] for item in fields(PlateResult)}),
-        elements=ElementResult(**{item.name: arrays[f"elements.{item.name}"] for item in fields(ElementResult)}),
-        ground=GroundResult(**{item.name: arrays[f"ground.{item.name}"] for item in fields(GroundResult)}),
+        **_parts("", arrays),
         constants=Constants(**constants | {"k0": tuple(constants["k0"]), "k1": tuple(constants["k1"])}),
         certificate=Certificate(**about["certificate"]),
         steps=tuple(Step(**step) for step in about["steps"]),
@@ -97,7 +101,31 @@ def _results(arrays: dict[str, Any]) -> Results:
         limit_state=about["limit_state"],
         factors=tuple((name, factor) for name, factor in about["factors"]),
         supports=tuple(_support(name, number, arrays) for number, name in enumerate(about["supports"])),
+        increments=tuple(
+            Increment(share, **_parts(f"increments.{number}.", arrays))
+            for number, share in enumerate(about["increments"])
+        ),
     )
+
+
+def _arrays(below: str, state: Results | Increment) -> dict[str, Any]:
+    """Return the arrays of a state by their names, which begin with `below`; a mesh that is known stands there once."""
+    found: dict[str, Any] = {}
+    for part, values in (("plate", state.plate), ("elements", state.elements), ("ground", state.ground)):
+        names = (item.name for item in fields(values) if not below or item.name not in MESH)
+        found |= {f"{below}{part}.{name}": getattr(values, name) for name in names}
+    return found
+
+
+def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
+    """Return plate, elements and ground of a state from the arrays whose names begin with `below`."""
+    kinds = {"plate": PlateResult, "elements": ElementResult, "ground": GroundResult}
+    return {
+        part: kind(
+            **{item.name: arrays[f"{'' if item.name in MESH else below}{part}.{item.name}"] for item in fields(kind)}
+        )
+        for part, kind in kinds.items()
+    }
 
 
 def _support(name: str, number: int, arrays: dict[str, Any]) -> SupportResult:

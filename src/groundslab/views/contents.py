@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from pathlib import Path
 
     from groundslab.results import Combined, Results
@@ -30,8 +31,32 @@ def of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
         f"{below}ground.vtu": partial(vtu.write_ground, results),
         f"{below}results.npz": partial(archive.write, results),
     }
+    writers |= _of_increments(results, below)
     if plot:
         writers[f"{below}picture.png"] = partial(picture.write, results)
+    return writers
+
+
+def _of_increments(results: Results, below: str) -> dict[str, Writer]:
+    """Return what writes the states under shares of the load, and the collections that join them with the last one.
+
+    ParaView's time is the share.
+    """
+    from groundslab.views import vtu
+
+    if not results.increments:
+        return {}
+    writers: dict[str, Writer] = {}
+    files: dict[str, dict[float, str]] = {"plate": {}, "ground": {}}
+    for number, each in enumerate(results.increments, 1):
+        state = replace(results, plate=each.plate, elements=each.elements, ground=each.ground, increments=())
+        for part, write in (("plate", vtu.write_plate), ("ground", vtu.write_ground)):
+            name = f"increments/{number:02}-{part}.vtu"
+            writers[below + name] = partial(write, state)
+            files[part][each.share] = name
+    for part, those in files.items():
+        text = collection({**those, 1.0: f"{part}.vtu"})
+        writers[f"{below}{part}-increments.pvd"] = partial(write_text, text=text)
     return writers
 
 
@@ -82,9 +107,9 @@ def folder_name(number: int, name: str, count: int) -> str:
     return f"{number:0{max(2, len(str(count)))}}{'-' if slug else ''}{slug}"
 
 
-def collection(files: dict[int, str]) -> str:
+def collection(files: Mapping[float, str]) -> str:
     """Return a ParaView collection (PVD) of files by their times."""
-    sets = [f'    <DataSet timestep="{time}" group="" part="0" file="{file}"/>' for time, file in files.items()]
+    sets = [f'    <DataSet timestep="{time:g}" group="" part="0" file="{file}"/>' for time, file in files.items()]
     head = '<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">'
     return "\n".join(['<?xml version="1.0"?>', head, "  <Collection>", *sets, "  </Collection>", "</VTKFile>", ""])
 
