@@ -25,7 +25,7 @@ def model(share: float = 1.0, increments: int = 1, **changes: object) -> Model:
     given: dict[str, object] = {
         "plate": {"length_x": 6.0, "length_y": 4.0, "thickness": 0.2, "E": 30e9, "nu": 0.2},
         "ground": {"kind": "winkler", "k": 30e6},
-        "contact": {"limit_pressure": 200e3},
+        "contact": {"limit_pressure": 110e3},
         "loads": [
             {"kind": "patch", "q": share * 900e3, "x": (-0.8, 0.8), "y": (-0.8, 0.8)},
             {"kind": "temperature", "difference": share * -10.0},
