@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import Sequence
+from collections.abc import Coroutine, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
+
+T = TypeVar("T")
 
 Headers = Sequence[tuple[str, str]]
 
@@ -46,7 +49,13 @@ def ask(app: Any, method: str, address: str, headers: Headers = (), content: byt
         "client": ("127.0.0.1", 1),
         "server": ("127.0.0.1", 2),
     }
-    return asyncio.run(_asked(app, scope, content))
+    return run(_asked(app, scope, content))
+
+
+def run(work: Coroutine[Any, Any, T]) -> T:
+    """Return what a coroutine comes to, in a thread of its own: a browser's tests leave a loop running in this one."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, work).result()
 
 
 async def _asked(app: Any, scope: dict[str, Any], content: bytes) -> Answer:

@@ -240,8 +240,8 @@ def test_the_result_is_read_at_places_and_along_lines(server: Server, bench: Ben
     page.locator(".section-box canvas").first.wait_for()
     assert "along" in page.locator(".chart-title").inner_text()
     place = page.locator(".value-box .gs-values-at").text_content()
-    bench.fill("400 mm", "plate", "thickness")
-    page.wait_for_selector('.result-status:not([data-state="fresh"])')
+    with page.expect_response(lambda answer: "/scene" in answer.url):
+        bench.fill("400 mm", "plate", "thickness")
     bench.wait_solved()
     assert page.locator(".field-choice").input_value() == "moment_x"
     assert page.locator(".value-box .gs-values-at").text_content() == place

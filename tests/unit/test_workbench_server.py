@@ -567,7 +567,7 @@ def test_events_are_told_to_all_in_order() -> None:
         assert [piece async for piece in hub.listen(list)] == []
         return first, second
 
-    for heard in asyncio.run(run()):
+    for heard in asgi.run(run()):
         assert heard[0] == b'event: state\ndata: {"version": 1}\n\n'
         assert b": here\n\n" in heard or len(heard) == 2
         assert heard[-1] == b'event: progress\ndata: {"run": 1, "text": "a\\nb"}\n\n'
@@ -585,7 +585,7 @@ def test_a_page_that_falls_behind_is_let_go(monkeypatch: pytest.MonkeyPatch) -> 
             hub.tell("progress", {"run": number})
         return len([piece async for piece in stream])
 
-    assert asyncio.run(run()) == 3
+    assert asgi.run(run()) == 3
 
 
 def test_a_case_that_is_none(tmp_path: Path, static: Path) -> None:
