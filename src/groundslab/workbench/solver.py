@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from groundslab.workbench.events import Event
 
 #: A run begins when nothing has changed for so long [s].
-DELAY = 0.3
+DELAY = 0.2
 #: A run that does not stop by itself for so long is ended with its process [s].
 GRACE = 2.0
 #: Results that are kept for pages which still show the one before.
