@@ -4,8 +4,9 @@
 
 Kinds: linear (Winkler, glued), winkler and pasternak (tensionless), raft (an L-shaped one, tensionless, meshed by Gmsh
 or Netgen). The bare solve, PARDISO's analysis, factorisation and one solution of the glued matrix on the finest mesh,
-is taken in turn with the whole analysis; medians are printed. And two kinds of their own: gamma (iterated, in turn with
-the gamma that comes out given), and combinations (of three load cases, each started from the one before).
+is taken in turn with the whole analysis; medians are printed. And kinds of their own: gamma (iterated, in turn with the
+gamma that comes out given), combinations (of three load cases), variants (of the ground, each in turn with a cold
+solution of the same model, on one thread as in a study), and study (the same variants by two workers and by one).
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ from collections import defaultdict
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from groundslab import analysis, casefile, contact, ladder, linear, problem
 from groundslab.discretise import discretise
@@ -69,6 +72,10 @@ PHASES: list[tuple[str, Any, str]] = [
     ("recovery", analysis, "recover"),
     ("certificate", analysis, "certificate"),
 ]
+#: Variants of the ground: how many are solved each time, and by how much k0 and k1 scatter.
+VARIANTS, SCATTER = 10, 0.3
+#: Variants of the study, enough for its start not to count.
+STUDY = 400
 MALLOC = {"M_MMAP_MAX": (-4, 0), "M_TRIM_THRESHOLD": (-1, -1)}
 
 
@@ -186,7 +193,7 @@ def largest_memory() -> float:
 
 
 def memory(model: Model) -> dict[str, float]:
-    """Return the largest memory of this process in one analysis, and what PARDISO held of it for the finest mesh."""
+    """Return time and largest memory of this process in one analysis, and what PARDISO held for the finest mesh."""
     held: list[float] = []
     factor = linear._Pardiso.factor
 
@@ -197,9 +204,16 @@ def memory(model: Model) -> dict[str, float]:
         return found
 
     linear._Pardiso.factor = watched  # type: ignore[method-assign]
-    analysis.solve(model)
-    peak = largest_memory()
-    return {"peak memory [MiB]": peak, "PARDISO's memory [MiB]": max(held), "peak / factor": peak / max(held)}
+    start = time.perf_counter()
+    results = analysis.solve(model)
+    spent, peak = time.perf_counter() - start, largest_memory()
+    return {
+        "unknowns": results.unknowns,
+        "one analysis [s]": spent,
+        "peak memory [MiB]": peak,
+        "PARDISO's memory [MiB]": max(held),
+        "peak / factor": peak / max(held),
+    }
 
 
 def written(results: Results) -> float:
@@ -291,6 +305,73 @@ def combinations(unknowns: int, times: int) -> dict[str, Any]:
     }
 
 
+def variants(unknowns: int, times: int) -> dict[str, Any]:
+    """Return what a variant of the ground costs on one thread, beside a cold solution of the same model."""
+    linear.use_threads(linear.choose("auto")[1], 1)
+    base = model_of("pasternak", unknowns)
+    alike, draw, ratios, totals = analysis.Variants(base), np.random.default_rng(1), [], []
+    for _ in range(times * VARIANTS):
+        k0, k1 = draw.lognormal(sigma=SCATTER, size=2) * (32.7862e6, 20.660e6)
+        model = base.replace(ground={"kind": "pasternak", "k0": k0, "k1": k1})
+        each, unknowns_there = [], 0
+        for solve in (analysis.solve_combinations, alike.solve_combinations):
+            start = time.perf_counter()
+            (results,) = solve(model).results.values()
+            each.append(time.perf_counter() - start)
+            unknowns_there = results.unknowns
+        totals.append(each[1])
+        ratios.append(each[1] / each[0])
+    return {
+        "unknowns": unknowns_there,
+        "total [s]": statistics.median(totals),
+        "variant / cold": statistics.median(ratios),
+    }
+
+
+def study(unknowns: int, times: int) -> dict[str, Any]:
+    """Return how much of twice one worker's pace two workers reach; the pace is that from the first rows to the last.
+
+    The efficiency has in it whatever these processes, the one that keeps the rows and the rest of the machine take from
+    each other.
+    """
+    from groundslab.study import files, running
+    from groundslab.study.description import StudyFile
+
+    case = model_of("pasternak", unknowns)
+    cov = {"kind": "lognormal", "cov": SCATTER}
+    described = StudyFile(
+        title="Ground that scatters",
+        seed=1,
+        sampling={"kind": "monte carlo", "count": STUDY},
+        vary=[
+            {"path": "ground.k0", "distribution": {**cov, "mean": 32.7862e6}},
+            {"path": "ground.k1", "distribution": {**cov, "mean": 20.660e6}},
+        ],
+        keep=[{"of": "settlement", "take": "largest"}],
+    )
+    read = files.made(described, case)
+    found: dict[int, list[float]] = {1: [], 2: []}
+    for _ in range(times):
+        for workers, paces in found.items():
+            seen: list[tuple[float, int]] = []
+            with tempfile.TemporaryDirectory() as folder:
+                running.run(
+                    read, Path(folder) / "study", running.Where(workers), False,
+                    lambda progress, seen=seen: seen.append((time.perf_counter(), progress.rows)),
+                )  # fmt: skip
+            (begin, first), (end, last) = next(each for each in seen if each[1]), seen[-1]
+            assert last == STUDY
+            paces.append((last - first) / (end - begin))
+    one, two = (statistics.median(found[workers]) for workers in (1, 2))
+    return {
+        "unknowns": next(iter(analysis.solve_combinations(case).results.values())).unknowns,
+        "total [s]": STUDY / two,
+        "variants per second, one worker": one,
+        "variants per second, two workers": two,
+        "efficiency on two workers": two / (2 * one),
+    }
+
+
 def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
     """Return the figures of one job."""
     keep_memory()
@@ -298,6 +379,10 @@ def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
         return {"kind": kind, **gamma(unknowns, times)}
     if kind == "combinations":
         return {"kind": kind, **combinations(unknowns, times)}
+    if kind == "variants":
+        return {"kind": kind, **variants(unknowns, times)}
+    if kind == "study":
+        return {"kind": kind, **study(unknowns, times)}
     return {"kind": kind, **beside_the_bare_solve(kind, unknowns, times)}
 
 

@@ -35,6 +35,8 @@ NAMES = {
     "raft": "L-shaped raft, tensionless",
     "gamma": "Vlasov, tensionless, gamma iterated",
     "combinations": "several combinations of loads",
+    "variants": "variants of the ground",
+    "study": "a study of such variants, two workers",
 }
 #: Relative errors at which programs are compared.
 ERRORS = (1e-3, 1e-4, 1e-5)
@@ -142,6 +144,7 @@ def against_every_peer(results: Results) -> Measured | None:
     return min(found, key=lambda each: each.value, default=None)
 
 
+STUDIES = ("variant / cold", "efficiency on two workers")
 TENSIONLESS = ("winkler", "pasternak", "raft")
 PLATES = ("linear", "winkler", "pasternak")
 TARGETS = [
@@ -156,6 +159,16 @@ TARGETS = [
     Target("assembly of 1M unknowns / bare solve", 0.25, 0.1, own("linear", "1M", "assembly / bare")),
     Target("each further load combination / the first, 250k", 0.5, 0.2, own("combinations", "250k", "further / first")),
     Target("small job, whole process / the fastest peer's", 1.0, 0.7, small_job),
+    Target(
+        "variant of the ground / cold solution, 7k, one thread", 1 / 3, 1 / 3, own("variants", "6k", "variant / cold")
+    ),
+    Target(
+        "study on two workers: pace / twice that of one",
+        0.9,
+        0.9,
+        own("study", "6k", "efficiency on two workers"),
+        less=False,
+    ),
     Target("250k, tensionless: every peer's total / ours", 3, 10, against_every_peer, less=False),
 ]
 
@@ -234,7 +247,7 @@ def own_rows(results: Results) -> str:
             errors = [scientific(error(row, place, to) if kind == "winkler" else None, to, place) for place in PLACES]
             others = ", ".join(
                 f"{key} {figure(row[key])}"
-                for key in ("assembly / bare", "peak / factor", "iterated / known", "further / first")
+                for key in ("assembly / bare", "peak / factor", "iterated / known", "further / first", *STUDIES)
                 if key in row
             )
             rows.append([name, f"{row['unknowns']:,}", *(figure(row.get(key)) for key in keys), *errors, others])

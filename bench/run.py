@@ -61,6 +61,8 @@ KINDS = {
     "raft": ("100k",),
     "gamma": ("100k", "250k"),
     "combinations": ("250k",),
+    "variants": ("6k",),
+    "study": ("6k",),
 }
 
 

@@ -344,7 +344,7 @@ y = ["-0.5 m", "1 m"]
 # How the equations are solved.
 # [analysis]
 # increments = 1
-# solver = "auto"              # or "pardiso", "superlu"
+# solver = "auto"              # or "pardiso", "superlu", "mumps"
 # nested = true                # start the contact zone from coarser meshes
 # max_iterations = 200
 """

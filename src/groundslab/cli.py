@@ -214,8 +214,11 @@ def _solve(options: argparse.Namespace) -> int:
     from groundslab.analysis import solve_combinations
     from groundslab.loadcases import combinations_of
 
-    with _progress(options.quiet, len(combinations_of(model))) as shown:
+    follows = _follows(model)
+    with _progress(options.quiet or follows, len(combinations_of(model))) as shown:
         combined = solve_combinations(model, shown, shown.begin if shown is not None else None)
+    if follows:
+        return FINE
     results = _to_keep(combined)
     if results is None:
         _tell_refused(combined)
@@ -311,6 +314,18 @@ def _end_on_sigterm() -> None:
 
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGTERM, signal.default_int_handler)
+
+
+def _follows(model: Model) -> bool:
+    """Return whether this process only helps another to solve, which speaks and writes for all of an MPI run."""
+    if model.analysis.solver != "mumps":
+        return False
+    from groundslab import linear
+
+    linear.choose("mumps")
+    from groundslab import mumps
+
+    return not mumps.leads()
 
 
 def _to_keep(combined: Combined) -> Results | Combined | None:

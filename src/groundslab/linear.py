@@ -12,6 +12,7 @@ import platform
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -169,6 +170,15 @@ class _SuperLU:
         return factor
 
 
+def repeatable() -> None:
+    """Let MKL give the same result to the last bit wherever in memory its numbers lie, unless it was used before.
+
+    Else a sum's order depends on that, and so its last bit on what else a process did. Costs about a tenth of a
+    factorisation (conditional numerical reproducibility in MKL's guide).
+    """
+    os.environ.setdefault("MKL_CBWR", "AUTO")
+
+
 def pardiso(indptr: Indices, indices: Indices) -> Symbolic:
     """Return the pattern analysed by MKL PARDISO; raise ImportError where it is not installed."""
     return _Pardiso(indptr, indices)
@@ -179,14 +189,25 @@ def superlu(indptr: Indices, indices: Indices) -> Symbolic:
     return _SuperLU(indptr, indices)
 
 
+def mumps(indptr: Indices, indices: Indices) -> Symbolic:
+    """Return the pattern shared out among the processes of an MPI run; raise ImportError without petsc4py."""
+    from groundslab.mumps import Mumps
+
+    return Mumps(indptr, indices)
+
+
 def choose(name: str) -> tuple[str, Solver]:
-    """Return the solver "pardiso" or "superlu"; for "auto" PARDISO where it can be imported."""
-    solvers: dict[str, Solver] = {"pardiso": pardiso, "superlu": superlu}
+    """Return the solver "pardiso", "superlu" or "mumps"; for "auto" PARDISO where it can be imported."""
+    solvers: dict[str, Solver] = {"pardiso": pardiso, "superlu": superlu, "mumps": mumps}
     if name != "auto":
         if name == "pardiso" and without_pardiso():
             mend = 'solver = "auto" takes it where it is there'
             got = f'"pardiso", which cannot be loaded ({without_pardiso()})'
             raise InputError([Fault("analysis.solver", got, '"superlu" or "auto"', mend)])
+        if name == "mumps" and find_spec("petsc4py") is None:
+            got = '"mumps", which needs petsc4py, and that is not there'
+            mend = "docs/large.md tells how to install it"
+            raise InputError([Fault("analysis.solver", got, '"auto"', mend)])
         return name, solvers[name]
     if platform.machine().lower() in ("x86_64", "amd64") and not without_pardiso():
         return "pardiso", pardiso

@@ -87,7 +87,7 @@ Reach = Literal["none", "margin", "infinite"]
 OuterEdge = Literal["free", "fixed"]
 Side = Literal["left", "right", "bottom", "top"]
 Symmetry = Literal["auto", "off"]
-Solver = Literal["auto", "pardiso", "superlu"]
+Solver = Literal["auto", "pardiso", "superlu", "mumps"]
 
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
@@ -195,7 +195,7 @@ class Analysis(Part):
     """How the equations are solved."""
 
     increments: Annotated[int, Whole("steps in which the load is applied; the result does not depend on it")] = 1
-    solver: Annotated[Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed")] = "auto"
+    solver: Annotated[Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed; mumps serves many processes")] = "auto"
     nested: Annotated[bool, Flag("start the contact zone from coarser meshes")] = True
     max_iterations: Annotated[int, Whole("most contact steps on one mesh")] = 200
 

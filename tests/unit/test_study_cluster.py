@@ -18,7 +18,7 @@ import pytest
 import groundslab
 from groundslab.errors import InputError
 from groundslab.study import Study, asked, cluster
-from studies import STUDY, run, write
+from studies import STUDY, write
 
 #: Enough variants for something to happen in between.
 MANY = STUDY.replace("count = 12", "count = 60")
@@ -70,10 +70,20 @@ def ended(process: subprocess.Popen[str]) -> Iterator[subprocess.Popen[str]]:
                 os.killpg(process.pid, signal.SIGKILL)
 
 
+def alone(path: Path, folder: Path, *options: str) -> Study:
+    """Return a study as one process solves it, one variant after the other: a fresh one, where MKL was not used."""
+    command = ("groundslab", "study", str(path), "--workers", "0", "--out", str(folder), "--quiet", *options)
+    with ended(started(*command)) as process:
+        said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 0, said
+    return groundslab.open_study(folder)
+
+
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Study:
-    """Return the study of many variants as one process solves it, one after the other."""
-    return run(tmp_path_factory.mktemp("whole"), MANY)
+    """Return the study of many variants as one process solves it."""
+    folder = tmp_path_factory.mktemp("whole")
+    return alone(write(folder, MANY), folder / "study-study")
 
 
 def test_killed_worker(tmp_path: Path, whole: Study) -> None:
@@ -130,7 +140,7 @@ def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None
         assert process.returncode == 130
         assert f"{len(before)} of 60 rows are kept" in told
         assert "Traceback" not in told
-    study = groundslab.study(path, workers=0, quiet=True, resume=True)
+    study = alone(path, folder, "--resume")
     assert study.table().loc[before.index].equals(before)
     assert same(study, whole)
 
@@ -188,7 +198,7 @@ def test_cluster(
     assert "--resume" in told
     before = groundslab.open_study(second).table()
     assert len(before) < 60
-    after = groundslab.study(path, workers=0, out=second, quiet=True, resume=True)
+    after = alone(path, second, "--resume")
     assert after.table().loc[before.index].equals(before)
     assert same(after, whole)
 

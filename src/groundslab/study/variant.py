@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab import linear
 from groundslab.errors import (
     Fault,
     GroundslabError,
@@ -73,6 +74,7 @@ class Worker:
     """
 
     def __init__(self, setup: Setup) -> None:
+        linear.repeatable()
         self._setup = setup
         self._names = tuple(each.name for each in combinations_of(setup.model))
         named = {output.combination for output in setup.outputs}
