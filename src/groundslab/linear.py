@@ -169,6 +169,20 @@ class _SuperLU:
         return factor
 
 
+def threads(solver: Solver) -> int:
+    """Return the number of threads that a solver's factorisations run on."""
+    if solver is not pardiso:
+        return 1
+    library = _pardiso_wrapper().PyPardisoSolver().libmkl
+    return int(library.MKL_Get_Max_Threads())
+
+
+def use_threads(solver: Solver, count: int) -> None:
+    """Let a solver's factorisations run on so many threads where the thread that calls this asks for them."""
+    if solver is pardiso:
+        _pardiso_wrapper().PyPardisoSolver().libmkl.MKL_Set_Num_Threads_Local(count)
+
+
 def pardiso(indptr: Indices, indices: Indices) -> Symbolic:
     """Return the pattern analysed by MKL PARDISO; raise ImportError where it is not installed."""
     return _Pardiso(indptr, indices)
