@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -22,6 +23,7 @@ from groundslab.errors import (
 )
 from groundslab.ground import Column
 from groundslab.ladder import Known, Ladder, Level
+from groundslab.lanes import side_by_side
 from groundslab.layout import coarsest
 from groundslab.loadcases import Combination, combinations_of
 from groundslab.model import Model
@@ -44,6 +46,10 @@ GAMMA_LIMIT = 60
 GAMMA_START = 1.0
 #: From one of the nested meshes to the next the elements' size is halved so many times: the forecast is good enough.
 STEP = 2
+#: So many combinations are solved at the same time at most, each on its share of the threads.
+LANES = 4
+#: Only if each has no more unknowns than this: every one of them needs memory for a factor.
+LARGE = 400_000
 
 OnStep = Callable[[Step], None]
 OnCombination = Callable[[Combination], None]
@@ -136,33 +142,70 @@ def _each(
     known: Known | None = None,
     ground: Factors | None = None,
 ) -> Iterator[Results | GroundslabError]:
-    """Yield for each combination its results, or why it has none."""
+    """Yield for each combination its results, or why it has none.
+
+    One after the other, until one of them has made meshes and patterns; the others then side by side.
+    """
     name, solver = linear.choose(model.analysis.solver)
     keep = len(wanted) > 1 or known is not None
-    ladder = Ladder(model, solver, 0, 1.0, keep, ground, known)
     # the effect of the margin is judged on the next coarser mesh, where it costs little
     level = min(STEP, coarsest(model))
-    margins = [Ladder(model, solver, level, margin, keep, ground, known) for margin in (1.0, 2.0)]
-    for combination in wanted:
-        steps: list[Step] = []
+    finest = Ladder(model, solver, 0, 1.0, keep, ground, known)
+    ladders = [finest, *(Ladder(model, solver, level, margin, keep, ground, known) for margin in (1.0, 2.0))]
 
-        def report(step: Step, steps: list[Step] = steps) -> None:
-            steps.append(step)
-            if on_step is not None:
-                on_step(step)
+    def told(step: Step) -> None:
+        if on_step is not None:
+            on_step(step)
 
-        factors = _factors(model, combination)
-        try:
-            *earlier, solution = _nested(ladder, combination.name, factors, report)
-            effect = _margin_effect(margins, combination.name, factors) if model.beyond.kind == "infinite" else None
-            frame, partial = ladder.frame(solution), _under_their_share(earlier)
-            proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in partial)])
-            before = tuple(increment(model, each, frame, share) for share, each in partial)
-            results = recover(model, combination, solution, frame, proof, tuple(steps), name, before)
-            yield results if results.certificate.holds else NotCertified(results)
-        except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
-            # what it was raised in holds meshes and factors, which nobody needs any more
-            yield refusal.with_traceback(None)
+    left, lanes = list(wanted), 1
+    while left and lanes == 1:
+        yield _outcome(model, left.pop(0), ladders, name, told)
+        lanes = min(_lanes(ladders if model.beyond.kind == "infinite" else ladders[:1]), len(left))
+    if not left:
+        return
+    # each lane's tasks are the same whichever lane is faster, and so are the factors that they start with
+    climbed = [ladders, *([each.beside() for each in ladders] for _ in range(lanes - 1))]
+    tasks = [
+        [partial(_outcome, model, each, climbed[lane], name) for each in left[lane::lanes]] for lane in range(lanes)
+    ]
+    threads = max(1, linear.threads(solver) // lanes)
+    yield from side_by_side(tasks, told, lambda: linear.use_threads(solver, threads))
+
+
+def _lanes(ladders: Sequence[Ladder]) -> int:
+    """Return how many combinations may be solved side by side on ladders, as far as these are built."""
+    finest = ladders[0]
+    if not all(each.whole for each in ladders) or finest.levels[finest.finest].system.pattern.size > LARGE:
+        return 1
+    return min(LANES, linear.threads(finest.solver))
+
+
+def _outcome(
+    model: Model, combination: Combination, ladders: Sequence[Ladder], solver: str, on_step: OnStep
+) -> Results | GroundslabError:
+    """Return the results of a combination, or why it has none; on the finest ladder, and two for the margin's effect.
+
+    `solver` is the name that the results tell.
+    """
+    finest, *margins = ladders
+    steps: list[Step] = []
+
+    def report(step: Step) -> None:
+        steps.append(step)
+        on_step(step)
+
+    factors = _factors(model, combination)
+    try:
+        *earlier, solution = _nested(finest, combination.name, factors, report)
+        effect = _margin_effect(margins, combination.name, factors) if model.beyond.kind == "infinite" else None
+        frame, before = finest.frame(solution), _under_their_share(earlier)
+        proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
+        increments = tuple(increment(model, each, frame, share) for share, each in before)
+        results = recover(model, combination, solution, frame, proof, tuple(steps), solver, increments)
+        return results if results.certificate.holds else NotCertified(results)
+    except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
+        # what it was raised in holds meshes and factors, which nobody needs any more
+        return refusal.with_traceback(None)
 
 
 def _under_their_share(earlier: Sequence[Solution]) -> list[tuple[float, Solution]]:
@@ -332,7 +375,7 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
     return (f1 - f0) / (g1 - g0)
 
 
-def _margin_effect(margins: list[Ladder], combination: str, factors: Array) -> float:
+def _margin_effect(margins: Sequence[Ladder], combination: str, factors: Array) -> float:
     """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively."""
     unheard = list[Step]()
     found = [_nested(ladder, combination, factors, unheard.append)[-1] for ladder in margins]

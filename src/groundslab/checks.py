@@ -36,7 +36,7 @@ ROUNDING = 1e-15 / Certificate.TOLERANCE
 def decay_squared(s: System, U: Array, column: Column) -> float:
     """Return int |grad w0|^2 / int w0^2 [1/m2] over all ground, that beyond infinite edges included (paper (2.23))."""
     problem, b = s.problem, s.blocks
-    w = surface_settlement(problem, U)
+    w = surface_settlement(s, U)
     we = w[0][problem.mesh.elements]
     squares = _by_kind(b.mass, b.kind, we, we)
     varying = we - we[:, 8:]  # else rounding makes slopes of a settlement that is everywhere the same
@@ -91,7 +91,7 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
     The first column differs from the second only where a plate's centre w hangs on its element's other nodes.
     """
     problem, b = s.problem, s.blocks
-    w = surface_settlement(problem, U)
+    w = surface_settlement(s, U)
     elements, n = problem.mesh.elements, len(problem.mesh.nodes)
     forces = np.zeros((n, 1 + column.surfaces))
     mass = [apply(b.mass, b.kind, w[j][elements]) for j in range(column.surfaces)]
@@ -122,8 +122,8 @@ def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     return forces
 
 
-def left_over(solution: Solution) -> tuple[Array, Array]:
-    """Return the forces (n, F) with which plate and ground resist, and what of them the loads do not balance (n, F)."""
+def resistance(solution: Solution) -> tuple[Array, Array]:
+    """Return the forces (n, F) with which plate and ground resist, and the ground's share of them (n, 1 + S)."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column)
     inner = np.zeros_like(U)
@@ -131,7 +131,7 @@ def left_over(solution: Solution) -> tuple[Array, Array]:
     for surface in range(column.surfaces):
         for field in fields_of(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
-    return inner, inner - s.problem.load
+    return inner, ground
 
 
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
@@ -139,8 +139,8 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     s, U, column, c = solution.system, solution.U, solution.column, solution.contact
     problem = s.problem
     nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
-    ground, load = ground_forces(s, U, column), problem.load
-    inner, rest = left_over(solution)
+    (inner, ground), load = resistance(solution), problem.load
+    rest = inner - load
 
     held = problem.unknown < 0
     borne = np.zeros_like(U)
@@ -228,7 +228,7 @@ def _resultant(nodes: Array, forces: Array) -> Array:
 def _carried(s: System, U: Array, column: Column, inner: Array) -> float:
     """Return the force that leaves the ground: into the rigid base, into fixed outer edges and into infinite ground."""
     problem = s.problem
-    w = surface_settlement(problem, U)
+    w = surface_settlement(s, U)
     volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
     fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)

@@ -71,8 +71,8 @@ def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integer
             state[new] = start.contact.state[old[np.argmin((offset**2).sum(axis=2), axis=1)]]
 
     U = np.zeros((len(nodes), problem.unknown.shape[1]))
-    plate = (plate_settlement(before, start.U), start.U[:, BETA_X], start.U[:, BETA_Y])
-    surfaces = surface_settlement(before, start.U)
+    plate = (plate_settlement(start.system, start.U), start.U[:, BETA_X], start.U[:, BETA_Y])
+    surfaces = surface_settlement(start.system, start.U)
     U[under, :TOP] = interpolated(coarse, np.column_stack(plate), at.on_plate)
     U[:, TOP:] = interpolated(coarse, surfaces.T, at.everywhere)
     U[under, TOP] += problem.initial_gap[under] - U[under, W]

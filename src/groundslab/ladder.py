@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from groundslab import forecast
 from groundslab.discretise import discretise
@@ -23,6 +23,7 @@ from groundslab.symmetric import Symmetric
 class Level:
     """One of the nested meshes with all that the combinations have in common on it."""
 
+    model: Model
     system: System
     solver: Solver
     latest: Latest
@@ -43,6 +44,11 @@ class Level:
         ):
             self.framed = model, frame(model, self.system.problem)
         return self.framed[1]
+
+    def beside(self) -> Level:
+        """Return the same level with an analysis and a factor of its own, to be used at the same time."""
+        pattern = self.system.pattern
+        return replace(self, latest=Latest(self.solver(pattern.indptr, pattern.indices)))
 
 
 @dataclass(slots=True)
@@ -85,19 +91,29 @@ class Ladder:
             require_equilibrium(level.system.problem.under(factors))
             return level
         known = self.known or Known()
-        problem = discretise(self.model, coarsening, self.margin, known.meshes, self.factors)
-        require_equilibrium(problem.under(factors))
         like = known.levels.get((coarsening, self.margin))
+        earlier = None if like is None else (like.model, like.system.problem)
+        problem = discretise(self.model, coarsening, self.margin, known.meshes, self.factors, earlier)
+        require_equilibrium(problem.under(factors))
         s = system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
-            level = Level(s, self.solver, like.latest, places=like.places, framed=like.framed)
+            level = Level(self.model, s, self.solver, like.latest, places=like.places, framed=like.framed)
         else:
-            level = Level(s, self.solver, Latest(self.solver(s.pattern.indptr, s.pattern.indices)))
+            level = Level(self.model, s, self.solver, Latest(self.solver(s.pattern.indptr, s.pattern.indices)))
         if self.keep:
             self.levels[coarsening] = level
         if self.known is not None and not self.known.closed:
             self.known.levels[coarsening, self.margin] = level
         return level
+
+    @property
+    def whole(self) -> bool:
+        """Return whether all its meshes are there."""
+        return self.finest in self.levels
+
+    def beside(self) -> Ladder:
+        """Return the same ladder with factors of its own, to be climbed at the same time; it must be whole."""
+        return replace(self, levels={number: level.beside() for number, level in self.levels.items()})
 
     def frame(self, solution: Solution) -> Frame:
         """Return the frame of the results of a solution on the finest mesh."""

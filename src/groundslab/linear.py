@@ -10,7 +10,8 @@ import functools
 import os
 import platform
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -177,6 +178,31 @@ def repeatable() -> None:
     factorisation (conditional numerical reproducibility in MKL's guide).
     """
     os.environ.setdefault("MKL_CBWR", "AUTO")
+
+
+def threads(solver: Solver) -> int:
+    """Return the number of threads that a solver's factorisations run on."""
+    if solver is not pardiso:
+        return 1
+    library = _pardiso_wrapper().PyPardisoSolver().libmkl
+    return int(library.MKL_Get_Max_Threads())
+
+
+def use_threads(solver: Solver, count: int) -> None:
+    """Let a solver's factorisations run on so many threads where the thread that calls this asks for them; 0 for all."""
+    if solver is pardiso:
+        _pardiso_wrapper().PyPardisoSolver().libmkl.MKL_Set_Num_Threads_Local(count)
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Let factorisations run on one thread only where they are asked for within."""
+    solver = choose("auto")[1]
+    use_threads(solver, 1)
+    try:
+        yield
+    finally:
+        use_threads(solver, 0)
 
 
 def pardiso(indptr: Indices, indices: Indices) -> Symbolic:

@@ -18,7 +18,7 @@ from groundslab.assembly import Pattern, congruent, scatter
 from groundslab.contact import Bearings
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
 from groundslab.mesh import Mesh
-from groundslab.shape import Array, Integers, distinct, gauss, jacobian, q9
+from groundslab.shape import Array, Integers, gauss, jacobian, q9
 from groundslab.symmetric import Symmetric
 from groundslab.vlasov import Soil
 
@@ -59,6 +59,7 @@ class Problem:
 
     mesh: Mesh
     plate_elements: Integers  # (mp,)
+    plate_nodes: Integers  # (np,), ascending
     element: plate.PlateElement
     bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections
     shear: Array  # (k,) [N/m]
@@ -75,11 +76,6 @@ class Problem:
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
-
-    @property
-    def plate_nodes(self) -> Integers:
-        """Return the nodes of the plate, ascending."""
-        return distinct(self.mesh.elements[self.plate_elements])[0]
 
     @property
     def load(self) -> Array:
@@ -299,19 +295,20 @@ def nodal(problem: Problem, u: Array) -> Array:
     return table
 
 
-def surface_settlement(problem: Problem, U: Array) -> Array:
+def surface_settlement(s: System, U: Array) -> Array:
     """Return the settlement of every surface of the ground at every node, (S, n) [m], from the table U (n, F)."""
     top = U[:, TOP].copy()
-    under = problem.plate_nodes
-    top[under] += plate_settlement(problem, U)[under] - problem.initial_gap[under]
+    under = s.problem.plate_nodes
+    top[under] += plate_settlement(s, U)[under] - s.problem.initial_gap[under]
     return np.vstack([top, U[:, TOP + 1 :].T])
 
 
-def plate_settlement(problem: Problem, U: Array) -> Array:
+def plate_settlement(s: System, U: Array) -> Array:
     """Return the plate's settlement at every node (n,) [m], dependent centres included."""
+    problem = s.problem
     w: Array = U[:, W].copy()
     if not problem.element.centre_w:
         elements = problem.mesh.elements[problem.plate_elements]
-        T = problem.element.w_functions(problem.mesh.nodes[elements])
-        w[elements[:, 8]] = np.einsum("ea,ea->e", T[:, 8], U[elements, W])
+        at_centre = s.blocks.T[:, 8][s.blocks.kind[problem.plate_elements]]
+        w[elements[:, 8]] = np.einsum("ea,ea->e", at_centre, w[elements])
     return w

@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab import patches
 from groundslab.assembly import scatter
-from groundslab.checks import apply, ground_forces, left_over
+from groundslab.checks import apply, ground_forces, resistance
 from groundslab.frame import ODD, XI_TURNED, Frame
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
@@ -78,7 +78,7 @@ def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult,
     elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
     section = elements.pop("section").astype(np.int64)
     in_contact, on_edge = (nodal.pop(name) > 0 for name in ("in_contact", "on_edge"))
-    surfaces = surface_settlement(problem, solution.U)
+    surfaces = surface_settlement(solution.system, solution.U)
     return (
         PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, on_edge=on_edge, **nodal),
         ElementResult(section=section, **elements),
@@ -91,8 +91,8 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     problem, b = solution.system.problem, solution.system.problem.bearing
     if not model.supports:
         return ()
-    _, rest = left_over(solution)
-    w = plate_settlement(problem, solution.U)
+    rest = resistance(solution)[0] - problem.load
+    w = plate_settlement(solution.system, solution.U)
     force = b.law.sign * solution.contact.force
     found = []
     for number, support in enumerate(model.supports):
@@ -136,7 +136,7 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
     pressure = np.zeros(n)
     pressure[under] = force[under] / frame.nodal_area[under]
     fields = {
-        "settlement": plate_settlement(problem, U),
+        "settlement": plate_settlement(s, U),
         "rotation_x": U[:, BETA_X],
         "rotation_y": U[:, BETA_Y],
         "gap": gap,

@@ -49,6 +49,7 @@ FLOORS = [
         "symmetric",
         "assembly",
         "linear",
+        "lanes",
         "contact",
         "problem",
         "loads",

@@ -60,7 +60,7 @@ def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
     nodal = {W: np.where(under, w, 0), BETA_X: np.where(under, beta, 0), BETA_Y: np.where(under, -beta, 0)}
     nodal[TOP] = surface - np.where(under, w, 0.0)
     start = solution_with(given, nodal, np.full(len(coarse.bearing.law), contact.OPEN), 1)
-    np.testing.assert_allclose(surface_settlement(coarse, start.U)[0], surface, atol=1e-15)
+    np.testing.assert_allclose(surface_settlement(start.system, start.U)[0], surface, atol=1e-15)
 
     _, U = forecast.from_coarser(start, fine, forecast.places(coarse, fine))
     w, beta, surface = fields(fine.mesh.nodes)

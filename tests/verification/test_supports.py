@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
+from groundslab import linear
 from groundslab.analysis import solve, solve_combinations
 from groundslab.errors import NoEquilibrium
+from groundslab.loadcases import Combination
 from groundslab.model import Model
-from groundslab.results import Results
+from groundslab.results import Results, Step
 
 #: A plate that does not bend to speak of, and one that does.
 RIGID, FLEXIBLE = 3e16, 30e9
@@ -212,9 +214,17 @@ def test_a_cavity_carries_nothing() -> None:
     assert (plate.pressure * plate.area).sum() == pytest.approx(240e3, rel=1e-9)
 
 
-def test_combinations_are_solved_by_themselves() -> None:
-    """Each is what its factors give as a model of their own; uplift alone is refused, in a combination it is not."""
+@pytest.mark.parametrize("beyond", ["none", "infinite"])
+@pytest.mark.parametrize("threads", [1, 3])
+def test_combinations_are_solved_by_themselves(threads: int, beyond: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each is what its factors give as a model of their own, side by side as well as one after the other.
+
+    Uplift alone is refused, in a combination it is not.
+    """
+    monkeypatch.setattr(linear, "threads", lambda _: threads)
     parts: dict[str, Any] = {
+        "ground": {"kind": "pasternak", "k0": 20e6, "k1": 10e6},
+        "beyond": {"kind": beyond, **({"width": 2.0} if beyond == "infinite" else {})},
         "cases": [{"name": "G"}, {"name": "Q"}, {"name": "W"}],
         "loads": [
             {"kind": "uniform", "q": 1e4, "case": "G"},
@@ -229,8 +239,18 @@ def test_combinations_are_solved_by_themselves() -> None:
         "d": {"G": 1.0, "Q": 1.0, "W": 0.7},
     }
     combinations = [{"name": name, "factors": each} for name, each in factors.items()]
-    found = solve_combinations(raft(**parts, combinations=combinations))
+    told: list[str] = []
+    steps: dict[str, list[Step]] = {}
+
+    def begin(combination: Combination) -> None:
+        told.append(combination.name)
+
+    found = solve_combinations(
+        raft(**parts, combinations=combinations), lambda step: steps.setdefault(told[-1], []).append(step), begin
+    )
+    assert told == list(factors)
     assert list(found.refused) == ["b"]
+    assert {name: tuple(each) for name, each in steps.items()} == {n: each.steps for n, each in found.results.items()}
     with pytest.raises(NoEquilibrium, match="do not press the plate down"):
         found["b"]
     for name in found.results:
