@@ -189,7 +189,7 @@ def threads(solver: Solver) -> int:
 
 
 def use_threads(solver: Solver, count: int) -> None:
-    """Let a solver's factorisations run on so many threads where the thread that calls this asks for them; 0 for all."""
+    """Let a solver's factorisations run on so many threads (0: all) where the thread that calls this asks for them."""
     if solver is pardiso:
         _pardiso_wrapper().PyPardisoSolver().libmkl.MKL_Set_Num_Threads_Local(count)
 

@@ -195,7 +195,9 @@ class Analysis(Part):
     """How the equations are solved."""
 
     increments: Annotated[int, Whole("steps in which the load is applied; the result does not depend on it")] = 1
-    solver: Annotated[Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed; mumps serves many processes")] = "auto"
+    solver: Annotated[
+        Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed, mumps is for many processes")
+    ] = "auto"
     nested: Annotated[bool, Flag("start the contact zone from coarser meshes")] = True
     max_iterations: Annotated[int, Whole("most contact steps on one mesh")] = 200
 

@@ -14,7 +14,8 @@ import pytest
 
 import groundslab
 
-MISSING = [name for name, there in (("petsc4py", find_spec("petsc4py")), ("mpirun", shutil.which("mpirun"))) if not there]
+NEEDED = {"petsc4py": find_spec("petsc4py"), "mpirun": shutil.which("mpirun")}
+MISSING = [name for name, there in NEEDED.items() if not there]
 pytestmark = pytest.mark.skipif(bool(MISSING), reason=f"MUMPS WAS NOT TESTED: no {' and no '.join(MISSING)}")
 
 CASE = Path(__file__).parents[2] / "examples" / "table1.toml"
