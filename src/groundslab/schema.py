@@ -84,8 +84,11 @@ class Part(BaseModel):
         """Check the data; raises InputError with all faults."""
         try:
             super().__init__(**data)
+            return
         except ValidationError as error:
-            raise self._input_error(error) from None
+            wrong = self._input_error(error)
+        # outside, so that the error does not carry along pydantic's, which holds all of the input
+        raise wrong
 
     # so that pydantic does not call __init__ for a part within a part, whose faults must reach the outer one
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
@@ -96,7 +99,8 @@ class Part(BaseModel):
         try:
             return super().model_validate(obj, **options)
         except ValidationError as error:
-            raise cls._input_error(error) from None
+            wrong = cls._input_error(error)
+        raise wrong
 
     def replace(self, **changes: Any) -> Self:
         """Return the part with some fields changed, checked anew."""
