@@ -32,6 +32,7 @@ from groundslab.recover import increment, recover
 from groundslab.results import Combined, Results, Step
 from groundslab.shape import Array
 from groundslab.solution import Solution
+from groundslab.statics import require_equilibrium
 from groundslab.subsoil import Factors
 
 #: gamma is iterated until one more step would change it by less than this share.
@@ -142,10 +143,7 @@ def _each(
     known: Known | None = None,
     ground: Factors | None = None,
 ) -> Iterator[Results | GroundslabError]:
-    """Yield for each combination its results, or why it has none.
-
-    One after the other, until one of them has made meshes and patterns; the others then side by side.
-    """
+    """Yield for each combination its results, or why it has none; several are solved side by side."""
     name, solver = linear.choose(model.analysis.solver)
     keep = len(wanted) > 1 or known is not None
     # the effect of the margin is judged on the next coarser mesh, where it costs little
@@ -157,27 +155,24 @@ def _each(
         if on_step is not None:
             on_step(step)
 
-    left, lanes = list(wanted), 1
-    while left and lanes == 1:
-        yield _outcome(model, left.pop(0), ladders, name, told)
-        lanes = min(_lanes(ladders if model.beyond.kind == "infinite" else ladders[:1]), len(left))
-    if not left:
+    lanes = min(LANES, linear.threads(solver), len(wanted))
+    if lanes > 1 and finest.level(0).system.pattern.size > LARGE:
+        lanes = 1
+    if lanes < 2:
+        yield from (_outcome(model, each, ladders, name, told) for each in wanted)
         return
-    # each lane's tasks are the same whichever lane is faster, and so are the factors that they start with
+    # what the lanes share is made before
+    for ladder in ladders if model.beyond.kind == "infinite" else [finest]:
+        for coarsening in _meshes(ladder, wanted):
+            ladder.level(coarsening)
+    finest.level(0).frame(model)
     climbed = [ladders, *([each.beside() for each in ladders] for _ in range(lanes - 1))]
+    # whichever lane is faster, each has the same tasks in the same order, and so the same factors to begin with
     tasks = [
-        [partial(_outcome, model, each, climbed[lane], name) for each in left[lane::lanes]] for lane in range(lanes)
+        [partial(_outcome, model, each, climbed[lane], name) for each in wanted[lane::lanes]] for lane in range(lanes)
     ]
-    threads = max(1, linear.threads(solver) // lanes)
+    threads = linear.threads(solver) // lanes
     yield from side_by_side(tasks, told, lambda: linear.use_threads(solver, threads))
-
-
-def _lanes(ladders: Sequence[Ladder]) -> int:
-    """Return how many combinations may be solved side by side on ladders, as far as these are built."""
-    finest = ladders[0]
-    if not all(each.whole for each in ladders) or finest.levels[finest.finest].system.pattern.size > LARGE:
-        return 1
-    return min(LANES, linear.threads(finest.solver))
 
 
 def _outcome(
@@ -230,19 +225,30 @@ def _nested(ladder: Ladder, combination: str, factors: Array, report: OnStep) ->
     Or in one step from that of a model like this one, if that leads there.
     """
     model, before = ladder.model, list[Solution]()
+
+    def loaded(level: Level) -> System:
+        problem = level.system.problem.under(factors)
+        require_equilibrium(problem)
+        return replace(level.system, problem=problem)
+
     if ladder.knows(combination):
-        level = ladder.level(ladder.finest, factors)
-        s = replace(level.system, problem=level.system.problem.under(factors))
+        level = ladder.level(ladder.finest)
+        s = loaded(level)
         like = ladder.like(combination, s)
         if like:
             with suppress(NotConverged, SingularMatrix):
                 return _increments(model, s, level, like, report, True)
     for coarsening in _coarsenings(max(_first(model), ladder.finest), ladder.finest):
-        level = ladder.level(coarsening, factors)
-        s = replace(level.system, problem=level.system.problem.under(factors))
-        before = _increments(model, s, level, before, report, coarsening == ladder.finest)
+        level = ladder.level(coarsening)
+        before = _increments(model, loaded(level), level, before, report, coarsening == ladder.finest)
     ladder.remember(combination, before)
     return before
+
+
+def _meshes(ladder: Ladder, wanted: Sequence[Combination]) -> list[int]:
+    """Return how often the mesh is coarsened for the meshes that the combinations will be solved on."""
+    known = all(ladder.knows(each.name) for each in wanted)
+    return _coarsenings(ladder.finest if known else max(_first(ladder.model), ladder.finest), ladder.finest)
 
 
 def _coarsenings(first: int, last: int) -> list[int]:

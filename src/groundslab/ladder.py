@@ -12,9 +12,7 @@ from groundslab.layout import Meshes
 from groundslab.linear import Latest, Solver
 from groundslab.model import Model
 from groundslab.problem import System, stiffness, system
-from groundslab.shape import Array
 from groundslab.solution import Solution
-from groundslab.statics import require_equilibrium
 from groundslab.subsoil import Factors
 from groundslab.symmetric import Symmetric
 
@@ -81,20 +79,18 @@ class Ladder:
     known: Known | None = None  # of a model like this one
     levels: dict[int, Level] = field(default_factory=dict)
 
-    def level(self, coarsening: int, factors: Array) -> Level:
-        """Return one of the meshes with its system, for loads (cases,) that have an equilibrium or raise NoEquilibrium.
+    def level(self, coarsening: int) -> Level:
+        """Return one of the meshes with its system.
 
         Of a model like this one the mesh, the pattern and its analysis are taken over where they are the same.
         """
         level = self.levels.get(coarsening)
         if level is not None:
-            require_equilibrium(level.system.problem.under(factors))
             return level
         known = self.known or Known()
         like = known.levels.get((coarsening, self.margin))
         earlier = None if like is None else (like.model, like.system.problem)
         problem = discretise(self.model, coarsening, self.margin, known.meshes, self.factors, earlier)
-        require_equilibrium(problem.under(factors))
         s = system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
             level = Level(self.model, s, self.solver, like.latest, places=like.places, framed=like.framed)
@@ -106,13 +102,8 @@ class Ladder:
             self.known.levels[coarsening, self.margin] = level
         return level
 
-    @property
-    def whole(self) -> bool:
-        """Return whether all its meshes are there."""
-        return self.finest in self.levels
-
     def beside(self) -> Ladder:
-        """Return the same ladder with factors of its own, to be climbed at the same time; it must be whole."""
+        """Return the same ladder with factors of its own, to be climbed at the same time."""
         return replace(self, levels={number: level.beside() for number, level in self.levels.items()})
 
     def frame(self, solution: Solution) -> Frame:

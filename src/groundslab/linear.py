@@ -68,16 +68,21 @@ class _Pardiso:
         self.handle.perm = np.arange(len(indptr) - 1, dtype=np.int32)
         self.indptr, self.indices = indptr.astype(np.int32), indices.astype(np.int32, copy=False)
         self.data = np.zeros(0)
-        self.analysed = False
+        self.analysed = 0  # for how many threads; 0 if not yet
         self.used = False  # whether PARDISO was ever called and may hold memory
 
     def factor(self, data: Array) -> Factor:
         if not np.isfinite(data).all():
             raise SingularMatrix("the matrix holds entries that are not finite numbers")
         self.data = data
+        now = int(self.handle.libmkl.MKL_Get_Max_Threads())
+        if self.analysed not in (0, now):
+            # under another number of threads PARDISO breaks down with it
+            self.handle.free_memory(everything=True)
+            self.analysed = 0
         phase, self.used = 22 if self.analysed else 12, True
         self._call(phase, np.zeros(len(self.handle.perm)))
-        self.analysed, self.data = True, np.zeros(0)  # solutions need the factor alone
+        self.analysed, self.data = now, np.zeros(0)  # solutions need the factor alone
         return self
 
     def solve(self, b: Array) -> Array:

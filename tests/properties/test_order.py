@@ -107,6 +107,7 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
         problem,
         mesh=type(mesh)(mesh.nodes[back], new[mesh.elements[turn]]),
         plate_elements=where[problem.plate_elements],
+        plate_nodes=np.sort(new[problem.plate_nodes]),
         rank=rank,
         unknown=unknown,
         cases=(loading,),

@@ -249,3 +249,20 @@ def test_a_refused_task_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> Non
         latest.factor(_task(-A, none, np.zeros(20)))
     assert not latest.near(own)
     assert not latest.solves(own)
+
+
+def test_another_number_of_threads_than_at_the_analysis() -> None:
+    """PARDISO takes a matrix that it analysed on one number of threads on another one as well."""
+    pardiso = solver("pardiso")
+    n = 3000
+    A = csr_array(random_positive(n, seed=5))
+    half = csr_array(triu(A))
+    half.sort_indices()
+    symbolic, b = pardiso(half.indptr.astype(np.int32), half.indices.astype(np.int32)), np.ones(n)
+    try:
+        for threads in (2, 1, 2):
+            linear.use_threads(pardiso, threads)
+            assert linear.threads(pardiso) == threads
+            np.testing.assert_allclose(A @ symbolic.factor(half.data).solve(b), b, atol=1e-10)
+    finally:
+        linear.use_threads(pardiso, 0)
