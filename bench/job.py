@@ -344,6 +344,7 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
     cov = {"kind": "lognormal", "cov": SCATTER}
     described = StudyFile(
         title="Ground that scatters",
+        case="",
         seed=1,
         sampling={"kind": "monte carlo", "count": STUDY},
         vary=[

@@ -115,6 +115,7 @@ def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
         best = g.inverse @ f
         coefficients[g.vertex, : best.shape[1]] = best
         all_doubt[g.vertex] = _doubt(f, f - g.A @ best, sizes)
+    doubtful = all_doubt.any(axis=1)
     sums, extrapolate = np.zeros((n, k)), extrapolation()
     for start in range(0, len(p.elements), _CHUNK):
         part = slice(start, start + _CHUNK)
@@ -124,15 +125,18 @@ def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
             vertex = p.corner[part, c]
             count = p.first[vertex + 1] - p.first[vertex]
             own = np.flatnonzero(count == 0)
-            at_nodes[np.ix_(own, near)] += _SHARE[:, None] * (extrapolate[near] @ own_values[own])
+            if len(own):
+                at_nodes[np.ix_(own, near)] += _SHARE[:, None] * (extrapolate[near] @ own_values[own])
             # most corners have one source; some at corners of the outline have two or more, taken in turn
             for turn in range(count.max(initial=0)):
                 those = np.flatnonzero(count > turn)
                 x = p.nodes[elements[those[:, None], near]]
                 which = p.source[p.first[vertex[those]] + turn]
-                doubt = all_doubt[which][:, None]
-                polynomial = _terms(x, p.centre[which], p.L[which]) @ coefficients[which]
-                at = (1 - doubt) * polynomial + doubt * (extrapolate[near] @ own_values[those])
+                at = _terms(x, p.centre[which], p.L[which]) @ coefficients[which]
+                poor = np.flatnonzero(doubtful[which])
+                if len(poor):
+                    doubt = all_doubt[which[poor], None]
+                    at[poor] = (1 - doubt) * at[poor] + doubt * (extrapolate[near] @ own_values[those[poor]])
                 at_nodes[those[:, None], near] += (_SHARE / count[those, None])[..., None] * at
         sums += np.column_stack([scatter(elements, at_nodes[..., i], n) for i in range(k)])
     meeting = np.bincount(p.elements.ravel(), minlength=n)
