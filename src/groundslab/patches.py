@@ -115,7 +115,7 @@ def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
         best = g.inverse @ f
         coefficients[g.vertex, : best.shape[1]] = best
         all_doubt[g.vertex] = _doubt(f, f - g.A @ best, sizes)
-    doubtful: Flags = all_doubt.any(axis=1)
+    doubtful = all_doubt.max(axis=1) > 0
     sums, extrapolate = np.zeros((n, k)), extrapolation()
     for start in range(0, len(p.elements), _CHUNK):
         part = slice(start, start + _CHUNK)
