@@ -306,7 +306,7 @@ ONE_FAULT = [
     (case(analysis__increments=0), "analysis.increments", "0", "a whole number from 1 to 2147483647"),
     (case(analysis__increments=10**30), "analysis.increments", str(10**30), "a whole number from 1 to 2147483647"),
     (case(analysis__max_iterations=0), "analysis.max_iterations", "0", "a whole number from 1 to 2147483647"),
-    (case(analysis__solver="cg"), "analysis.solver", '"cg"', '"auto", "pardiso" or "superlu"'),
+    (case(analysis__solver="cg"), "analysis.solver", '"cg"', '"auto", "pardiso", "superlu" or "mumps"'),
 ]  # fmt: skip
 
 
