@@ -162,12 +162,15 @@ TARGETS = [
     Target(
         "variant of the ground / cold solution, 7k, one thread", 1 / 3, 1 / 3, own("variants", "6k", "variant / cold")
     ),
-    Target(
-        "study on two workers: pace / twice that of one",
-        0.9,
-        0.9,
-        own("study", "6k", "efficiency on two workers"),
-        less=False,
+    *(
+        Target(
+            f"study on two workers, {size}: pace / twice that of one",
+            0.9,
+            0.9,
+            own("study", size, "efficiency on two workers"),
+            less=False,
+        )
+        for size in ("6k", "25k")
     ),
     Target("250k, tensionless: every peer's total / ours", 3, 10, against_every_peer, less=False),
 ]

@@ -62,7 +62,7 @@ KINDS = {
     "gamma": ("100k", "250k"),
     "combinations": ("250k",),
     "variants": ("6k",),
-    "study": ("6k",),
+    "study": ("6k", "25k"),
 }
 
 

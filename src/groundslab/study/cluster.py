@@ -7,6 +7,7 @@ another by Dask's scheduler; one that has brought down several workers comes bac
 
 from __future__ import annotations
 
+import functools
 import itertools
 import logging
 import secrets
@@ -25,8 +26,9 @@ if TYPE_CHECKING:
     from groundslab.study.setup import Setup
     from groundslab.study.variant import Row
 
-#: Tasks under way for each thread: one at work, the others waiting so that none idles.
-AHEAD = 3
+#: Tasks under way for each thread: one at work, the others waiting at the scheduler so that none idles. They are handed
+#: over when half of them are done, as every handing over costs the scheduler milliseconds, however many there are.
+AHEAD = 16
 #: How long a connection may take [s].
 CONNECT = 10.0
 #: How long the workers of a cluster are waited for [s].
@@ -145,16 +147,23 @@ def rows(
     looked, room = -LOOK, 0
     import distributed
 
+    def handed_over(variants: list[Variant]) -> list[tuple[Any, int]]:
+        if not variants:
+            return []
+        keys = [f"{name}-{run}-{variant.number}" for variant in variants]
+        row_of = functools.partial(solve, name, known_meshes=known_meshes())
+        futures = client.map(row_of, variants, key=keys, pure=False)
+        return [(future, variant.number) for future, variant in zip(futures, variants, strict=True)]
+
     pool = distributed.as_completed([])
     try:
         while True:
             if time.monotonic() - looked > LOOK:
                 looked, room = time.monotonic(), AHEAD * max(1, _asked(cluster))
-            meshes = known_meshes()
-            for variant in itertools.islice(left, max(0, room - len(under_way))):
-                future = client.submit(solve, name, variant, meshes, key=f"{name}-{run}-{variant.number}", pure=False)
-                under_way[future] = variant.number
-                pool.add(future)
+            if len(under_way) <= room // 2:
+                for future, number in handed_over(list(itertools.islice(left, room - len(under_way)))):
+                    under_way[future] = number
+                    pool.add(future)
             if not under_way:
                 return
             done = []
