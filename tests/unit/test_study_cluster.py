@@ -20,8 +20,9 @@ from groundslab.errors import InputError
 from groundslab.study import Study, asked, cluster
 from studies import STUDY, write
 
-#: Enough variants for something to happen in between.
-MANY = STUDY.replace("count = 12", "count = 60")
+#: Enough variants for something to happen in between, however fast they are.
+COUNT = 300
+MANY = STUDY.replace("count = 12", f"count = {COUNT}")
 PATIENCE = 60.0  # seconds, on a machine that has other things to do
 
 
@@ -135,10 +136,10 @@ def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None
         _, told = process.communicate(timeout=PATIENCE)
         assert psutil.wait_procs(children, timeout=PATIENCE)[1] == []
     before = groundslab.open_study(folder).table()
-    assert 3 <= len(before) < 60
+    assert 3 <= len(before) < COUNT
     if how == signal.SIGINT:
         assert process.returncode == 130
-        assert f"{len(before)} of 60 rows are kept" in told
+        assert f"{len(before)} of {COUNT} rows are kept" in told
         assert "Traceback" not in told
     study = alone(path, folder, "--resume")
     assert study.table().loc[before.index].equals(before)
@@ -197,7 +198,7 @@ def test_cluster(
     assert "lost" in told
     assert "--resume" in told
     before = groundslab.open_study(second).table()
-    assert len(before) < 60
+    assert len(before) < COUNT
     after = alone(path, second, "--resume")
     assert after.table().loc[before.index].equals(before)
     assert same(after, whole)
