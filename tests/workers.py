@@ -19,6 +19,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
             progress("waits", None)
             time.sleep(0.005)
     elif word == "stuck":
+        progress("sticks", None)
         while not Path(file).exists():
             time.sleep(0.005)
     elif word == "die":

@@ -131,7 +131,7 @@ def test_a_run_that_does_not_listen_is_ended(
     monkeypatch.setattr(solvers, "GRACE", 0.2)
     solver = make()
     first = want(solver, f"stuck {tmp_path / 'never'}")
-    heard.wait("solving", first)
+    heard.wait("progress", first)  # before that it would still listen
     start = time.monotonic()
     second = want(solver, "go 2")
     heard.wait("solved", second)
