@@ -27,7 +27,7 @@ WAVES = 1000
 
 def scores(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     """Return a Gaussian field with mean 0 and variance 1, a function of x (n,) and y (n,) [m]."""
-    drawn = library().SRF(waves(field), seed=seed, mode_no=WAVES)
+    drawn = generators().SRF(waves(field), seed=seed, mode_no=WAVES)
 
     def at(x: Array, y: Array) -> Array:
         found: Array = drawn((np.asarray(x, dtype=float), np.asarray(y, dtype=float)), store=False)
@@ -42,7 +42,7 @@ def waves(field: Field) -> Any:
     With r the distance over the correlation length: exp(-r^2), exp(-r), or (1 + sqrt(3) r) exp(-sqrt(3) r), that of
     Matern with nu = 3/2.
     """
-    gstools = library()
+    gstools = generators()
     lengths = list(field.lengths)
     if field.model == "matern32":
         return _matern32(gstools)(dim=2, var=1.0, len_scale=lengths)
@@ -87,7 +87,7 @@ def factors(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     return at
 
 
-def library() -> Any:
+def generators() -> Any:
     """Return the library of random fields; raises InputError where it is not installed."""
     try:
         import gstools

@@ -66,7 +66,7 @@ def run(read: files.Read, folder: Path, where: Where, resume: bool, on_progress:
     all rows that were there are on the disk.
     """
     if read.setup.fields:
-        fields.library()
+        fields.generators()
     prepare(read, folder, resume)
     with store.locked(folder), store.Store(folder, columns_in(read.setup)) as rows:
         sample = sample_of(read.setup)
