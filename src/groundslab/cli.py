@@ -14,8 +14,9 @@ from collections.abc import Mapping
 from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
-from groundslab import __version__, command_plot
+from groundslab import __version__, command_plot, command_study
 from groundslab.errors import Fault, GroundslabError, InputError, NotCertified, NotConverged
+from groundslab.speech import FINE, INTERRUPTED, NO_RESULT, WRONG_INPUT, answer, close_output, in_blocks, say
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -28,8 +29,6 @@ if TYPE_CHECKING:
     from groundslab.results import Combined, Results
     from groundslab.views.progress import Shown
 
-FINE, NO_RESULT, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
-
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code; errors raised on purpose end without a traceback."""
@@ -41,25 +40,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         code: int = options.run(options)
     except InputError as error:
-        _say(_faults(error))
+        say(in_blocks(error))
         return WRONG_INPUT
     except NotConverged as error:
         _not_converged(error)
         return NO_RESULT
     except GroundslabError as error:
-        _say(f"error: {error}")
+        say(f"error: {error}")
         return NO_RESULT
     except MemoryError:
-        _say("error: the memory is too small for this analysis; a coarser mesh needs less")
+        say("error: the memory is too small for this analysis; a coarser mesh needs less")
         return NO_RESULT
     except BrokenPipeError:
-        _close_output()
+        close_output()
         return FINE
     except OSError as error:
-        _say(f"error: {error}")
+        say(f"error: {error}")
         return WRONG_INPUT
     except KeyboardInterrupt:
-        _say("interrupted")
+        say("interrupted")
         return INTERRUPTED
     return code
 
@@ -109,41 +108,12 @@ def _parser() -> argparse.ArgumentParser:
     app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
     app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any that is free)")
     app.add_argument("--no-browser", action="store_true", help="print the address only")
-    study = _command(commands, "study", _study, "solve many variants of a case and keep a row of each")
-    study.epilog = (
-        "A row is on the disk as soon as its variant is done. A study that was cut short goes on with --resume. The "
-        "exit code is 1 if variants have no row in the end; those whose row says why they failed have one."
+    study = _command(commands, "study", command_study.run, "solve many variants of a case and keep a row of each")
+    command_study.describe(study)
+    evaluate = _command(
+        commands, "evaluate", command_study.evaluate, "make the page and the tables of a study from its rows"
     )
-    study.add_argument("study", help="study file (TOML)")
-    study.add_argument(
-        "--out", metavar="DIR", help="folder for the rows (default: <study>-study beside the study file)"
-    )
-    study.add_argument("--resume", action="store_true", help="go on with the study that is in the folder")
-    place = study.add_mutually_exclusive_group()
-    place.add_argument(
-        "--workers",
-        type=_count,
-        metavar="N",
-        help="processes on this machine (default: one for each core; 0: none but this one)",
-    )
-    place.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler to use, such as tcp://127.0.0.1:8786")
-    study.add_argument("--quiet", action="store_true", help="print no progress")
-
-    evaluate = _command(commands, "evaluate", _evaluate, "make the page and the tables of a study from its rows")
-    evaluate.epilog = (
-        "Writes report.html and the tables as CSV into the folder evaluation within the study's, as groundslab study "
-        "does at its end. A study that still runs can be evaluated as far as it is."
-    )
-    evaluate.add_argument("folder", help="folder of a study")
-    evaluate.add_argument(
-        "--design-points",
-        nargs="*",
-        metavar="NAME",
-        help="find the design point of these limit states, or of all, by solving the case some more times",
-    )
-    evaluate.add_argument(
-        "--level", type=_level, default=0.95, metavar="P", help="confidence of the intervals (default: 0.95)"
-    )
+    command_study.describe_evaluation(evaluate)
 
     check = _command(
         commands, "check", _check, "read a case file, or a study file, and say everything that is wrong with it"
@@ -232,88 +202,14 @@ def _solve(options: argparse.Namespace) -> int:
     _show(results, options)
     if not (options.quiet or options.json):
         names = ", ".join(sorted(path.name for path in folder.iterdir()))
-        _say(f"results in {folder}: {names}")
+        say(f"results in {folder}: {names}")
     if not combined.refused:
         return FINE
     if results is combined:
         _tell_refused(combined)
     else:
-        _say("error: the result does not fulfil the equations (see its certificate); do not use it")
+        say("error: the result does not fulfil the equations (see its certificate); do not use it")
     return NO_RESULT
-
-
-def _count(text: str) -> int:
-    """Return a number of processes that is given as an argument."""
-    number = int(text)
-    if number < 0:
-        raise ValueError
-    return number
-
-
-def _study(options: argparse.Namespace) -> int:
-    """Run a study, and say what became of its variants; interrupted or not, rows that are there are kept."""
-    from groundslab import study
-
-    folder = study.folder_of(options.study, options.out)
-    again = f"groundslab study {options.study}" + (f" --out {options.out}" if options.out is not None else "")
-    _end_on_sigterm()
-    try:
-        found = study.run(
-            options.study,
-            out=folder,
-            workers=options.workers,
-            scheduler=options.scheduler,
-            resume=options.resume,
-            quiet=options.quiet,
-        )
-    except InputError:
-        raise
-    except (KeyboardInterrupt, GroundslabError) as error:
-        _say("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")
-        _say(study.how_to_go_on(folder, again))
-        return INTERRUPTED if isinstance(error, KeyboardInterrupt) else NO_RESULT
-    _print("\n".join(study.outcome(found)))
-    if len(found):
-        try:
-            _print(f"evaluation: {study.evaluate(found)[0]}")
-        except InputError as error:
-            # the rows are there, only a library that evaluates them is not
-            _say(_faults(error))
-    if len(found) < found.count:
-        _say(study.how_to_go_on(folder, again))
-        return NO_RESULT
-    return FINE
-
-
-def _evaluate(options: argparse.Namespace) -> int:
-    """Make page and tables of a study; find design points of its limit states if asked to."""
-    from groundslab import study
-
-    found = study.open_study(options.folder)
-    names = options.design_points
-    if names is not None and not names:
-        names = [limit.name for limit in found.setup.limits] or [""]
-    points = [study.reliability(found, name) for name in names or ()]
-    files = study.evaluate(found, points, options.level)
-    _print("\n\n".join(map(str, points)) + "\n" * 2 * bool(points) + f"evaluation: {files[0]}")
-    return FINE
-
-
-def _level(text: str) -> float:
-    """Return a confidence; argparse says what is wrong with another one."""
-    level = float(text)
-    if not 0 < level < 1:
-        raise argparse.ArgumentTypeError("expected a number between 0 and 1, such as 0.95")
-    return level
-
-
-def _end_on_sigterm() -> None:
-    """End as on Ctrl-C when a batch system asks for it."""
-    import signal
-    import threading
-
-    if threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
 
 
 def _follows(model: Model) -> bool:
@@ -348,8 +244,8 @@ def _to_keep(combined: Combined) -> Results | Combined | None:
 def _tell_refused(combined: Combined) -> None:
     """Print which combinations have no certified result, and why."""
     for name, error in combined.refused.items():
-        _say(f'error: combination "{name}": {error}')
-    _say(f"error: {len(combined.refused)} of {len(combined.combinations)} combinations have no certified result")
+        say(f'error: combination "{name}": {error}')
+    say(f"error: {len(combined.refused)} of {len(combined.combinations)} combinations have no certified result")
 
 
 def _show(results: Results | Combined, options: argparse.Namespace) -> None:
@@ -360,7 +256,7 @@ def _show(results: Results | Combined, options: argparse.Namespace) -> None:
         from groundslab.views import overview, summary
 
         text = overview.json_text(results) if isinstance(results, Combined) else summary.json_text(results)
-        _print(text)
+        answer(text)
     elif not options.quiet:
         from rich.console import Console
 
@@ -373,7 +269,7 @@ def _show(results: Results | Combined, options: argparse.Namespace) -> None:
                 print_overview(results, console)
             else:
                 print_summary(results, console)
-        _print(captured.get().rstrip("\n"))
+        answer(captured.get().rstrip("\n"))
 
 
 def _progress(quiet: bool, count: int) -> AbstractContextManager[Shown | None]:
@@ -387,7 +283,7 @@ def _progress(quiet: bool, count: int) -> AbstractContextManager[Shown | None]:
 
 def _plot(options: argparse.Namespace) -> int:
     """Draw figures of a folder of results into a file."""
-    _say(command_plot.draw(options))
+    say(command_plot.draw(options))
     return FINE
 
 
@@ -412,7 +308,7 @@ def _check(options: argparse.Namespace) -> int:
     if "sampling" in tables:
         from groundslab import study
 
-        _print("\n".join(study.described(Path(options.case))))
+        answer("\n".join(study.described(Path(options.case))))
         return FINE
     model = casefile.from_table(tables)
     plate = model.plate
@@ -421,7 +317,7 @@ def _check(options: argparse.Namespace) -> int:
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
     ]
     lines += _columns_and_supports(model) + _cases_and_combinations(model)
-    _print("\n".join(lines))
+    answer("\n".join(lines))
     return FINE
 
 
@@ -464,7 +360,7 @@ def _new(options: argparse.Namespace) -> int:
 
     _hand_over(casefile.starter(), options.file)
     if options.file is not None:
-        _say(f"wrote {options.file}; next: groundslab solve {options.file}")
+        say(f"wrote {options.file}; next: groundslab solve {options.file}")
     return FINE
 
 
@@ -476,9 +372,9 @@ def _dxf(options: argparse.Namespace) -> int:
 
     drawing = dxf.read(options.drawing, _layers(options.layers), options.unit)
     _hand_over(dxf.to_case(drawing, Path(options.drawing).stem), options.out)
-    _say(dxf.report_text(drawing).rstrip("\n"))
+    say(dxf.report_text(drawing).rstrip("\n"))
     if options.out is not None:
-        _say(f"\nwrote {options.out}; next: fill in what it asks for, then groundslab check {options.out}")
+        say(f"\nwrote {options.out}; next: fill in what it asks for, then groundslab check {options.out}")
     return FINE
 
 
@@ -508,7 +404,7 @@ def _layers(pairs: Sequence[str]) -> Layers:
 def _hand_over(text: str, file: str | None) -> None:
     """Write a text to a new file, or print it if there is none; an existing file is left alone."""
     if file is None:
-        _print(text.rstrip("\n"))
+        answer(text.rstrip("\n"))
         return
     try:
         with open(file, "x", encoding="utf-8", newline="\n") as opened:  # noqa: PTH123
@@ -532,9 +428,9 @@ def _report(options: argparse.Namespace) -> int:
     report.check(target)
     combined = store.load(folder)
     report.write(combined, target, text=report.text_of(folder, combined.model))
-    _say(f"wrote {target}")
+    say(f"wrote {target}")
     if combined.refused:
-        _say(f"note: {len(combined.refused)} of {len(combined.combinations)} combinations have no certified result")
+        say(f"note: {len(combined.refused)} of {len(combined.combinations)} combinations have no certified result")
     return FINE
 
 
@@ -544,7 +440,7 @@ def _verify(options: argparse.Namespace) -> int:
 
     known = list(verify.names())
     if options.list:
-        _print("\n".join(known))
+        answer("\n".join(known))
         return FINE
     expected = "a case that `groundslab verify --list` names"
     faults = [Fault("verify", f'"{name}"', expected) for name in options.names if name not in known]
@@ -566,18 +462,8 @@ def _schema(_: argparse.Namespace) -> int:
 
     from groundslab.model import json_schema
 
-    _print(json.dumps(json_schema(), indent=2))
+    answer(json.dumps(json_schema(), indent=2))
     return FINE
-
-
-def _faults(error: InputError) -> str:
-    """Return the faults of an input as blocks of lines."""
-    count = len(error.faults)
-    blocks = [f"error: {count} fault{'s' if count != 1 else ''} in the input"]
-    for fault in error.faults:
-        lines = [("got", fault.got), ("expected", fault.expected), ("mend", fault.mend)]
-        blocks.append("\n".join([f"  {fault.where}", *(f"    {word:<9} {text}" for word, text in lines if text)]))
-    return "\n\n".join(blocks)
 
 
 def _not_converged(error: NotConverged) -> None:
@@ -585,7 +471,7 @@ def _not_converged(error: NotConverged) -> None:
     from groundslab.results import Step
 
     steps = [step for step in error.history if isinstance(step, Step)]
-    _say(f"error: {error.what} did not converge in {len(error.history)} steps; the last of them:")
+    say(f"error: {error.what} did not converge in {len(error.history)} steps; the last of them:")
     if steps and len(steps) == len(error.history):
         from rich.console import Console
 
@@ -595,22 +481,4 @@ def _not_converged(error: NotConverged) -> None:
     else:
         for entry in error.history[-20:]:
             pairs = entry.items() if isinstance(entry, Mapping) else None
-            _say("  " + (", ".join(f"{name} {value}" for name, value in pairs) if pairs else str(entry)))
-
-
-def _say(text: str) -> None:
-    """Print a message to standard error."""
-    print(text, file=sys.stderr)
-
-
-def _print(text: str) -> None:
-    """Print to standard output; a reader that went away early is no failure."""
-    try:
-        print(text, flush=True)
-    except BrokenPipeError:
-        _close_output()
-
-
-def _close_output() -> None:
-    """Let what is still to be printed vanish, so that Python does not complain at its end."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            say("  " + (", ".join(f"{name} {value}" for name, value in pairs) if pairs else str(entry)))

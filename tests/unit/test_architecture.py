@@ -81,7 +81,7 @@ FLOORS = [
     ["verify", "exact", "exact_circular", "exact_springs", "proofs", "cases", "tables"],
     ["plots", "views", "scene", "report", "study"],
     ["workbench"],
-    ["command_plot", "cli", "__main__"],
+    ["speech", "command_plot", "command_study", "cli", "__main__"],
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 DESCRIPTION = {"model", "schema", "keys", "findings", "reference", "soil", "casefile", "results"}

@@ -16,7 +16,7 @@ import pytest
 
 import groundslab
 import synthetic
-from groundslab import casefile, cli
+from groundslab import casefile, cli, speech
 from groundslab.errors import Fault, GroundslabError, InputError, NoEquilibrium, NotConverged
 from groundslab.loadcases import combinations_of
 from groundslab.model import Column, LineSupport, Mesh, PointSupport
@@ -265,7 +265,9 @@ class TestInput:
 
     def test_faults_are_blocks(self) -> None:
         """Each fault shows where, got, expected and how to mend, one below the other."""
-        text = cli._faults(InputError([Fault("plate.E", "30", "a pressure", 'say "30 GPa"'), Fault("a", "b", "c")]))
+        text = speech.in_blocks(
+            InputError([Fault("plate.E", "30", "a pressure", 'say "30 GPa"'), Fault("a", "b", "c")])
+        )
         assert text.splitlines() == [
             "error: 2 faults in the input",
             "",
