@@ -314,7 +314,7 @@ def _equilibrium(
 
         nonlocal near, state
         A = level.stiffness(column, gamma)
-        f = right_hand_side(s, A, factor)
+        f = right_hand_side(s, factor)
         if expected is not None and near is None:
             state = forecast.along_the_border(s, A, f, law, state, expected, level.solver)
         c = contact.solve(A, f, level.latest, law, state, model.analysis.max_iterations, told, near)

@@ -71,13 +71,13 @@ def _mirrored_away(void: Void, symmetry: tuple[bool, bool]) -> bool:
     )
 
 
-def ground_bearing(model: Model, plan: Layout, unknown: Integers, cavity: Flags) -> Bearing:
+def ground_bearing(model: Model, plan: Layout, unknown: Integers, gap: Array, cavity: Flags) -> Bearing:
     """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure; none if glued.
 
     The largest force of a node is the limit pressure times its share of the area, and none over a cavity.
     """
     under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
-    law = contact.gaps(unknown[under, TOP])
+    law = contact.gaps(unknown[under, TOP], gap[under])
     capacity = law.capacity
     if model.contact.limit_pressure is not None:
         capacity = model.contact.limit_pressure * nodal_area(plan.mesh, plan.plate_elements)[under]
@@ -121,7 +121,7 @@ def joined(*parts: Bearing) -> Bearing:
     """Return several lists of bearings as one."""
     none = np.zeros(0, dtype=np.int64)
     nodes, fields, supports = ([getattr(part, name) for part in parts] for name in ("node", "field", "support"))
-    law = contact.joined(contact.gaps(none), *(part.law for part in parts))
+    law = contact.joined(contact.gaps(none, np.zeros(0)), *(part.law for part in parts))
     length = np.concatenate([np.zeros(0), *(part.length for part in parts)])
     node, field, support = (np.concatenate([none, *each]) for each in (nodes, fields, supports))
     return Bearing(law, node, field, support, length)

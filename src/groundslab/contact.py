@@ -2,7 +2,7 @@
 
 A bearing on the unknown u_i, with sign s, level l, stiffness k (infinite if rigid) and capacity F, is driven in by
 d = s (l - u_i) and pushes u_i in the direction s with the force clip(k d, 0, F). The ground's gap is a rigid bearing
-with s = 1 and l = 0: u >= 0, force >= 0, force times u = 0, and with a capacity the force that yields.
+with s = 1: u >= l, force >= 0, force times (u - l) = 0, and with a capacity the force that yields.
 
 Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2002), with the single pivots of Murty 1974 as the way
 out of a cycle (Judice and Pires 1994), so that it ends for every positive definite A. See docs/theory.md, contact.
@@ -63,10 +63,10 @@ class Bearings:
 LAWS = ("sign", "level", "stiffness", "capacity", "both_ways")
 
 
-def gaps(at: Integers) -> Bearings:
-    """Return the bearings of gaps: unknowns that are at least 0 and are pushed, never pulled."""
+def gaps(at: Integers, initial: Array) -> Bearings:
+    """Return the bearings of gaps, initially `initial` (c,) wide: unknowns that are pushed up from -initial."""
     one, without_end = np.ones(len(at)), np.full(len(at), np.inf)
-    return Bearings(at, one, 0 * one, without_end, without_end, np.zeros(len(at), dtype=bool))
+    return Bearings(at, one, -initial, without_end, without_end, np.zeros(len(at), dtype=bool))
 
 
 def joined(*parts: Bearings) -> Bearings:

@@ -64,7 +64,7 @@ def discretise(
         cases=cases,
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap,
-        bearing=joined(ground_bearing(model, plan, unknown, cavity), support_bearing(model, plan, unknown)),
+        bearing=joined(ground_bearing(model, plan, unknown, gap, cavity), support_bearing(model, plan, unknown)),
         tensionless=model.contact.tensionless,
         edges=edges,
         corners=corners,

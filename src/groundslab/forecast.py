@@ -75,7 +75,7 @@ def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integer
     surfaces = surface_settlement(start.system, start.U)
     U[under, :TOP] = interpolated(coarse, np.column_stack(plate), at.on_plate)
     U[:, TOP:] = interpolated(coarse, surfaces.T, at.everywhere)
-    U[under, TOP] += problem.initial_gap[under] - U[under, W]
+    U[under, TOP] -= U[under, W]
     U[problem.unknown < 0] = 0.0
     return state, U
 

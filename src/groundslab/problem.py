@@ -1,7 +1,7 @@
 """The arrays that an analysis works on, and the matrices made of them.
 
-Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the gap g under the plate and the settlement of the
-ground's surface beyond it; then the settlements of the lower surfaces. Under the plate w_0 = w + g - g0.
+Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement of the ground's surface, under the plate
+relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
 What bears on single unknowns (the ground where the plate may lift off, supports) stands beside the matrix.
 """
 
@@ -84,7 +84,7 @@ class Problem:
 
     @property
     def gaps(self) -> Integers:
-        """Return the unknowns of the gaps, one for each plate node (none if the plate is glued to the ground)."""
+        """Return the unknowns h that open the gaps, one for each plate node (none if the plate is glued to the ground)."""
         if not self.tensionless:
             return np.zeros(0, dtype=np.int64)
         numbers: Integers = self.unknown[self.plate_nodes, TOP]
@@ -274,16 +274,12 @@ def edge_lengths(problem: Problem) -> Array:
     return length
 
 
-def right_hand_side(s: System, A: Symmetric, factor: float) -> Array:
-    """Return f (size,): the loads times a factor, and what the initial gap takes off the ground."""
-    p, problem = s.pattern, s.problem
+def right_hand_side(s: System, factor: float) -> Array:
+    """Return f (size,): the loads times a factor."""
+    p = s.pattern
     f = np.zeros(p.size)
     has = p.unknown >= 0
-    f[p.unknown[has]] = factor * problem.load[has]
-    if problem.initial_gap.any():
-        gap = np.zeros(p.size)
-        gap[p.unknown[problem.plate_nodes, TOP]] = problem.initial_gap[problem.plate_nodes]
-        f += A @ gap
+    f[p.unknown[has]] = factor * s.problem.load[has]
     return f
 
 
@@ -299,7 +295,7 @@ def surface_settlement(s: System, U: Array) -> Array:
     """Return the settlement of every surface of the ground at every node, (S, n) [m], from the table U (n, F)."""
     top = U[:, TOP].copy()
     under = s.problem.plate_nodes
-    top[under] += plate_settlement(s, U)[under] - s.problem.initial_gap[under]
+    top[under] += plate_settlement(s, U)[under]
     return np.vstack([top, U[:, TOP + 1 :].T])
 
 

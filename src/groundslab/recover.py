@@ -130,7 +130,7 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
         ground = np.flatnonzero(problem.bearing.support < 0)
         force[under], closed[under] = solution.contact.force[ground], solution.contact.closed[ground]
         sunk[under] = solution.slip[ground]
-        gap[under] = np.where(closed[under] > 0, 0.0, U[under, TOP] + sunk[under])
+        gap[under] = np.where(closed[under] > 0, 0.0, U[under, TOP] + problem.initial_gap[under] + sunk[under])
     else:
         force[under] = ground_forces(s, U, solution.column)[under, 1]
     pressure = np.zeros(n)

@@ -85,7 +85,7 @@ def solved(problem: Problem) -> Array:
     law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
     latest = linear.Latest(linear.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), contact.CLOSED)
-    f = right_hand_side(s, A, 1.0)
+    f = right_hand_side(s, 1.0)
     return nodal(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
 
 

@@ -81,7 +81,7 @@ def solve(
     steps: list[tuple[int, int, int]] = []
     symbolic = linear.choose(name)[1](p.indptr, p.indices)
     result = contact.solve(
-        entries(p, A), f, Latest(symbolic), contact.gaps(gaps), start, limit, lambda *step: steps.append(step)
+        entries(p, A), f, Latest(symbolic), contact.gaps(gaps, np.zeros(len(gaps))), start, limit, lambda *step: steps.append(step)
     )
     return result, steps
 
@@ -246,7 +246,7 @@ def test_a_plate_that_floats_on_the_way_comes_to_rest(k: float, F: list[float], 
     p, A, f, gaps = plate_on_springs(k, F)
     symbolic = Dense(p)
     result = contact.solve(
-        entries(p, A), f, Latest(symbolic), contact.gaps(gaps), np.ones(9, dtype=bool), 50, lambda *_: None
+        entries(p, A), f, Latest(symbolic), contact.gaps(gaps, np.zeros(len(gaps))), np.ones(9, dtype=bool), 50, lambda *_: None
     )
     assert symbolic.refused > 0 or few
     left_over = A @ result.u - f
@@ -269,7 +269,7 @@ def test_a_matrix_that_is_not_positive_is_an_error() -> None:
             entries(p, A),
             np.ones(18),
             Latest(symbolic),
-            contact.gaps(np.arange(1, 18, 2)),
+            contact.gaps(np.arange(1, 18, 2), np.zeros(9)),
             np.ones(9, bool),
             50,
             lambda *_: None,

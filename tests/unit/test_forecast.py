@@ -84,7 +84,7 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     s = system(fine)
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)
-    f = right_hand_side(s, A, 1.0)
+    f = right_hand_side(s, 1.0)
     law = bearings(fine, 1.0, np.zeros(len(state)))
     with patch.object(forecast, "Latest", side_effect=AssertionError("a strip was laid")):
         after = forecast.along_the_border(s, A, f, law, state, U, linear.superlu)
@@ -98,7 +98,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     s = system(fine)
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)
-    f = right_hand_side(s, A, 1.0)
+    f = right_hand_side(s, 1.0)
     law = bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
     latest = linear.Latest(linear.superlu(A.indptr, A.indices))
     start = np.full(len(law), contact.CLOSED)
