@@ -16,7 +16,16 @@ if TYPE_CHECKING:
     from groundslab import study
     from groundslab.analysis import solve, solve_combinations
     from groundslab.casefile import load
-    from groundslab.errors import GroundslabError, InputError, NoEquilibrium, NotCertified, NotConverged
+    from groundslab.errors import (
+        GroundslabError,
+        IllConditioned,
+        InputError,
+        NeutralEquilibrium,
+        NoEquilibrium,
+        NotCertified,
+        NotConverged,
+        SingularMatrix,
+    )
     from groundslab.model import (
         Analysis,
         AreaLoad,
@@ -61,12 +70,14 @@ __all__ = [
     "Contact",
     "Edges",
     "GroundslabError",
+    "IllConditioned",
     "InputError",
     "InterfaceLayer",
     "Layered",
     "LineLoad",
     "Mesh",
     "Model",
+    "NeutralEquilibrium",
     "NoEquilibrium",
     "NotCertified",
     "NotConverged",
@@ -79,6 +90,7 @@ __all__ = [
     "Results",
     "SelfWeight",
     "Selvadurai",
+    "SingularMatrix",
     "SoilLayer",
     "UniformLoad",
     "Vlasov",
@@ -99,10 +111,13 @@ __all__ = [
 #: Where the public names live that are not in ``model``.
 _HOME = {
     "GroundslabError": "errors",
+    "IllConditioned": "errors",
     "InputError": "errors",
+    "NeutralEquilibrium": "errors",
     "NoEquilibrium": "errors",
     "NotCertified": "errors",
     "NotConverged": "errors",
+    "SingularMatrix": "errors",
     "Combined": "results",
     "Results": "results",
     "load": "casefile",

@@ -10,11 +10,13 @@ from functools import partial
 import numpy as np
 
 from groundslab import contact, forecast, linear
+from groundslab.bearings import CLOSED, Contact, slipped
 from groundslab.checks import certificate, decay_squared, worst
-from groundslab.contact import Contact, slipped
+from groundslab.conditioning import require_digits
 from groundslab.errors import (
     Fault,
     GroundslabError,
+    IllConditioned,
     InputError,
     NoEquilibrium,
     NotCertified,
@@ -32,7 +34,7 @@ from groundslab.recover import increment, recover
 from groundslab.results import Combined, Results, Step
 from groundslab.shape import Array
 from groundslab.solution import Solution
-from groundslab.statics import require_equilibrium
+from groundslab.statics import require_equilibrium, require_hold
 from groundslab.subsoil import Factors
 
 #: gamma is iterated until one more step would change it by less than this share.
@@ -198,7 +200,7 @@ def _outcome(
         increments = tuple(increment(model, each, frame, share) for share, each in before)
         results = recover(model, combination, solution, frame, proof, tuple(steps), solver, increments)
         return results if results.certificate.holds else NotCertified(results)
-    except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
+    except (IllConditioned, NoEquilibrium, NotConverged, SingularMatrix) as refusal:
         # what it was raised in holds meshes and factors, which nobody needs any more
         return refusal.with_traceback(None)
 
@@ -229,6 +231,8 @@ def _nested(ladder: Ladder, combination: str, factors: Array, report: OnStep) ->
     def loaded(level: Level) -> System:
         problem = level.system.problem.under(factors)
         require_equilibrium(problem)
+        soil = problem.ground
+        require_digits(level.system, soil if isinstance(soil, Column) else soil.column(soil.gamma or GAMMA_START))
         return replace(level.system, problem=problem)
 
     if ladder.knows(combination):
@@ -300,7 +304,7 @@ def _equilibrium(
     expected: Array | None = None  # from a coarser mesh
     near: Array | None = None  # from another solution on this one
     if start is None:
-        state = np.full(len(s.problem.bearing.law), contact.CLOSED)
+        state = np.full(len(s.problem.bearing.law), CLOSED)
     elif start.system.problem.mesh is s.problem.mesh:
         state, near = start.contact.state, start.contact.u if start.system is s else None
     else:
@@ -317,13 +321,15 @@ def _equilibrium(
         f = right_hand_side(s, factor)
         if expected is not None and near is None:
             state = forecast.along_the_border(s, A, f, law, state, expected, level.solver)
-        c = contact.solve(A, f, level.latest, law, state, model.analysis.max_iterations, told, near)
+        c = contact.solve(A, f, level.latest, law, state, model.analysis.max_iterations, told, near, level.motions)
         near = c.u
         return nodal(s.problem, c.u), c
 
     def ended(
         U: Array, c: Contact, column: Column, gamma: float | None, change: float, slope: float, iterations: int
     ) -> Solution:
+        if finest:
+            require_hold(s.problem, c)
         return Solution(s, U, c, column, gamma, change, slope, iterations, law, slip + slipped(law, c))
 
     if isinstance(ground, Column):

@@ -7,9 +7,9 @@ import math
 
 import numpy as np
 
-from groundslab import contact
+from groundslab import bearings
+from groundslab.bearings import Bearings
 from groundslab.between import interpolated
-from groundslab.contact import Bearings
 from groundslab.errors import Fault, InputError
 from groundslab.layout import Layout
 from groundslab.mesh import SAME_PLACE, sides_along
@@ -77,7 +77,7 @@ def ground_bearing(model: Model, plan: Layout, unknown: Integers, gap: Array, ca
     The largest force of a node is the limit pressure times its share of the area, and none over a cavity.
     """
     under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
-    law = contact.gaps(unknown[under, TOP], gap[under])
+    law = bearings.gaps(unknown[under, TOP], gap[under])
     capacity = law.capacity
     if model.contact.limit_pressure is not None:
         capacity = model.contact.limit_pressure * nodal_area(plan.mesh, plan.plate_elements)[under]
@@ -121,7 +121,7 @@ def joined(*parts: Bearing) -> Bearing:
     """Return several lists of bearings as one."""
     none = np.zeros(0, dtype=np.int64)
     nodes, fields, supports = ([getattr(part, name) for part in parts] for name in ("node", "field", "support"))
-    law = contact.joined(contact.gaps(none, np.zeros(0)), *(part.law for part in parts))
+    law = bearings.joined(bearings.gaps(none, np.zeros(0)), *(part.law for part in parts))
     length = np.concatenate([np.zeros(0), *(part.length for part in parts)])
     node, field, support = (np.concatenate([none, *each]) for each in (nodes, fields, supports))
     return Bearing(law, node, field, support, length)

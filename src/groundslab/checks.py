@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from groundslab.assembly import scatter
-from groundslab.contact import SLACK, YIELDING
+from groundslab.bearings import CLOSED, YIELDING
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.problem import (
     BETA_X,
@@ -19,12 +19,16 @@ from groundslab.problem import (
     W,
     edge_lengths,
     fields_of,
+    nodal_area,
+    planes,
     surface_settlement,
     tails,
+    without_rigid_motion,
 )
 from groundslab.results import Certificate
 from groundslab.shape import Array, Integers
 from groundslab.solution import Solution
+from groundslab.statics import free_motions
 
 _CHUNK = 4096
 #: A settlement this small against the plate, or a contact force this small against the load, counts as none.
@@ -79,6 +83,7 @@ def plate_forces(s: System, U: Array) -> Array:
     """Return the forces (n, 3) that the plate's deformation puts on w, beta_x, beta_y of each node."""
     problem, b = s.problem, s.blocks
     elements = problem.mesh.elements[problem.plate_elements]
+    U = without_rigid_motion(problem, U)
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
     f = apply(b.plate, b.kind[problem.plate_elements], u)
     n = len(problem.mesh.nodes)
@@ -108,6 +113,30 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
     if len(problem.edges):
         forces[:, 1:] += _tail_forces(problem, w, column)
     return forces
+
+
+def moved_as_a_whole(s: System, column: Column) -> tuple[Array, Array]:
+    """Return orthonormal rigid motions of the plate with the ground under it (size, 3), and their forces (size, 3).
+
+    The forces are the ground's alone, which the matrix knows with the rounding of a plate that may be much stiffer.
+    Of a plate that supports hold, or of which a part is meshed, the motions that are left, (size, m).
+    """
+    problem, size = s.problem, s.pattern.size
+    nodes, free = problem.plate_nodes, free_motions(problem)
+    motions, forces = np.zeros((size, free.shape[1])), np.zeros((size, free.shape[1]))
+    has = problem.unknown >= 0
+    for number, motion in enumerate(np.moveaxis(planes(problem) @ free, 2, 0)):
+        U = np.zeros(problem.unknown.shape)
+        U[nodes, :TOP] = motion[nodes]
+        ground = ground_forces(s, U, column)
+        resisting = np.zeros_like(U)
+        for surface in range(column.surfaces):
+            for field in fields_of(surface):
+                resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
+        motions[problem.unknown[has], number] = U[has]
+        forces[problem.unknown[has], number] = resisting[has]
+    Q, R = np.linalg.qr(motions)
+    return Q, np.linalg.solve(R.T, forces.T).T
 
 
 def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
@@ -145,13 +174,15 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     held = problem.unknown < 0
     borne = np.zeros_like(U)
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
-    # where gaps and settlements move the plate and next to nothing acts, rounding is all that is left over
-    way = max(np.abs(part).max(initial=0.0) for part in (problem.initial_gap, solution.law.level))
-    rounding = ROUNDING * np.abs(s.blocks.plate).max() * way
-    scale = max(np.abs(inner).max(), np.abs(load).max(), rounding) or 1.0
-    residual = float(np.abs((rest - borne)[~held]).max() / scale)
+    # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
+    springs = np.abs(c.force[np.isfinite(solution.law.stiffness)])
+    way = np.abs(solution.law.level[c.state == CLOSED]).max(initial=0.0)
+    rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
+    residual = float(
+        np.abs((rest - borne)[~held]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
+    )
 
-    # what the ground and the supports push up on the plate, moments about the origin
+    # what the supports push on the plate, moments about the origin
     support = np.where(held[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
     own = bearing.support >= 0
@@ -162,11 +193,15 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     wanted = _resultant(nodes, load[:, :TOP])
     missing = np.abs(reaction - wanted)
     length = np.ptp(nodes[under], axis=0).max()
-    parts = load[:, W], support[:, W], ground[:, 0], load[:, BETA_X:TOP] / length
+    parts = (
+        (load + np.pad(support, ((0, 0), (0, load.shape[1] - TOP))))[:, :TOP] / [1.0, length, length],
+        ground[:, 0],
+        springs,
+    )
     size = max(rounding, *(np.abs(part).sum() for part in parts)) or 1.0
     moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
 
-    settlement = max(np.abs(U[:, W]).max(), NOTHING * length, SLACK / Certificate.TOLERANCE * np.abs(U[:, TOP]).max())
+    settlement = max(np.abs(U[:, W]).max(), NOTHING * length)
     gap, force, product = _bearing_errors(solution, NOTHING * size)
     share = 2.0 ** sum(problem.symmetry)
     return Certificate(
@@ -193,22 +228,28 @@ def worst(proofs: Sequence[Certificate]) -> Certificate:
 def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
     """Return how badly the laws of the bearings are broken: way [m], force, and force times way [m].
 
-    Forces are relative to the largest one, or to a force that counts as nothing. One-sided bearings may not be driven
-    in further than their force says, pull, exceed their capacity, or carry anything while there is a way to go.
+    One-sided bearings may not be driven in further than their force says, pull, exceed their capacity, or carry
+    anything while there is a way to go. Forces are relative to those of their own kind: at a node of the ground to what
+    the largest pressure would give on its area, at a support to the largest force of a support, and each to a force
+    that counts as nothing.
     """
-    law, c = solution.law, solution.contact
+    problem, law, c = solution.system.problem, solution.law, solution.contact
     if not len(law):
         return 0.0, 0.0, 0.0
-    largest = max(float(np.abs(c.force).max()), nothing)
+    ground = problem.bearing.support < 0
+    scale = np.full(len(law), np.abs(c.force[~ground]).max(initial=0.0))
+    area = nodal_area(problem.mesh, problem.plate_elements)[problem.bearing.node[ground]]
+    scale[ground] = np.abs(area) * np.abs(c.force[ground] / area).max(initial=0.0)
+    scale = np.maximum(scale, nothing)
     elastic = np.isfinite(law.stiffness)
     way = law.driven(c.u)
     way[elastic] -= c.force[elastic] / law.stiffness[elastic]
     one_sided = ~law.both_ways
     yielding = c.state == YIELDING
-    broken = np.where(law.both_ways, np.abs(way), np.where(yielding, -way, way))
-    force = np.where(one_sided, np.maximum(-c.force, c.force - law.capacity), 0.0)
-    product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0)
-    return max(0.0, float(broken.max())), max(0.0, float(force.max()) / largest), float(product.max()) / largest
+    broken = np.where(law.both_ways, np.abs(way), np.where(yielding, -way, way))[law.capacity > 0]
+    force = np.where(one_sided, np.maximum(-c.force, c.force - law.capacity), 0.0) / scale
+    product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
+    return max(0.0, float(broken.max(initial=0.0))), max(0.0, float(force.max())), float(product.max())
 
 
 def _own_w(problem: Problem) -> Array:

@@ -1,11 +1,8 @@
 """Unilateral contact: minimise 1/2 u.A u - f.u with bearings that push on some unknowns one way only.
 
-A bearing on the unknown u_i, with sign s, level l, stiffness k (infinite if rigid) and capacity F, is driven in by
-d = s (l - u_i) and pushes u_i in the direction s with the force clip(k d, 0, F). The ground's gap is a rigid bearing
-with s = 1: u >= l, force >= 0, force times (u - l) = 0, and with a capacity the force that yields.
-
-Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2002), with the single pivots of Murty 1974 as the way
-out of a cycle (Judice and Pires 1994), so that it ends for every positive definite A. See docs/theory.md, contact.
+Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2002), which takes few steps from a good start. Where
+it does not come nearer, runs in a circle, or leaves the plate without hold, an interior point method finds the states
+that it goes on from (module `interior_point`). See docs/theory.md, contact.
 """
 
 from __future__ import annotations
@@ -16,85 +13,29 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from groundslab import interior_point
+from groundslab.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, total
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.linear import Latest, Task
 from groundslab.shape import Array, Flags, Integers
 from groundslab.symmetric import Symmetric
 
-#: A way or force that is on the wrong side by less than this share of the largest one does not change a bearing.
+#: A way that is on the wrong side by less than this share of the largest one does not change a bearing, nor does a
+#: force that would make such a way on the unknown's own stiffness, or is so small beside the largest force.
 SLACK = 1e-10
-#: Share of an unknown's own stiffness that a spring on it gets while the closed bearings do not hold the plate.
-WEAK = 1e-5
-#: A way that is more than so many times what a force as large as the largest load gives on an unknown's own stiffness
-#: is that of a plate that floats.
-ADRIFT = 1e9
-
+#: The bearings that touch hold the plate if they resist each of its rigid motions by more than this share of what all
+#: bearings together would.
+HOLD = 1e-6
+#: So many steps in which no fewer bearings are wrong than before, and the interior point method takes over: it needs
+#: about as many again as a slow but steady iteration from here.
+PATIENCE = 12
 #: The latest factor may serve for so many steps of conjugate gradients: about what another factor costs.
 STEPS = 8
 #: If they lead to something so many times larger than where they began, the plate may float.
 FAR = 10.0
-
-#: States of a bearing: it touches nothing, it bears, it has reached its capacity.
-OPEN, CLOSED, YIELDING = range(3)
-
-
-@dataclass(frozen=True, slots=True)
-class Bearings:
-    """What bears on one unknown each, (c,); the unknown's unit is m or rad, the force's N or N m."""
-
-    at: Integers  # number of the unknown
-    sign: Array  # 1.0 or -1.0: the direction of the force
-    level: Array  # value of the unknown at which it begins to bear
-    stiffness: Array  # force per way; infinite if rigid
-    capacity: Array  # largest force; infinite if there is none
-    both_ways: Flags  # closed for ever, whatever the sign of the force
-
-    def __len__(self) -> int:
-        """Return the number of bearings."""
-        return len(self.at)
-
-    def driven(self, u: Array) -> Array:
-        """Return how far each is driven in, d (c,)."""
-        d: Array = self.sign * (self.level - u[self.at])
-        return d
-
-
-#: All that is known of a bearing but the unknown on which it bears.
-LAWS = ("sign", "level", "stiffness", "capacity", "both_ways")
-
-
-def gaps(at: Integers, initial: Array) -> Bearings:
-    """Return the bearings of gaps, initially `initial` (c,) wide: unknowns that are pushed up from -initial."""
-    one, without_end = np.ones(len(at)), np.full(len(at), np.inf)
-    return Bearings(at, one, -initial, without_end, without_end, np.zeros(len(at), dtype=bool))
-
-
-def joined(*parts: Bearings) -> Bearings:
-    """Return the bearings of several parts as one list."""
-    return Bearings(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", *LAWS)))
-
-
-@dataclass(frozen=True, slots=True)
-class Contact:
-    """A solution: unknowns u (size,), states of the bearings (c,), and their forces (c,), >= 0 unless both ways."""
-
-    u: Array
-    state: Integers
-    force: Array
-
-    @property
-    def closed(self) -> Flags:
-        """Return which bearings touch (c,), be it that they yield."""
-        touching: Flags = self.state != OPEN
-        return touching
-
-
-def slipped(b: Bearings, c: Contact) -> Array:
-    """Return how far each bearing (c,) has slipped at its capacity."""
-    elastic = np.isfinite(b.stiffness)
-    way = b.driven(c.u)
-    way[elastic] -= c.force[elastic] / b.stiffness[elastic]
-    return np.where(c.state == YIELDING, np.maximum(way, 0.0), 0.0)
+#: Rounding is taken off in so many steps at most, until what is left over is this share of the largest force.
+REFINEMENTS = 4
+ROUNDED = 1e-11
 
 
 def solve(
@@ -106,73 +47,116 @@ def solve(
     limit: int,
     report: Callable[[int, int, int], None],
     near: Array | None = None,
+    motions: Array | None = None,
 ) -> Contact:
     """Return the solution of A u - f = forces of the bearings.
 
-    start (c,) holds the states at first; near (size,) is what the solution is expected to be near; report is told
-    iteration, bearings that touch and changes. With no bearings this is one linear solution. Raises NotConverged after
-    `limit` iterations, SingularMatrix if A itself, held by all bearings, is not positive.
+    start (c,) holds the states at first; near (size,) is what the solution is expected to be near; motions (size, m)
+    are those of the plate as a rigid body, against which only the bearings hold it; report is told iteration, bearings
+    that touch and changes. With no bearings this is one linear solution. Raises NotConverged after `limit` iterations,
+    SingularMatrix if A itself, held by all bearings, is not positive.
+
+    Where what touches in the end does not hold the plate, it returns one of many solutions, to some digits: that of the
+    interior point method (see statics.require_hold).
     """
-    b = bearings
+    b, hold = bearings, _Hold(bearings, motions)
     history: list[dict[str, int]] = []
-    state, pivots = np.where(b.both_ways, CLOSED, start), _Pivots(len(b))
-    spring = rest = no_spring = np.zeros(len(b))
-    u, fewest = near, len(b) + 1
-    for iteration in range(1, limit + 1):
-        held = _arranged(A, f, b, state, spring, rest)
+
+    def count(states: Integers, changed: int) -> None:
+        touching = int((states != OPEN).sum())
+        history.append({"iteration": len(history) + 1, "closed": touching, "changed": changed})
+        report(len(history), touching, changed)
+
+    state, last = b.lasting(start), near
+    progress, inside = _Progress(len(b)), None
+    while len(history) < limit:
+        found = _solved(A, f, b, state, latest, near) if hold.by(state) else None
+        if found is not None:
+            after = _next(A, b, found)
+            wrong = after != state
+            count(state, int(wrong.sum()))
+            if not wrong.any():
+                return _refined(found, b, latest)
+            # close to a cycle decisions must not rest on what conjugate gradients leave over
+            last, near = found.contact.u, found.contact.u if progress.made(state, wrong) else None
+            state = after
+            if inside is not None or not progress.lost:
+                continue
+        elif inside is not None:
+            return inside
+        inside = interior_point.solve(A, f, latest, b, count)
+        state, last, near, progress = inside.state, inside.u, None, _Progress(len(b))
+    raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN})
+
+
+@dataclass(frozen=True, slots=True)
+class _Solved:
+    """The solution for given states of the bearings."""
+
+    task: Task
+    load: Array  # (size,): the given one, and what bearings give that are not rigid
+    borne: Array  # (size,): the latter
+    contact: Contact
+
+
+def _solved(A: Symmetric, f: Array, b: Bearings, state: Integers, latest: Latest, near: Array | None) -> _Solved | None:
+    """Return the solution for given states (c,), none if these do not hold the plate.
+
+    near (size,) is what the solution is expected to be near: the latest factor may then serve, if its task is near too.
+    """
+    task, load = _arranged(A, f, b, state)
+
+    def found(u: Array, left: Array) -> _Solved:
+        return _Solved(task, load, load - f, Contact(u, state, _forces(b, state, u, load - f - left)))
+
+    exact = latest.solves(task)
+    if near is not None and not exact and latest.near(task):
+        u = np.where(task.held, task.level, near)
+        left = load - A @ u
+        with suppress(SingularMatrix):  # then the factorisation tells
+            if latest.improve(task, load, u, left, STEPS) and np.abs(u).max() <= FAR * np.abs(near).max():
+                return found(u, left)
+    if not exact:
         try:
-            u, left, settled = _solution(held, b, latest, near, floats=bool(spring.any()))
+            latest.factor(task)
         except SingularMatrix:
-            if spring.any():
-                raise
-            # the plate floats: a proximal step, with springs that draw the bearings to where they are
-            u = np.zeros(A.size) if u is None else u
-            spring, rest = WEAK * A.diagonal[b.at], b.level + b.sign * np.maximum(-b.driven(u), 0.0)
-            pivots = _Pivots(len(b))
-            held = _arranged(A, f, b, state, spring, rest)
-            u, left, settled = _solution(held, b, latest, None, floats=True)
-        force = _forces(b, state, u, held.load - f - left, spring * (u[b.at] - rest))
-        slack = SLACK * np.abs(u).max()
-        after = np.where(b.both_ways, CLOSED, _next(b, state, b.driven(u), force, slack))
-        wrong: Flags = after != state
-        touching = int((state != OPEN).sum())
-        history.append({"iteration": iteration, "closed": touching, "changed": int(wrong.sum())})
-        report(iteration, touching, int(wrong.sum()))
-        # close to a cycle, or to floating, decisions must not rest on what conjugate gradients leave over
-        near = u if wrong.sum() < fewest and not spring.any() else None
-        fewest = min(fewest, int(wrong.sum()))
-        if wrong.any():
-            state = pivots.change(state, after)
-        elif (spring * (np.abs(u[b.at] - rest) > slack)).any():
-            # enough bearings touch now, or the next proximal step starts from here
-            spring, pivots, near = no_spring, _Pivots(len(b)), None
-        else:
-            # no springs, or springs that move nothing and so carry nothing: a plate balanced without being held
-            if not settled:
-                # one step more takes off the rounding of the factorisation
-                left = held.load - A @ u
-                latest.improve(held.task, held.load, u, left, 1)
-            return Contact(u, state, _forces(b, state, u, held.load - f - left, 0.0 * spring))
-    raise NotConverged("the contact zone", history, {"u": u, "closed": state != OPEN})
+            return None
+    u = task.level.copy()
+    left = load - A @ u if u.any() else load.copy()
+    latest.improve(task, load, u, left, 1)
+    return found(u, left)
 
 
-def _forces(b: Bearings, state: Integers, u: Array, left_over: Array, spring: Array) -> Array:
+def _refined(s: _Solved, b: Bearings, latest: Latest) -> Contact:
+    """Return a solution without the rounding of the factorisation."""
+    A, u = s.task.A, s.contact.u.copy()
+    for _ in range(REFINEMENTS):
+        left = s.load - A @ u
+        if np.abs((left - s.task.added * u)[~s.task.held]).max(initial=0.0) <= ROUNDED * np.abs(left).max(initial=0.0):
+            break
+        latest.improve(s.task, s.load, u, left, 1)
+    left = s.load - A @ u
+    state = s.contact.state
+    return Contact(u, state, _forces(b, state, u, s.borne - left))
+
+
+def _forces(b: Bearings, state: Integers, u: Array, left_over: Array) -> Array:
     """Return the force of each bearing (c,); that of a rigid one is what the others leave over at its unknown."""
     rigid = np.isinf(b.stiffness)
     force = np.where(state == YIELDING, b.capacity, 0.0)
     elastic = np.flatnonzero((state == CLOSED) & ~rigid)
     force[elastic] = b.stiffness[elastic] * b.driven(u)[elastic]
-    borne = np.zeros(len(u))
-    np.add.at(borne, b.at, b.sign * force)
+    borne = total(b.at, b.sign * force, len(u))
     closed = np.flatnonzero((state == CLOSED) & rigid)
-    at = b.at[closed]
-    force[closed] = b.sign[closed] * (left_over[at] - borne[at] + spring[closed])
+    force[closed] = b.sign[closed] * (left_over - borne)[b.at[closed]]
     return force
 
 
-def _next(b: Bearings, state: Integers, driven: Array, force: Array, slack: float) -> Integers:
+def _next(A: Symmetric, b: Bearings, found: _Solved) -> Integers:
     """Return the state (c,) in which each bearing should be, seen from the one that it is in."""
-    small = SLACK * np.abs(force).max(initial=0)
+    u, state, force = found.contact.u, found.contact.state, found.contact.force
+    driven, slack = b.driven(u), SLACK * np.abs(u).max()
+    small = np.minimum(slack * A.diagonal[b.at], SLACK * np.abs(force).max(initial=0))
     full = np.zeros(len(b))  # way at which it yields
     elastic = np.isfinite(b.stiffness)
     full[elastic] = b.capacity[elastic] / b.stiffness[elastic]
@@ -181,85 +165,52 @@ def _next(b: Bearings, state: Integers, driven: Array, force: Array, slack: floa
     after[(state == CLOSED) & (force < -small)] = OPEN
     after[(state == CLOSED) & (force > b.capacity + small)] = YIELDING
     after[(state == YIELDING) & (driven < full - slack)] = CLOSED
-    return after
+    return b.lasting(after)
 
 
-class _Pivots:
-    """Which wrong bearings change: all of them, or, once a set of states has come back, the last one alone.
+class _Hold:
+    """Which bearings must touch so that the plate cannot move as a rigid body."""
 
-    Back to all of them when fewer are wrong than ever before (Judice and Pires 1994).
-    """
+    def __init__(self, b: Bearings, motions: Array | None) -> None:
+        rows = np.zeros((len(b), 0)) if motions is None else motions[b.at]
+        # coordinates in which all bearings together resist every motion alike
+        self.rows = np.linalg.qr(rows)[0] if rows.any() else rows[:, :0]
+
+    def by(self, state: Integers) -> bool:
+        """Return whether the bearings (c,) that are closed hold the plate."""
+        closed = self.rows[state == CLOSED]
+        return closed.shape[1] == 0 or bool(np.linalg.eigvalsh(closed.T @ closed)[0] > HOLD**2)
+
+
+class _Progress:
+    """Whether the active set iteration comes nearer to its end."""
 
     def __init__(self, bearings: int) -> None:
         self.seen: set[bytes] = set()
         self.fewest = bearings + 1
-        self.single = False
+        self.since = 0
+        self.lost = False  # runs in a circle, or does not come nearer
 
-    def change(self, state: Integers, wanted: Integers) -> Integers:
-        """Return the states to take next."""
-        wrong = state != wanted
+    def made(self, state: Integers, wrong: Flags) -> bool:
+        """Take note of states (c,) of which some are wrong; return whether these are fewer than ever before."""
         wrongs, key = int(wrong.sum()), state.astype(np.uint8).tobytes()
-        if key in self.seen and not self.single:
-            self.single, self.fewest = True, min(self.fewest, wrongs)
-        elif wrongs < self.fewest:
-            self.single, self.fewest = False, wrongs
+        nearer = wrongs < self.fewest
+        self.since = 0 if nearer else self.since + 1
+        self.lost = key in self.seen or self.since >= PATIENCE
         self.seen.add(key)
-        if self.single:
-            wrong = np.arange(len(wrong)) == np.flatnonzero(wrong)[-1]
-        after: Integers = np.where(wrong, wanted, state)
-        return after
+        self.fewest = min(self.fewest, wrongs)
+        return nearer
 
 
-@dataclass(frozen=True, slots=True)
-class _Held:
-    """What is to be solved for given states of the bearings."""
-
-    task: Task
-    level: Array  # (size,): the values of held unknowns, zero elsewhere
-    load: Array  # (size,): f, and what the bearings give that are not rigid
-
-
-def _arranged(A: Symmetric, f: Array, b: Bearings, state: Integers, spring: Array, rest: Array) -> _Held:
-    """Return what given states make of the problem, and springs (c,) that draw unknowns to their rest (c,)."""
+def _arranged(A: Symmetric, f: Array, b: Bearings, state: Integers) -> tuple[Task, Array]:
+    """Return what given states make of the problem: matrix, held unknowns with their values, and load (size,)."""
     rigid = (state == CLOSED) & np.isinf(b.stiffness)
     elastic = (state == CLOSED) & np.isfinite(b.stiffness)
-    added, load = np.zeros(A.size), f.copy()
-    np.add.at(added, b.at, spring)
-    np.add.at(load, b.at, spring * rest)
-    np.add.at(added, b.at[elastic], b.stiffness[elastic])
-    np.add.at(load, b.at[elastic], b.stiffness[elastic] * b.level[elastic])
     yielding = state == YIELDING
-    np.add.at(load, b.at[yielding], b.sign[yielding] * b.capacity[yielding])
+    added = total(b.at[elastic], b.stiffness[elastic], A.size)
+    load = f + total(b.at[elastic], b.stiffness[elastic] * b.level[elastic], A.size)
+    load += total(b.at[yielding], b.sign[yielding] * b.capacity[yielding], A.size)
     held, level = np.zeros(A.size, dtype=bool), np.zeros(A.size)
     held[b.at[rigid]] = True
     level[b.at[rigid]] = b.level[rigid]
-    return _Held(Task(A, held, added), level, load)
-
-
-def _solution(h: _Held, b: Bearings, latest: Latest, near: Array | None, floats: bool) -> tuple[Array, Array, bool]:
-    """Return the solution u (size,) for given states, and load - A u (size,), what that leaves to rigid bearings.
-
-    And whether rounding has been taken off already.
-
-    near (size,) is what the solution is expected to be near: the latest factor may then serve, if its task is near too.
-    Raises SingularMatrix if the plate floats, unless it may.
-    """
-    A, exact = h.task.A, latest.solves(h.task)
-    if near is not None and not exact and latest.near(h.task):
-        u = np.where(h.task.held, h.level, near)
-        left = h.load - A @ u
-        with suppress(SingularMatrix):  # then the factorisation tells
-            if latest.improve(h.task, h.load, u, left, STEPS) and np.abs(u).max() <= FAR * np.abs(near).max():
-                return u, left, True
-    if not exact:
-        latest.factor(h.task)
-    u = h.level.copy()
-    left = h.load - A @ u if u.any() else h.load.copy()
-    driving = np.abs(left[~h.task.held]).max(initial=0.0)
-    latest.improve(h.task, h.load, u, left, 1)
-    # rounding can make a matrix that is singular look positive: the plate then floats away all the same
-    if len(b) and not floats:
-        free = ~h.task.held[b.at]
-        if (np.abs(u[b.at]) * (A.diagonal + h.task.added)[b.at])[free].max(initial=0.0) > ADRIFT * driving:
-            raise SingularMatrix("the bearings that touch do not hold the plate")
-    return u, left, False
+    return Task(A, held, added, level), load

@@ -42,12 +42,25 @@ class NoEquilibrium(GroundslabError):
     """The loads cannot be balanced by pressure from the ground and by the supports; says which loads and why."""
 
 
+class NeutralEquilibrium(NoEquilibrium):
+    """What touches the plate balances the loads and yet lets it move as a rigid body; says how it can move."""
+
+
+class IllConditioned(GroundslabError):
+    """Stiffnesses differ by more than the digits of the computer's numbers allow; says which, and what to change."""
+
+
 class SingularMatrix(GroundslabError):
     """A matrix that should be positive definite is not."""
 
 
 class NotCertified(GroundslabError):
     """A result does not fulfil the equations; ``results`` holds it all the same, to be looked at, not to be used."""
+
+    ROUNDING = (
+        "rounding is what is left over where stiffnesses differ by ten digits and more: bring thickness and E of the "
+        "plate, stiffness of supports and ground nearer to each other"
+    )
 
     def __init__(self, results: Any) -> None:
         self.results = results
@@ -56,9 +69,10 @@ class NotCertified(GroundslabError):
     def __str__(self) -> str:
         """Return which figures of the certificate are too large."""
         certificate = self.results.certificate
-        figures = certificate.must_vanish().items()
-        large = [f"{name} {value:.1e}" for name, value in figures if not value <= certificate.TOLERANCE]
-        return f"the result does not fulfil the equations: {', '.join(large)}; it must not be used"
+        large = {name: value for name, value in certificate.must_vanish().items() if not value <= certificate.TOLERANCE}
+        figures = ", ".join(f"{name} {value:.1e}" for name, value in large.items())
+        line = f"the result does not fulfil the equations: {figures}; it must not be used"
+        return f"{line}; {self.ROUNDING}" if large.keys() <= {"residual", "force_balance", "moment_balance"} else line
 
 
 @dataclass(eq=False)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab import contact
-from groundslab.contact import LAWS, Bearings
+from groundslab.bearings import CLOSED, LAWS, OPEN, YIELDING, Bearings
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.linear import Latest, Solver
 from groundslab.mesh import Whereabouts, between, interpolated, whereabouts
@@ -56,14 +56,14 @@ def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integer
     """Return the states (c,) of the bearings and the unknowns (n, F) to expect after a solution on a coarser mesh."""
     before, b = start.system.problem, problem.bearing
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
-    state = np.full(len(b.law), contact.CLOSED)
+    state = np.full(len(b.law), CLOSED)
     ground = np.flatnonzero(b.support < 0)  # none, or one at each node of the plate
     if len(ground):
-        touching = between(coarse, start.nodes_in(contact.CLOSED, contact.YIELDING), at.on_plate) <= CLOSED_AT
-        state[ground] = np.where(touching, contact.CLOSED, contact.OPEN)
-        if (start.contact.state == contact.YIELDING).any():
-            yielding = between(coarse, start.nodes_in(contact.YIELDING), at.on_plate) <= CLOSED_AT
-            state[ground[yielding & np.isfinite(b.law.capacity[ground])]] = contact.YIELDING
+        touching = between(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
+        state[ground] = np.where(touching, CLOSED, OPEN)
+        if (start.contact.state == YIELDING).any():
+            yielding = between(coarse, start.nodes_in(YIELDING), at.on_plate) <= CLOSED_AT
+            state[ground[yielding & np.isfinite(b.law.capacity[ground])]] = YIELDING
     for support in np.unique(b.support[b.support >= 0]):
         new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.bearing))
         if len(new) and len(old):

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from groundslab import forecast
+from groundslab.checks import moved_as_a_whole
+from groundslab.conditioning import NEARLY_RIGID, stiffness_ratio
 from groundslab.discretise import discretise
 from groundslab.frame import Frame, frame
 from groundslab.ground import Column
@@ -12,7 +14,9 @@ from groundslab.layout import Meshes
 from groundslab.linear import Latest, Solver
 from groundslab.model import Model
 from groundslab.problem import System, stiffness, system
+from groundslab.shape import Array
 from groundslab.solution import Solution
+from groundslab.statics import rigid_motions
 from groundslab.subsoil import Factors
 from groundslab.symmetric import Symmetric
 
@@ -27,13 +31,24 @@ class Level:
     latest: Latest
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
     places: forecast.Places | None = None  # of its nodes in the mesh before
+    rigid: Array | None = None  # the plate's rigid motions
     framed: tuple[Model, Frame] | None = None  # the frame of results, and a model that has it
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma, the same one when asked for it again."""
         if self.matrix is None or self.matrix[0] != gamma:
-            self.matrix = gamma, stiffness(self.system, column)
+            A = stiffness(self.system, column)
+            if stiffness_ratio(self.system, column) > NEARLY_RIGID:
+                A = replace(A, known=moved_as_a_whole(self.system, column))
+            self.matrix = gamma, A
         return self.matrix[1]
+
+    @property
+    def motions(self) -> Array:
+        """Return the plate's rigid motions against which only one-sided bearings hold it, as unknowns (size, m)."""
+        if self.rigid is None:
+            self.rigid = rigid_motions(self.system.problem)
+        return self.rigid
 
     def frame(self, model: Model) -> Frame:
         """Return the frame of a model's results, the same one for a model with the same plate, supports and loads."""

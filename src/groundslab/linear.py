@@ -262,6 +262,7 @@ class Task:
     A: Symmetric
     held: Flags  # (size,)
     added: Array  # (size,), without meaning where held
+    level: Array  # (size,): the values of held unknowns, zero elsewhere
 
     def differs(self, other: Task) -> int:
         """Return the number of unknowns that are held, or whose diagonal is added to, in one of two tasks alone."""

@@ -52,7 +52,8 @@ def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.P
     """Return the loading of some loads; distributed ones are integrated exactly over the meshed part of the plate."""
     mesh, elements = plan.mesh, plan.plate_elements
     n = len(mesh.nodes)
-    forces, couples = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9))
+    forces, couples, size = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9)), 0.0
+    length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
     warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
     thickness = np.array([t for _, _, t in materials(model)])[plan.section]
     for load in acting:
@@ -64,8 +65,11 @@ def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.P
         elif isinstance(load, PointLoad):
             force, couple = _at_point(load.on(model.columns), model, plan)
             forces, couples = forces + force, couples + couple
+            size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
         else:
-            forces += _spread(load, model, plan, thickness)
+            force = _spread(load, model, plan, thickness)
+            forces += force
+            size += float(np.abs(force).sum())
     if not element.centre_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
@@ -76,7 +80,7 @@ def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.P
     for axis in (0, 1):
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
-    return Loading(table, warp, settlement)
+    return Loading(table, warp, settlement, size)
 
 
 def _spread(

@@ -15,7 +15,7 @@ import numpy as np
 
 from groundslab import assembly, plate
 from groundslab.assembly import Pattern, congruent, scatter
-from groundslab.contact import Bearings
+from groundslab.bearings import Bearings
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
 from groundslab.mesh import Mesh
 from groundslab.shape import Array, Integers, gauss, jacobian, q9
@@ -32,14 +32,17 @@ class Loading:
     load: Array  # (n, F) [N, N m]
     warp: Array  # (mp,) [1/m]: curvature beta_x,x = beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
+    size: float  # [N]: the sizes of all forces, and of moments over the plate's length, whatever they cancel
 
     def __add__(self, other: Loading) -> Loading:
         """Return both together."""
-        return Loading(self.load + other.load, self.warp + other.warp, self.settlement + other.settlement)
+        return Loading(
+            self.load + other.load, self.warp + other.warp, self.settlement + other.settlement, self.size + other.size
+        )
 
     def times(self, factor: float) -> Loading:
         """Return it multiplied by a factor."""
-        return Loading(factor * self.load, factor * self.warp, factor * self.settlement)
+        return Loading(factor * self.load, factor * self.warp, factor * self.settlement, abs(factor) * self.size)
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +87,7 @@ class Problem:
 
     @property
     def gaps(self) -> Integers:
-        """Return the unknowns h that open the gaps, one for each plate node (none if the plate is glued to the ground)."""
+        """Return the unknowns that open the gaps, one for each plate node (none if it is glued to the ground)."""
         if not self.tensionless:
             return np.zeros(0, dtype=np.int64)
         numbers: Integers = self.unknown[self.plate_nodes, TOP]
@@ -281,6 +284,27 @@ def right_hand_side(s: System, factor: float) -> Array:
     has = p.unknown >= 0
     f[p.unknown[has]] = factor * s.problem.load[has]
     return f
+
+
+def without_rigid_motion(problem: Problem, U: Array) -> Array:
+    """Return W, BETA_X and BETA_Y (n, 3) less the plane that fits the plate best: strains are those of U (n, F).
+
+    Stiffness times what a nearly rigid plate moves as a whole would be rounding alone.
+    """
+    motions, corners = planes(problem), problem.mesh.elements[problem.plate_elements, :4].ravel()
+    plane = np.linalg.lstsq(motions[corners, W], U[corners, W], rcond=None)[0]
+    moved: Array = U[:, :TOP] - motions @ plane
+    return moved
+
+
+def planes(problem: Problem) -> Array:
+    """Return the rigid motions w = 1, x, y of a plate as W, BETA_X and BETA_Y at every node, (n, 3, 3)."""
+    nodes = problem.mesh.nodes
+    x, y = nodes.T
+    motions = np.zeros((len(nodes), TOP, 3))
+    motions[:, W] = np.column_stack([np.ones_like(x), x, y])
+    motions[:, BETA_X, 1] = motions[:, BETA_Y, 2] = 1.0
+    return motions
 
 
 def nodal(problem: Problem, u: Array) -> Array:

@@ -11,7 +11,16 @@ from groundslab.frame import ODD, XI_TURNED, Frame
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
 from groundslab.model import Model
-from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, plate_settlement, surface_settlement
+from groundslab.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    Problem,
+    W,
+    plate_settlement,
+    surface_settlement,
+    without_rigid_motion,
+)
 from groundslab.results import (
     Certificate,
     Constants,
@@ -164,6 +173,7 @@ def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame, pres
 def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
     """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5)."""
     elements = problem.mesh.elements[problem.plate_elements]
+    U = without_rigid_motion(problem, U)
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
     forces = apply(frame.matrices, frame.kind, u).reshape(len(elements), 4, 5)
     if problem.loading.warp.any():

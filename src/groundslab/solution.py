@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.contact import Bearings, Contact
+from groundslab.bearings import Bearings, Contact
 from groundslab.ground import Column
 from groundslab.problem import System
 from groundslab.shape import Array

@@ -17,6 +17,9 @@ class Symmetric:
     indptr: Indices  # (size + 1,)
     indices: Indices  # (entries,), ascending in each row
     data: Array  # (entries,)
+    #: Orthonormal vectors (size, m) and what the matrix makes of them (size, m), known better than the entries tell:
+    #: sums of large entries that nearly cancel.
+    known: tuple[Array, Array] | None = None
 
     @property
     def size(self) -> int:
@@ -31,6 +34,13 @@ class Symmetric:
 
     def __matmul__(self, u: Array) -> Array:
         """Return the product with u (size,)."""
+        if self.known is not None:
+            Q, AQ = self.known
+            share = Q.T @ u
+            return self._times(u - Q @ share) + AQ @ share
+        return self._times(u)
+
+    def _times(self, u: Array) -> Array:
         upper = self._upper()
         product: Array = upper @ u + upper.T @ u - self.diagonal * u
         return product

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from groundslab import contact, linear
 from groundslab.analysis import solve, solve_combinations
+from groundslab.bearings import CLOSED
 from groundslab.discretise import discretise
 from groundslab.errors import InputError, NoEquilibrium
 from groundslab.ground import Column
@@ -84,7 +85,7 @@ def solved(problem: Problem) -> Array:
     A = stiffness(s, problem.ground)
     law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
     latest = linear.Latest(linear.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
-    start = np.full(len(law), contact.CLOSED)
+    start = np.full(len(law), CLOSED)
     f = right_hand_side(s, 1.0)
     return nodal(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
 

@@ -51,6 +51,8 @@ FLOORS = [
         "mumps",
         "linear",
         "lanes",
+        "bearings",
+        "interior_point",
         "contact",
         "problem",
         "loads",
@@ -64,6 +66,7 @@ FLOORS = [
     ["subsoil", "layout", "loading", "bearing", "discretise"],
     [
         "statics",
+        "conditioning",
         "solution",
         "forecast",
         "checks",

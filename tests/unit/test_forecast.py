@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab import analysis, contact, forecast, linear
-from groundslab.contact import Contact
+from groundslab.bearings import CLOSED, OPEN, Contact
 from groundslab.discretise import discretise
 from groundslab.ground import Column
 from groundslab.model import Model
@@ -59,7 +59,7 @@ def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
     under[coarse.plate_nodes] = True
     nodal = {W: np.where(under, w, 0), BETA_X: np.where(under, beta, 0), BETA_Y: np.where(under, -beta, 0)}
     nodal[TOP] = surface - np.where(under, w, 0.0)
-    start = solution_with(given, nodal, np.full(len(coarse.bearing.law), contact.OPEN), 1)
+    start = solution_with(given, nodal, np.full(len(coarse.bearing.law), OPEN), 1)
     np.testing.assert_allclose(surface_settlement(start.system, start.U)[0], surface, atol=1e-15)
 
     _, U = forecast.from_coarser(start, fine, forecast.places(coarse, fine))
@@ -77,7 +77,7 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     """With one state everywhere there is no border: no strip is laid, and all states are forecast alike."""
     given = model()
     coarse, fine = discretise(given, 1), discretise(given, 0)
-    states = np.full(len(coarse.bearing.law), contact.CLOSED if closed else contact.OPEN)
+    states = np.full(len(coarse.bearing.law), CLOSED if closed else OPEN)
     start = solution_with(given, {}, states, 1)
     state, U = forecast.from_coarser(start, fine, forecast.places(coarse, fine))
     assert (state == states[0]).all()
@@ -101,16 +101,16 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     f = right_hand_side(s, 1.0)
     law = bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
     latest = linear.Latest(linear.superlu(A.indptr, A.indices))
-    start = np.full(len(law), contact.CLOSED)
+    start = np.full(len(law), CLOSED)
     right = contact.solve(A, f, latest, law, start, 100, lambda *_: None)
     U = np.zeros(fine.unknown.shape)
     U[fine.unknown >= 0] = right.u[fine.unknown[fine.unknown >= 0]]
 
     # open all nodes within about an element of an open one
     places = fine.mesh.nodes[fine.bearing.node]
-    opened = places[right.state == contact.OPEN]
+    opened = places[right.state == OPEN]
     distance = np.array([np.linalg.norm(opened - place, axis=1).min() for place in places])
-    wrong = np.where(distance < 0.31, contact.OPEN, contact.CLOSED)
+    wrong = np.where(distance < 0.31, OPEN, CLOSED)
     assert (wrong != right.state).sum() > 10
     found = forecast.along_the_border(s, A, f, law, wrong, U, linear.superlu)
     np.testing.assert_array_equal(found, right.state)

@@ -186,9 +186,9 @@ def test_solver_by_name(name: str) -> None:
 def _task(A: np.ndarray, held: np.ndarray, added: np.ndarray, seed_of: linear.Task | None = None) -> linear.Task:
     """Return a task; its matrix is the very one of another task if that is given."""
     if seed_of is not None:
-        return linear.Task(seed_of.A, held, added)
+        return linear.Task(seed_of.A, held, added, 0 * added)
     indptr, indices, data = upper_half(A)
-    return linear.Task(Symmetric(indptr, indices, data), held, added)
+    return linear.Task(Symmetric(indptr, indices, data), held, added, 0 * added)
 
 
 @pytest.mark.parametrize("name", SOLVERS)

@@ -11,9 +11,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import linprog
 
+from groundslab.analysis import solve
 from groundslab.discretise import discretise
-from groundslab.errors import NoEquilibrium
-from groundslab.model import Contact, Edges, Mesh, Model, PatchLoad, Plate, PointLoad, UniformLoad, Winkler
+from groundslab.errors import NeutralEquilibrium, NoEquilibrium
+from groundslab.model import (
+    Circle,
+    Contact,
+    Edges,
+    Mesh,
+    Model,
+    PatchLoad,
+    Plate,
+    PointLoad,
+    PointSupport,
+    UniformLoad,
+    Winkler,
+)
 from groundslab.problem import BETA_X
 from groundslab.statics import require_equilibrium
 
@@ -187,3 +200,80 @@ def test_size_of_forces_does_not_matter(factor: float) -> None:
     """The verdict depends on where loads act, not on their units."""
     assert possible(model([point(factor, 2.9, 1.9)]))
     assert not possible(model([point(factor, 3.0, 1.9)]))
+
+
+def hung(supports: list[dict[str, Any]], loads: list[Any], **keys: Any) -> Model:
+    """Return a plate of 6 x 4 m on springs and supports."""
+    plate = Plate(length_x=LX, length_y=LY, thickness=0.25, E=30e9, nu=0.2)
+    points = [PointSupport(**support) for support in supports]
+    return Model(plate=plate, ground=Winkler(k=20e6), loads=loads, supports=points, mesh=Mesh(size=0.5), **keys)
+
+
+def pile(x: float, y: float, acts: str, **keys: Any) -> dict[str, Any]:
+    """Return a support at a point."""
+    return {"x": x, "y": y, "acts": acts, **keys}
+
+
+@pytest.mark.parametrize("size", [0.6, 0.5, 0.4])
+def test_a_plate_that_hangs_on_one_pile_can_rock_about_it(size: float) -> None:
+    """Uplift pulls a circle straight up on the pile in its middle: no force keeps it from tilting, on any mesh."""
+    pytest.importorskip("gmsh")
+    plate = Plate(outline=Circle(centre=(0, 0), radius=3), thickness=0.25, E=30e9, nu=0.2)
+    support = PointSupport(x=0, y=0, stiffness=50e6, acts="in tension")
+    described = Model(
+        plate=plate, ground=Winkler(k=20e6), loads=[UniformLoad(q=-2e3)], supports=[support], mesh=Mesh(size=size)
+    )
+    with pytest.raises(NeutralEquilibrium, match=r"can rock about the point \(0, 0\) m in every direction"):
+        solve(described)
+
+
+@pytest.mark.parametrize(
+    ("places", "line"),
+    [
+        ([(2, 0), (-2, 0)], "y = 0 m"),
+        ([(1, 1.5), (1, -1.5)], "x = 1 m"),
+        ([(2, 1), (-2, -1)], r"y = 0 m \+ 0\.5 x"),
+    ],
+)
+def test_a_plate_on_two_piles_over_a_gap_can_rock_about_their_line(places: list[Any], line: str) -> None:
+    """Its own weight rests on two piles, if need be by a load that has the resultant between them."""
+    middle = np.mean(places, axis=0)
+    weight = UniformLoad(q=1e3)
+    loads: list[Any] = [weight]
+    if middle.any():
+        loads = [PointLoad(P=20e3, x=float(middle[0]), y=float(middle[1]))]
+    described = hung([pile(x, y, "in compression") for x, y in places], loads, contact=Contact(gap=0.1))
+    with pytest.raises(NeutralEquilibrium, match=f"can rock about the line {line}"):
+        solve(described)
+
+
+def test_three_piles_hold_the_plate() -> None:
+    """The same weight on three piles that are not on one line has one solution: each pile's share by statics."""
+    described = hung(
+        [pile(2, 0, "in compression"), pile(-2, 1, "in compression"), pile(-2, -1, "in compression")],
+        [UniformLoad(q=1e3)],
+        contact=Contact(gap=0.1),
+    )
+    forces = [support.total for support in solve(described).supports]
+    np.testing.assert_allclose(forces, [12e3, 6e3, 6e3], rtol=1e-9)
+
+
+def test_limits_that_are_short_are_named() -> None:
+    """50 kN of uplift on two anchors of 20 kN each; then one anchor too weak for where the uplift acts."""
+    anchors = [pile(2, 0, "in tension", limit=20e3), pile(-2, 0, "in tension", limit=20e3)]
+    with pytest.raises(NoEquilibrium, match=r"lift the plate by 50 kN.*40 kN.*supports\[1\].limit and supports\[2\]"):
+        solve(hung(anchors, [UniformLoad(q=-50e3 / 24)]))
+    uneven = [pile(2, 0, "in tension", limit=10e3), pile(-2, 0, "in tension", limit=90e3)]
+    # a share s of 25 kN up at each end, the ground pushing up with G at x = -3, moments about the left anchor:
+    # 4 m x 10 kN + 1 m x G = 4 m x 25 kN s, and 10 kN + 90 kN = 50 kN s + G, hence s = 14 / 15
+    loads = [PointLoad(P=-25e3, x=2, y=0), PointLoad(P=-25e3, x=-2, y=0)]
+    with pytest.raises(NoEquilibrium, match=r"93.33 % of them bring supports\[1\]\.limit and supports\[2\]"):
+        solve(hung(uneven, loads))
+
+
+def test_a_load_that_supports_take_up_to_the_limit_is_balanced() -> None:
+    """Just below both limits there is a solution, and the anchors carry what statics says."""
+    anchors = [pile(x, y, "in tension", limit=20e3) for x in (-2, 2) for y in (-1, 1)]
+    found = solve(hung(anchors, [UniformLoad(q=-79e3 / 24)]))
+    assert found.certificate.holds
+    assert sum(support.total for support in found.supports) <= -79e3 * (1 - 1e-9)

@@ -14,7 +14,9 @@ from groundslab import linear
 from groundslab.errors import (
     Fault,
     GroundslabError,
+    IllConditioned,
     InputError,
+    NeutralEquilibrium,
     NoEquilibrium,
     NotCertified,
     NotConverged,
@@ -37,6 +39,8 @@ SOLVED, FAILED = "solved", "failed"
 #: What a variant can fail for, again and again: the row says so and is not computed anew.
 REASONS: dict[type[GroundslabError], str] = {
     InputError: "input",
+    IllConditioned: "IllConditioned",
+    NeutralEquilibrium: "NeutralEquilibrium",
     NoEquilibrium: "NoEquilibrium",
     NotConverged: "NotConverged",
     NotCertified: "NotCertified",

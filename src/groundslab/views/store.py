@@ -28,7 +28,9 @@ from typing import TYPE_CHECKING, Any
 from groundslab.errors import (
     Fault,
     GroundslabError,
+    IllConditioned,
     InputError,
+    NeutralEquilibrium,
     NoEquilibrium,
     NotCertified,
     NotConverged,
@@ -155,7 +157,9 @@ def _refused(told: dict[str, Any], results: Results | None) -> GroundslabError:
         return NotCertified(results)
     if told["error"] == "NotConverged":
         return NotConverged(told["what"], told["history"], {})
-    kinds: dict[str, type[GroundslabError]] = {"NoEquilibrium": NoEquilibrium, "SingularMatrix": SingularMatrix}
+    kinds: dict[str, type[GroundslabError]] = {
+        kind.__name__: kind for kind in (IllConditioned, NeutralEquilibrium, NoEquilibrium, SingularMatrix)
+    }
     return kinds.get(told["error"], GroundslabError)(told["reason"])
 
 
