@@ -261,7 +261,8 @@ tensionless = true             # the plate may lift off; false: it is held down
 # stiffness = "100 MN/m^2"
 # acts = "in compression"
 
-# Load cases. Each load then names the case that it belongs to; each case is solved by itself ...
+# Load cases. Without any, all loads act together, without factors. With them each load names the case that it belongs
+# to; each case is solved by itself ...
 # [[cases]]
 # name = "permanent"
 # [[cases]]

@@ -140,7 +140,7 @@ def _shape(column: Column) -> RectangularColumn | RoundColumn:
 
 def _demand(results: Results, punched: _Punched | str, force: float) -> list[Cell]:
     """Return the figures of punching of a column that pushes down, in the order of the table (see punching.demand)."""
-    if isinstance(punched, str) or force <= 0:
+    if isinstance(punched, str) or force <= 0 or results.limit_state != "ultimate":
         return [None] * len(_PUNCHING)
     others = inside.under(results, punched.others)
     pressure = float(punched.area @ results.plate.pressure)
