@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, overload
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from groundslab.errors import Fault, GroundslabError, InputError, NotCertified
 from groundslab.findings import describe, one_of, suggestion
+from groundslab.memo import Memo
 from groundslab.mesh import Mesh, Whereabouts, bounding_boxes, interpolated, locate
 
 if TYPE_CHECKING:
@@ -234,7 +234,8 @@ def _places(x: ArrayLike, y: ArrayLike) -> Array:
 
 def _located(mesh: Mesh, places: Array, region: str) -> Whereabouts:
     """Return the elements that hold points (..., 2) and the places in them; InputError names points outside."""
-    where = locate(mesh, places.reshape(-1, 2), boxes=_boxes(mesh))
+    boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
+    where = locate(mesh, places.reshape(-1, 2), boxes=boxes)
     outside = np.argwhere(where[0].reshape(places.shape[:-1]) < 0)
     faults = []
     for index in outside[:MOST_NAMED]:
@@ -248,20 +249,8 @@ def _located(mesh: Mesh, places: Array, region: str) -> Whereabouts:
     return where
 
 
-#: The boxes of meshes at whose points values have been asked for, as long as their arrays of elements live.
-_BOXES: dict[int, tuple[Array, STRtree]] = {}
-
-
-def _boxes(mesh: Mesh) -> STRtree:
-    """Return the bounding boxes of a mesh's elements, made once for the arrays of results."""
-    key = id(mesh.elements)
-    nodes, boxes = _BOXES.get(key, (None, None))
-    if nodes is not mesh.nodes or boxes is None:
-        boxes = bounding_boxes(mesh)
-        if nodes is None:
-            weakref.finalize(mesh.elements, _BOXES.pop, key, None)
-        _BOXES[key] = mesh.nodes, boxes
-    return boxes
+#: Boxes to search for points in, of the meshes at whose points values have been asked for.
+_BOXES: Memo[STRtree] = Memo()
 
 
 @dataclass(frozen=True, slots=True)
