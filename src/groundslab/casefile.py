@@ -330,7 +330,7 @@ y = ["-0.5 m", "1 m"]
 # end = ["3 m", "1 m"]
 # width = "1 m"
 
-# Reinforcement by EN 1992-1-1.
+# Reinforcement by EN 1992-1-1, for ultimate combinations: with it there must be one above.
 # [reinforcement]
 # f_ck = "30 MPa"
 # f_yk = "500 MPa"
