@@ -77,12 +77,15 @@ def bounding_boxes(mesh: Mesh, reach: float = NEAR) -> STRtree:
     """
     import shapely
 
+    xy = mesh.xy
+    low, high = xy.min(axis=1), xy.max(axis=1)
+    other = np.flatnonzero(~parallelograms(xy))
     # along each line of three nodes a, b, c the parabola has the Bezier points a, 2 b - (a + c) / 2, c
-    net = mesh.xy[:, GRID]
+    net = xy[other][:, GRID]
     for axis in (1, 2):
         a, b, c = np.moveaxis(net, axis, 0)
         net = np.stack([a, 2 * b - (a + c) / 2, c], axis=axis)
-    low, high = net.min(axis=(1, 2)), net.max(axis=(1, 2))
+    low[other], high[other] = net.min(axis=(1, 2)), net.max(axis=(1, 2))
     margin = reach * (high - low).max(axis=1, keepdims=True)
     low, high = low - margin, high + margin
     return shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
