@@ -7,6 +7,7 @@ from typing import Any
 from hypothesis import strategies as st
 
 from groundslab.keys import Choice, Flag, Several, Text
+from groundslab.loadcases import has_ultimate
 from groundslab.model import (
     Analysis,
     AreaLoad,
@@ -470,10 +471,11 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     loads.insert(0, UniformLoad(q=draw(st.floats(1e3, 1e5)), case=cases[0].name if cases else ""))
     extra: dict[str, Any] = {}
     if whole:
-        extra = {"output": draw(outputs(plate)), "reinforcement": draw(st.none() | reinforcements(plate))}
-        extra |= draw(varied_ground(ground, plate))
+        extra = {"output": draw(outputs(plate))} | draw(varied_ground(ground, plate))
     if cases:
         extra |= {"combinations": draw(combinations(cases, whole)), "combine": draw(st.none() | combines())}
+    if whole and has_ultimate(tuple(extra.get("combinations", ())), extra.get("combine")):
+        extra["reinforcement"] = draw(st.none() | reinforcements(plate))
     longer = max(plate.sides)
     mesh = Mesh(size=draw(st.floats(longer / 6, longer / 2))) if supports else draw(meshes(plate))
     return Model(

@@ -92,7 +92,7 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "unknowns": 1234,
         "symmetry": (True, False),
         "combination": "all loads",
-        "limit_state": "ultimate",
+        "limit_state": "characteristic",
         "factors": (),
         "supports": (),
     }

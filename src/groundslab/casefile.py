@@ -261,7 +261,8 @@ tensionless = true             # the plate may lift off; false: it is held down
 # stiffness = "100 MN/m^2"
 # acts = "in compression"
 
-# Load cases. Each load then names the case that it belongs to; each case is solved by itself ...
+# Load cases. Without any, all loads act together, without factors. With them each load names the case that it belongs
+# to; each case is solved by itself ...
 # [[cases]]
 # name = "permanent"
 # [[cases]]
@@ -329,7 +330,7 @@ y = ["-0.5 m", "1 m"]
 # end = ["3 m", "1 m"]
 # width = "1 m"
 
-# Reinforcement by EN 1992-1-1.
+# Reinforcement by EN 1992-1-1, for ultimate combinations: with it there must be one above.
 # [reinforcement]
 # f_ck = "30 MPa"
 # f_yk = "500 MPa"

@@ -1,7 +1,7 @@
 """The command line: groundslab solve, study, evaluate, plot, report, app, check, new, dxf, verify, schema.
 
-Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
-2 wrong input or usage; 130 interrupted.
+Exit codes: 0 fine, whatever the checks of the design say in words; 1 no certified result (of one combination of loads
+at least), or a verification case that fails; 2 wrong input or usage; 130 interrupted.
 What a command is asked for goes to standard output, everything else to standard error.
 """
 
@@ -85,7 +85,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="groundslab",
         description="Thick plates on layered, two-parameter, tensionless ground.",
-        epilog="Exit codes: 0 fine; 1 no certified result; 2 wrong input or usage; 130 interrupted.",
+        epilog="Exit codes: 0 fine, which is no approval of a design; 1 no certified result; 2 wrong input or usage; "
+        "130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"groundslab {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
@@ -204,6 +205,8 @@ def _solve(options: argparse.Namespace) -> int:
         names = ", ".join(sorted(path.name for path in folder.iterdir()))
         say(f"results in {folder}: {names}")
     if not combined.refused:
+        if not options.quiet:
+            _tell_design(combined)
         return FINE
     if results is combined:
         _tell_refused(combined)
@@ -239,6 +242,15 @@ def _to_keep(combined: Combined) -> Results | Combined | None:
         return found
     (only,) = combined.results.values()
     return only
+
+
+def _tell_design(combined: Combined) -> None:
+    """Print what fails in the design of certified results: the exit code is that of the analysis."""
+    from groundslab.tables.design_checks import design_of
+
+    design = design_of(combined)
+    if design.open:
+        say(f"{design.headline} The analysis itself is certified (exit code 0).")
 
 
 def _tell_refused(combined: Combined) -> None:

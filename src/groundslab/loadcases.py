@@ -151,13 +151,33 @@ def combine_makes(
             yield Finding(("combinations", position, "name"), got, "a name of its own")
 
 
+def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
+    """Return whether any combination given or made is for the ultimate limit state."""
+    return any(each.limit_state == "ultimate" for each in combinations) or (
+        combine is not None and "ultimate" in combine.sets
+    )
+
+
+def design_has_loads(
+    reinforcement: object, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...], combine: Combine | None
+) -> Iterator[Finding]:
+    """Find a design that is asked for without ultimate combinations to design for."""
+    if reinforcement is None or has_ultimate(combinations, combine):
+        return
+    add = '[[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
+    cased = "" if cases else "[[cases]], the case of each load, and then "
+    mend = f"add {cased}{add}; loads that hold partial factors already take part with the factor 1"
+    yield Finding(("reinforcement",), "no ultimate combination of loads", "at least one to design for", mend)
+
+
 def combinations_of(model: Model) -> tuple[Combination, ...]:
     """Return all combinations of a model: those given and those made by EN 1990.
 
-    With cases and neither of them it is each case by itself; without cases one nameless combination of all loads.
+    With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both
+    are as the file gives them, without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
     """
     if not model.cases:
-        return (Combination(name="all loads", factors={"": 1.0}),)
+        return (Combination(name="all loads", limit_state="characteristic", factors={"": 1.0}),)
     made: tuple[Combination, ...] = ()
     if model.combine is not None:
         made = _made(model.combine, model.cases)

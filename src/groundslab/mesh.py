@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.shape import COLUMN, ROW, Array, Integers, parallelograms, q9
 
+if TYPE_CHECKING:
+    from shapely import STRtree
+
 #: The nodes of an element's four sides: end, end, middle.
 SIDES = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
 #: The nodes of an element in the order that its mirror image needs to run counter-clockwise again.
 MIRRORED = np.array([1, 0, 3, 2, 4, 7, 6, 5, 8])
+#: The nodes of an element on its 3 x 3 grid, by row and column.
+GRID = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
 #: A point this far outside an element, relative to its size, still counts as in it.
 NEAR = 1e-9
 #: Places closer than this, relative to the mesh, are the same.
@@ -64,20 +70,39 @@ def lines_beyond(start: float, width: float, first: float, scale: float) -> Arra
     return lines
 
 
-def locate(mesh: Mesh, points: Array, reach: float = NEAR) -> tuple[Integers, Array]:
-    """Return the element that holds each point (p, 2) and the point's place in it, (p, 2) on the reference square.
+def bounding_boxes(mesh: Mesh, reach: float = NEAR) -> STRtree:
+    """Return the elements' bounding boxes, larger by `reach` times their size, as a tree to search for points in.
 
-    A point on a common side belongs to one of the elements. A point that lies outside the mesh by more than `reach`
-    times an element's size gets the element -1.
+    A curved side may bulge out of the box around its nodes: the box is that of the element's Bezier points.
     """
     import shapely
 
-    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
+    xy = mesh.xy
+    low, high = xy.min(axis=1), xy.max(axis=1)
+    other = np.flatnonzero(~parallelograms(xy))
+    # along each line of three nodes a, b, c the parabola has the Bezier points a, 2 b - (a + c) / 2, c
+    net = xy[other][:, GRID]
+    for axis in (1, 2):
+        a, b, c = np.moveaxis(net, axis, 0)
+        net = np.stack([a, 2 * b - (a + c) / 2, c], axis=axis)
+    low[other], high[other] = net.min(axis=(1, 2)), net.max(axis=(1, 2))
     margin = reach * (high - low).max(axis=1, keepdims=True)
     low, high = low - margin, high + margin
-    tree = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
-    which, candidate = tree.query(shapely.points(points))
-    local = place_in(mesh.xy[candidate], points[which])
+    return shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
+
+
+def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None = None) -> tuple[Integers, Array]:
+    """Return the element that holds each point (p, 2) and the point's place in it, (p, 2) on the reference square.
+
+    A point on a common side belongs to one of the elements. A point that lies outside the mesh by more than `reach`
+    times an element's size gets the element -1. Who asks often passes the mesh's `bounding_boxes` of that reach.
+    """
+    import shapely
+
+    points = np.asarray(points, dtype=float)
+    boxes = bounding_boxes(mesh, reach) if boxes is None else boxes
+    which, candidate = boxes.query(shapely.points(points))
+    local = place_in(mesh.nodes[mesh.elements[candidate]], points[which])
     beside = np.abs(local).max(axis=1, initial=0)
     order = np.lexsort((candidate, beside, which))
     best = order[np.unique(which[order], return_index=True)[1]]
@@ -102,7 +127,7 @@ def place_in(xy: Array, points: Array) -> Array:
 
     Points far outside their element are only followed to its neighbourhood.
     """
-    local, left, linear = np.zeros_like(points), np.arange(len(points)), parallelograms(xy)
+    local, left, linear = np.zeros(points.shape), np.arange(len(points)), parallelograms(xy)
     for _ in range(20):
         N, dN = q9(local[left])
         own = xy[left]
@@ -142,14 +167,6 @@ def interpolated(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
     element, place = where
     result: Array = np.einsum("pa,pa...->p...", q9(place)[0], values[mesh.elements[element]])
     return result
-
-
-def values_at(mesh: Mesh, values: Array, points: Array) -> Array:
-    """Return nodal values (n,) at points (p, 2) of the mesh, by the shape functions; ValueError for a point outside."""
-    element, place = locate(mesh, points)
-    if (element < 0).any():
-        raise ValueError(f"the point {points[np.argmin(element)]} lies outside the mesh")
-    return interpolated(mesh, values, (element, place))
 
 
 def between(mesh: Mesh, values: Array, where: Whereabouts) -> Array:

@@ -33,7 +33,15 @@ from groundslab.actions import (
 from groundslab.columns import Column
 from groundslab.findings import Finding, describe, listed, one_of, quote, suggestion
 from groundslab.keys import Choice, Flag, Quantity, Range, Several, Text, Whole
-from groundslab.loadcases import Combination, Combine, LoadCase, combine_makes, known_cases, known_factors
+from groundslab.loadcases import (
+    Combination,
+    Combine,
+    LoadCase,
+    combine_makes,
+    design_has_loads,
+    known_cases,
+    known_factors,
+)
 from groundslab.outline import Circle, Polygon, Rectangle
 from groundslab.schema import Check, Part, Table
 from groundslab.slab import Edges, Plate, Zone
@@ -347,6 +355,7 @@ class Model(Part):
         boreholes_match,
         output_on_plate,
         bars_within,
+        design_has_loads,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
@@ -358,14 +367,19 @@ class Model(Part):
     boreholes: Annotated[tuple[Borehole, ...], Table("where the layers are known, to be interpolated between")] = ()
     supports: Annotated[tuple[Support, ...], Table("supports at points and along lines, beside the ground")] = ()
     columns: Annotated[tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked")] = ()
-    cases: Annotated[tuple[LoadCase, ...], Table("load cases; without any, all loads act together")] = ()
+    cases: Annotated[
+        tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
+    ] = ()
     loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one")]
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
     combine: Annotated[Combine | None, Table("automatic combinations by EN 1990, beside those given")] = None
     output: Annotated[Output, Table("where values are listed")] = Output()
-    reinforcement: Annotated[Reinforcement | None, Table("what reinforcement by EN 1992-1-1 is found for")] = None
+    reinforcement: Annotated[
+        Reinforcement | None,
+        Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
+    ] = None
     mesh: Annotated[Mesh, Table("the mesh; 24 elements over the shorter side by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 

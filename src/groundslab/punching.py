@@ -1,7 +1,7 @@
 """What punching of a foundation slab is checked with: the control perimeter and the shear force on it.
 
 EN 1992-1-1 6.4.2 (perimeters), 6.4.3 (v_Ed; the factor beta for eccentric forces is not in it) and 6.4.4 (foundations:
-the pressure inside the perimeter carries its part of the column's force). Resistances are not here.
+the pressure inside the perimeter carries its part of the column's force). Resistances are in `punching_resistance`.
 """
 
 from __future__ import annotations
@@ -30,6 +30,8 @@ QUARTER_CHORDS = 64
 SIDE_CHORDS = 16
 #: Places closer than this, relative to the plate, are the same.
 SAME_PLACE = 1e-9
+#: A side of a column shorter than itself by this share lies on an edge in part.
+SAME_SIDE = 1e-6
 #: An opening counts up to this distance from the column, in effective depths (6.4.2 (3)).
 OPENING_REACH = 6.0
 #: Of the plate's edges near a column so many are tried as edges that the perimeter may run out to.
@@ -163,6 +165,25 @@ def perimeter(
     if not u > near:
         raise InputError([Fault("column", where, f"some plate at {distance:g} m from it", "take a smaller distance")])
     return Perimeter(legs, inside, u)
+
+
+def face_length(plate: PlateResult, column: RectangularColumn | RoundColumn, d: float) -> float:
+    """Return u_0 [m], the length of a column's perimeter that counts for the check at its face (EN 1992-1-1 6.4.5(3)).
+
+    All of it within the plate; of a rectangular column at an edge c_2 + 3 d at most, at a corner 3 d. c_2 is the side
+    along the edge, d the effective depth [m]. Openings that do not touch the column do not shorten it.
+    """
+    line = perimeter(plate, column, 0.0, 0.0)
+    if isinstance(column, RoundColumn):
+        return line.length
+    along_x, along_y = np.abs(line.legs[:, 1] - line.legs[:, 0]).sum(axis=0)
+    cut_x, cut_y = along_x < (2 - SAME_SIDE) * column.width_x, along_y < (2 - SAME_SIDE) * column.width_y
+    most = line.length
+    if cut_x and cut_y:
+        most = 3 * d
+    elif cut_x or cut_y:
+        most = float(along_x if cut_x else along_y) + 3 * d
+    return min(line.length, most)
 
 
 def outline(plate: PlateResult) -> Polygon | MultiPolygon:

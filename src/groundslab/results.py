@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from groundslab.errors import Fault, GroundslabError, InputError, NotCertified
-from groundslab.mesh import Mesh, values_at
+from groundslab.findings import describe, one_of, suggestion
+from groundslab.memo import Memo
+from groundslab.mesh import Mesh, Whereabouts, bounding_boxes, interpolated, locate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
+    from shapely import STRtree
 
     from groundslab.loadcases import Combination
     from groundslab.model import Model
@@ -32,6 +35,12 @@ class Field:
     meaning: str
     averaged: str
 
+
+#: Of more points outside than these, an error tells only how many they are.
+MOST_NAMED = 100
+
+#: Of more points outside than these, an error tells only how many they are.
+MOST_NAMED = 100
 
 NOT, OVER_AREA = "not averaged", "force of a node over its area"
 PATCHES = "recovered by patches within a section"
@@ -88,9 +97,66 @@ class PlateResult:
     on_edge: Flags  # (n,): where the pressure also holds the edge line force of a ground with shear
     area: Array  # (n,): each node's share of the plate's area
 
-    def value_at(self, field: str, x: float, y: float) -> float:
-        """Return a field at a point of the plate, in SI units, by the elements' shape functions."""
-        return _value_at(self.nodes, self.elements, getattr(self, field), x, y)
+    @overload
+    def value_at(self, field: str, x: float, y: float) -> float: ...
+    @overload
+    def value_at(self, field: str, x: ArrayLike, y: ArrayLike) -> Array: ...
+    def value_at(self, field: str, x: ArrayLike, y: ArrayLike) -> float | Array:
+        """Return a nodal field at points of the plate, by the elements' shape functions.
+
+        Parameters
+        ----------
+        field
+            One of the names of PLATE_FIELDS.
+        x, y
+            Places [m]: numbers or arrays of any shapes that broadcast against each other.
+
+        Returns
+        -------
+        float or Array
+            In the field's SI unit: a float for two numbers, else an array of the shape that x and y have together.
+            On the border of two sections the value is that of one of them.
+
+        Raises
+        ------
+        InputError
+            If there is no such field, if x and y do not fit together, or if a point does not lie on the plate; it names
+            the points.
+        """
+        if field not in PLATE_FIELDS:
+            names = tuple(PLATE_FIELDS)
+            raise InputError([Fault("field", describe(field), one_of(names), suggestion(field, names))])
+        return _values_at(Mesh(self.nodes, self.elements), getattr(self, field), x, y, "the plate")
+
+    @overload
+    def element_at(self, x: float, y: float) -> int: ...
+    @overload
+    def element_at(self, x: ArrayLike, y: ArrayLike) -> Integers: ...
+    def element_at(self, x: ArrayLike, y: ArrayLike) -> int | Integers:
+        """Return which element of the plate holds each point, to read fields of elements there.
+
+        `results.elements.moment_x[results.plate.element_at(x, y)]`, for example, is the element's own moment, not
+        averaged.
+
+        Parameters
+        ----------
+        x, y
+            Places [m]: numbers or arrays of any shapes that broadcast against each other.
+
+        Returns
+        -------
+        int or Integers
+            Rows of `elements`: an int for two numbers, else an array of the shape that x and y have together. A point
+            on a common side belongs to one of its elements.
+
+        Raises
+        ------
+        InputError
+            If x and y do not fit together, or if a point does not lie on the plate; it names the points.
+        """
+        places = _places(x, y)
+        found: Integers = _located(Mesh(self.nodes, self.elements), places, "the plate")[0]
+        return int(found[0]) if places.ndim == 1 else found.reshape(places.shape[:-1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,16 +184,73 @@ class GroundResult:
     elements: Integers  # (m, 9)
     settlement: Array  # (number of surfaces, n)
 
-    def value_at(self, x: float, y: float, surface: int = 0) -> float:
-        """Return the settlement of a surface at a point of the meshed ground [m]."""
-        return _value_at(self.nodes, self.elements, self.settlement[surface], x, y)
+    @overload
+    def value_at(self, x: float, y: float, surface: int = 0) -> float: ...
+    @overload
+    def value_at(self, x: ArrayLike, y: ArrayLike, surface: int = 0) -> Array: ...
+    def value_at(self, x: ArrayLike, y: ArrayLike, surface: int = 0) -> float | Array:
+        """Return the settlement of a surface of the ground at points, by the elements' shape functions.
+
+        Parameters
+        ----------
+        x, y
+            Places [m], under the plate or beyond it: numbers or arrays of any shapes that broadcast against each other.
+        surface
+            Number of the surface: 0 is the top of the ground, 1 lies under the first layer, and so on.
+
+        Returns
+        -------
+        float or Array
+            In metres: a float for two numbers, else an array of the shape that x and y have together.
+
+        Raises
+        ------
+        InputError
+            If there is no such surface, if x and y do not fit together, or if a point lies outside the mesh; it names
+            the points.
+        """
+        if surface not in range(len(self.settlement)):
+            expected = f"a whole number from 0 to {len(self.settlement) - 1}"
+            raise InputError([Fault("surface", describe(surface), expected)])
+        return _values_at(Mesh(self.nodes, self.elements), self.settlement[surface], x, y, "the meshed ground")
 
 
-def _value_at(nodes: Array, elements: Integers, values: Array, x: float, y: float) -> float:
+def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: str) -> float | Array:
+    """Return nodal values (n,) at points: a float for two numbers, else an array of their shape."""
+    places = _places(x, y)
+    found = interpolated(mesh, values, _located(mesh, places, region))
+    return float(found[0]) if places.ndim == 1 else found.reshape(places.shape[:-1])
+
+
+def _places(x: ArrayLike, y: ArrayLike) -> Array:
+    """Return points as an array (..., 2) of floats; InputError if x and y are no numbers or do not fit together."""
     try:
-        return float(values_at(Mesh(nodes, elements), values, np.array([[x, y]]))[0])
-    except ValueError:
-        raise InputError([Fault("point", f"({x:g}, {y:g}) m", "a point inside the meshed region")]) from None
+        places: Array = np.stack(np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float)), axis=-1)
+    except (TypeError, ValueError):
+        got = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in (x, y))
+        raise InputError([Fault("x, y", got, "numbers in metres, in shapes that broadcast")]) from None
+    return places
+
+
+def _located(mesh: Mesh, places: Array, region: str) -> Whereabouts:
+    """Return the elements that hold points (..., 2) and the places in them; InputError names points outside."""
+    boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
+    where = locate(mesh, places.reshape(-1, 2), boxes=boxes)
+    outside = np.argwhere(where[0].reshape(places.shape[:-1]) < 0)
+    faults = []
+    for index in outside[:MOST_NAMED]:
+        x, y = places[tuple(index)]
+        faults.append(Fault(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
+    if len(outside) > MOST_NAMED:
+        got = f"{len(outside) - MOST_NAMED} more points outside"
+        faults.append(Fault("points", got, f"points on {region}"))
+    if faults:
+        raise InputError(faults)
+    return where
+
+
+#: Boxes to search for points in, of the meshes at whose points values have been asked for.
+_BOXES: Memo[STRtree] = Memo()
 
 
 @dataclass(frozen=True, slots=True)

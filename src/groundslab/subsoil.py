@@ -162,7 +162,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors) -> tuple[Array, I
         by_element = tables[_zone_at(model.soil_zones, centres, ARC_CHORD * max(model.plate.sides))]
     for name, factor in factors.items():
         layer, columns = _place_of(name, model)
-        by_element[:, layer, columns] *= np.asarray(factor(centres[:, 0], centres[:, 1]))[:, None]
+        by_element[:, layer, columns] *= np.broadcast_to(factor(*centres.T), len(centres))[:, None]
     rows, of = np.unique(by_element.reshape(len(centres), -1), axis=0, return_inverse=True)
     return rows.reshape(-1, *tables.shape[1:]), of.ravel()
 

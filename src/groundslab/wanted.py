@@ -81,8 +81,17 @@ class Output(Part):
     strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
 
 
+def _standard_covers(f_ck: float, f_yk: float) -> Iterator[Finding]:
+    """Find strengths that EN 1992-1-1 is not made for (3.1.2, 3.2.2(3))."""
+    for name, value, least, most in (("f_ck", f_ck, 12, 90), ("f_yk", f_yk, 400, 600)):
+        if not least * 1e6 <= value <= most * 1e6:
+            yield Finding((name,), f"{value / 1e6:g} MPa", f"a strength from {least} to {most} MPa, as in EN 1992-1-1")
+
+
 class Reinforcement(Part):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_standard_covers,)
 
     f_ck: Annotated[float, Quantity("pressure", "f_ck", "characteristic strength of the concrete", POSITIVE)]
     f_yk: Annotated[float, Quantity("pressure", "f_yk", "characteristic yield strength of the steel", POSITIVE)]

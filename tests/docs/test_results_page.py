@@ -28,7 +28,9 @@ def test_every_column_is_explained() -> None:
     model = Model(
         plate={"length_x": 4, "length_y": 4, "thickness": 0.3, "E": 30e9, "nu": 0.2},
         ground={"kind": "winkler", "k": 20e6},
-        loads=[{"kind": "uniform", "q": 1e3}],
+        loads=[{"kind": "uniform", "q": 1e3, "case": "G"}],
+        cases=[{"name": "G"}],
+        combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
         supports=[{"kind": "point", "x": 0, "y": 0}],
         columns=[{"name": "A", "x": 0, "y": 0, "diameter": 0.4}],
         output={
@@ -38,7 +40,7 @@ def test_every_column_is_explained() -> None:
         },
         reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
     )
-    tables = tables_of(Combined(model, combinations_of(model), {}, {"all loads": Exception("not solved")}))
+    tables = tables_of(Combined(model, combinations_of(model), {}, {"ULS": Exception("not solved")}))
     assert len(tables) == 10
     assert explained("Quantities") == QUANTITIES
     for table in tables:

@@ -148,7 +148,7 @@ TOGETHER: list[tuple[str, ...]] = [
     ("[[soil_zones]] [soil_zones.ground] [[soil_zones.ground.layers]]",),
     ("[[boreholes]] [[boreholes.layers]]",),
     ("[[output.points]] [[output.lines]] [[output.strips]]",),
-    ("[reinforcement]",),
+    ("[[cases]]", "[combine]", "[reinforcement]"),
     ("[mesh]",),
     ("[analysis]",),
 ]

@@ -90,6 +90,26 @@ class TestSolve:
         assert err == ""
         assert (case.parent / "o" / "picture.png").exists()
 
+    def test_a_design_that_fails_has_the_last_word(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A certified analysis ends with 0; that its design fails is the last word, and among the first lines."""
+        model = synthetic.model().replace(
+            cases=[{"name": "G"}],
+            loads=[{"kind": "uniform", "q": 1e3, "case": "G"}],
+            combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
+            reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+        )
+        case.write_text(casefile.to_toml(model), encoding="utf-8")
+        made = synthetic.results(combination="ULS", limit_state="ultimate", factors=(("G", 1.35),))
+        made = replace(made, plate=replace(made.plate, moment_x=made.plate.moment_x + 20e6))
+        fake(monkeypatch, "analysis", solve_combinations=solver(made))
+        assert cli.main(["solve", str(case)]) == 0
+        out, err = capsys.readouterr()
+        assert out.splitlines()[2].startswith("DESIGN FAILS: 1 of")
+        assert err.splitlines()[-1].startswith("DESIGN FAILS: 1 of")
+        assert "exit code 0" in err.splitlines()[-1]
+
     def test_quiet_says_nothing(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """Results are kept, nothing is printed."""
         assert cli.main(["solve", str(case), "--quiet"]) == 0

@@ -13,12 +13,12 @@ from groundslab.mesh import (
     between,
     elimination_order,
     grid,
+    interpolated,
     lines_beyond,
     locate,
     mirror,
     place_in,
     sides_on_boundary,
-    values_at,
     whereabouts,
     with_midpoints,
 )
@@ -115,17 +115,46 @@ def test_locate_finds_the_element_of_a_point() -> None:
     np.testing.assert_array_equal(locate(mesh, outside)[0], -1)
 
 
+def annulus(n: int = 8, turn: float = 0.3) -> Mesh:
+    """Return a mesh of n elements around a hole, with curved sides inside and outside, and no node at the extremes."""
+    angle = turn + np.pi / n * np.arange(2 * n)
+    nodes = np.array([[r * np.cos(t), r * np.sin(t)] for t in angle for r in (1.0, 2.0, 3.0)])
+    places = ((0, 0), (0, 2), (2, 2), (2, 0), (0, 1), (1, 2), (2, 1), (1, 0), (1, 1))
+    elements = [[3 * ((2 * i + a) % (2 * n)) + b for a, b in places] for i in range(n)]
+    return Mesh(nodes, np.array(elements))
+
+
+def test_locate_finds_points_where_a_side_bulges_out_of_the_box_around_its_nodes() -> None:
+    """Every point of every element, on its curved sides too, is found."""
+    mesh = annulus()
+    place = np.random.default_rng(4).uniform(-1, 1, (2000, 2))
+    place[::2, 0] = 1.0
+    points = np.einsum("pa,eax->epx", q9(place)[0], mesh.xy).reshape(-1, 2)
+    element, local = locate(mesh, points)
+    assert (element >= 0).all()
+    np.testing.assert_allclose(np.einsum("pa,pax->px", q9(local)[0], mesh.xy[element]), points, atol=1e-9)
+
+
+def test_whole_numbers_are_places_like_any_others() -> None:
+    """Integers are found at the same places as floats."""
+    mesh = grid(X, Y)
+    points = np.array([[-1, 1], [0, 2], [3, 1], [1, 1]])
+    for ours, theirs in zip(locate(mesh, points), locate(mesh, points.astype(float)), strict=True):
+        np.testing.assert_array_equal(ours, theirs)
+    xy, at = mesh.xy[[0, 0, 1]], np.array([[-1, 1], [1, 2], [3, 1]])
+    np.testing.assert_array_equal(place_in(xy, at), place_in(xy, at.astype(float)))
+
+
 def test_values_at_points_are_those_of_the_shape_functions() -> None:
-    """On rectangles any biquadratic is met exactly; a point outside is refused by name."""
+    """On rectangles any biquadratic is met exactly."""
     mesh = grid(X, Y)
     points = np.random.default_rng(1).uniform([-2, 0], [4, 2.5], (50, 2))
 
     def f(p: np.ndarray) -> np.ndarray:
         return 3 - p[:, 0] + p[:, 0] ** 2 * p[:, 1] - 0.4 * p[:, 1] ** 2 * p[:, 0] ** 2
 
-    np.testing.assert_allclose(values_at(mesh, f(mesh.nodes), points), f(points), atol=1e-12)
-    with pytest.raises(ValueError, match="lies outside"):
-        values_at(mesh, f(mesh.nodes), np.array([[0.0, 1.0], [9.0, 1.0]]))
+    values = interpolated(mesh, f(mesh.nodes), locate(mesh, points))
+    np.testing.assert_allclose(values, f(points), atol=1e-12)
 
 
 def test_values_between_nodes_keep_bilinear_fields() -> None:

@@ -55,6 +55,14 @@ def combined(**keys: Any) -> dict[str, Any]:
     return cases(combine={"sets": ["ultimate"], **keys})
 
 
+def designed(bars: dict[str, Any], **parts: Any) -> dict[str, Any]:
+    """Return a description with reinforcement and ultimate combinations to find it for."""
+    return combined() | {"reinforcement": bars} | parts
+
+
+UNDESIGNED = "no ultimate combination of loads", "at least one to design for"
+
+
 def faults(data: object) -> list[tuple[str, str, str, str]]:
     """Return all faults of what a file holds."""
     with pytest.raises(InputError) as error:
@@ -230,13 +238,18 @@ ONE_FAULT = [
     (case(output={"strips": [{**CUT, "width": "1 m", "stations": 1}]}),
      "output.strips[1].stations", "1", "a whole number from 2 to 2147483647"),
     (case(output={"strips": [{**CUT, "width": "0 m"}]}), "output.strips[1].width", '"0 m"', "a length above 0"),
-    (case(reinforcement={**BARS, "top": ["40 mm", "125 mm"]}),
+    (designed({**BARS, "top": ["40 mm", "125 mm"]}),
      "reinforcement.top[2]", "0.125 m", "less than half of the least thickness, 0.125 m"),
-    (case({"zones": [{**ZONE, "thickness": "0.1 m"}]}, reinforcement={**BARS, "bottom": ["10 mm", "60 mm"],
-                                                                     "top": ["10 mm", "10 mm"]}),
+    (designed({**BARS, "bottom": ["10 mm", "60 mm"], "top": ["10 mm", "10 mm"]},
+              plate={**PLATE, "zones": [{**ZONE, "thickness": "0.1 m"}]}),
      "reinforcement.bottom[2]", "0.06 m", "less than half of the least thickness, 0.05 m"),
     (case(reinforcement={**BARS, "alpha_cc": 1.1}),
      "reinforcement.alpha_cc", "1.1", "a number above 0 and at most 1"),
+    # what is designed for
+    (case(reinforcement=BARS), "reinforcement", *UNDESIGNED),
+    (cases(reinforcement=BARS), "reinforcement", *UNDESIGNED),
+    (cases(reinforcement=BARS, combinations=[{**MIX, "limit_state": "characteristic"}]), "reinforcement", *UNDESIGNED),
+    (cases(reinforcement=BARS, combine={"sets": ["characteristic", "frequent"]}), "reinforcement", *UNDESIGNED),
 ]  # fmt: skip
 
 
@@ -344,6 +357,24 @@ def test_many_faults_at_once() -> None:
         "combinations[1].factors.dead", "combinations[1].factors.live", "combine.sets", "combine.permanent",
         "output.lines[1].end", "output.points[2].name", "reinforcement.top",
     ]  # fmt: skip
+
+
+def test_design_without_ultimate_combinations_says_which_keys_to_add() -> None:
+    """The hint names [[cases]] only where there are none, and always what makes an ultimate combination."""
+    both = 'add [[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
+    ((*_, mend),) = faults(cases(reinforcement=BARS))
+    assert mend.startswith(both)
+    ((*_, mend),) = faults(case(reinforcement=BARS))
+    assert mend.startswith("add [[cases]], the case of each load, and then [[combinations]] with limit_state =")
+    for sound in (designed(BARS), cases(reinforcement=BARS, combinations=[MIX])):
+        Model.model_validate(sound, context=FROM_FILE)
+
+
+def test_unfactored_loads_are_never_called_ultimate() -> None:
+    """All loads of a file without cases, and each case by itself, are characteristic: nothing is factored there."""
+    for data in (case(), cases()):
+        made = combinations_of(Model.model_validate(data, context=FROM_FILE))
+        assert {each.limit_state for each in made} == {"characteristic"}
 
 
 def test_names_of_the_file_are_made_harmless_and_short() -> None:

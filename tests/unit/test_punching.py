@@ -7,7 +7,7 @@ import pytest
 
 from groundslab.errors import InputError
 from groundslab.mesh import Mesh
-from groundslab.punching import RectangularColumn, RoundColumn, demand, outline, perimeter
+from groundslab.punching import RectangularColumn, RoundColumn, demand, face_length, outline, perimeter
 from plates import crooked, parted, plate_of, straight, without
 
 SLAB = plate_of(straight(16, 12, 8.0, 6.0))
@@ -141,3 +141,18 @@ def test_faults(column: RectangularColumn | RoundColumn, d: float, distance: flo
     with pytest.raises(InputError) as caught:
         demand(SLAB, column, d, 1e5, distance=distance)
     assert [fault.where for fault in caught.value.faults] == [place]
+
+
+def test_length_at_the_face_by_hand() -> None:
+    """u_0 of 6.4.5(3): all around inside, c_2 + 3 d <= c_2 + 2 c_1 at an edge, 3 d <= c_1 + c_2 at a corner."""
+    assert face_length(SLAB, RectangularColumn(4, 3, 0.5, 0.3), 0.2) == pytest.approx(1.6)
+    assert face_length(SLAB, RoundColumn(4, 3, 0.4), 0.2) == pytest.approx(np.pi * 0.4, rel=CHORDS)
+    # at the edge x = 0: c_2 = 0.6 along it, c_1 = 0.4 across
+    edge = RectangularColumn(0.2, 3, 0.4, 0.6)
+    assert face_length(SLAB, edge, 0.2) == pytest.approx(0.6 + 0.6)
+    assert face_length(SLAB, edge, 0.5) == pytest.approx(0.6 + 0.8)
+    along = RectangularColumn(4, 0.2, 0.6, 0.4)
+    assert face_length(SLAB, along, 0.2) == pytest.approx(0.6 + 0.6)
+    corner = RectangularColumn(0.2, 0.3, 0.4, 0.6)
+    assert face_length(SLAB, corner, 0.2) == pytest.approx(0.6)
+    assert face_length(SLAB, corner, 0.5) == pytest.approx(1.0)

@@ -230,7 +230,7 @@ class TestVerdict:
     def test_of_one_that_is_certified(self) -> None:
         """A good result is called so; nothing is refused."""
         found = page(html_of(synthetic.results()))
-        assert found.one("p", class_="verdict good").text == "The result fulfils the equations."
+        assert found.one("p", class_="verdict good").text == summary.certified_words(1)
         assert not list(found.all("section", id="refused"))
         assert {each for row in next(grids(found.one("section", id="certificate")))[1] for each in row[4:]} == {
             "",

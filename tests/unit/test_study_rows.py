@@ -173,6 +173,29 @@ class TestRows:
         first, second = study.table()["load"]
         assert first - second == pytest.approx(0.15 * 24e3)
 
+    def test_reinforcement_is_that_of_ultimate_combinations(self, tmp_path: Path) -> None:
+        """Of all combinations the characteristic one, with the larger moments, is not designed for; nor may it be."""
+        case = CASE.replace('name = "service"', 'name = "service"\nlimit_state = "characteristic"').replace(
+            "factors = {dead = 1.0, live = 1.0}", "factors = {dead = 3.0, live = 3.0}"
+        )
+        case += '[reinforcement]\nf_ck = "30 MPa"\nf_yk = "500 MPa"\nbottom = ["40 mm", "50 mm"]\n'
+        case += 'top = ["40 mm", "50 mm"]\n'
+        keep = '[[keep]]\nname = "steel"\nof = "reinforcement bottom x"\ntake = "largest"\n'
+        head = 'case = "slab.toml"\n[sampling]\nkind = "list"\n[[vary]]\npath = "plate.nu"\nvalues = [0.2]\n'
+        (steel,) = run(tmp_path, head + keep, case).table()["steel"]
+        field = outputs.field_of(solved(case)["design"], "reinforcement bottom x")
+        assert steel == pytest.approx(field.max(), rel=1e-9)
+        other = outputs.field_of(solved(case)["service"], "reinforcement bottom x")
+        assert other.max() > 1.1 * field.max()
+        for folder in ("other", "third"):
+            (tmp_path / folder).mkdir()
+        with pytest.raises(InputError, match=r'not for the ultimate limit state, expected "design"'):
+            run(tmp_path / "other", head + keep + 'combination = "service"\n', case)
+        # without an ultimate combination among those that are solved, nothing is designed
+        load = '[[keep]]\nname = "load"\nof = "load"\ncombination = "service"\n'
+        (found,) = run(tmp_path / "third", head + load, case).table()["load"]
+        assert found == pytest.approx(3 * 224e3)
+
 
 class TestFields:
     """Random fields of the ground."""

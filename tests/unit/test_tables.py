@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -352,7 +353,8 @@ def test_columns_on_two_thicknesses() -> None:
     column = {"name": "K", "x": 2.0, "y": 2.0, "diameter": 0.4}
     loads = [{"kind": "point", "column": "K", "P": "1 MN", "case": "G"}]
     model = described(plate=plate, columns=[column], loads=loads, reinforcement=STEEL)
-    one = results(model=model, plate=plate_of(mesh), combination="most", factors=model.combinations[1].factors)
+    about: dict[str, Any] = {"limit_state": "ultimate", "factors": model.combinations[1].factors}
+    one = results(model=model, plate=plate_of(mesh), combination="most", **about)
     found = table("columns", Combined(model, model.combinations[1:2], {"most": one}, {}))
     assert found["d"] == pytest.approx((400 - 45,))
     assert found["V_Ed"] == pytest.approx((1350,))
@@ -368,7 +370,7 @@ def bent(m_x: float) -> dict[str, Any]:
 def test_reinforcement_carries_the_moment() -> None:
     """The area found balances 200 kNm/m: m = A f_yd (d - A f_yd / (2 f_cd)); the least one is 0.26 f_ctm / f_yk d."""
     of = combined(described(reinforcement=STEEL), plate=bent(200e3))
-    one = row(table("reinforcement", of), layer="bottom x")
+    one = row(table("reinforcement", of), layer="bottom x", section="plate")
     force, d = one["required area"] * 1e-4 * 500e6 / 1.15, 0.4 - 0.04
     assert force * (d - force / (2 * 20e6)) == pytest.approx(200e3)
     assert (one["x"], one["y"], one["combination"], one["thickness"]) == (0, 0, "most", 0.4)
@@ -393,11 +395,105 @@ def test_reinforcement_that_fails() -> None:
 
 
 def test_reinforcement_without_ultimate_combinations() -> None:
-    """Characteristic combinations are not designed for."""
-    use = [{**each, "limit_state": "characteristic"} for each in COMBINATIONS]
-    found = table("reinforcement", combined(described(reinforcement=STEEL, combinations=use)))
+    """Characteristic combinations are not designed for: where the ultimate ones have no result there is no row."""
+    use = [{**each, "limit_state": "characteristic"} for each in COMBINATIONS[1:]]
+    found = table("reinforcement", combined(described(reinforcement=STEEL, combinations=[COMBINATIONS[0], *use])))
     assert len(found) == 0
     assert found.notes[0] == "No ultimate combination has a result."
+    with pytest.raises(InputError, match="no ultimate combination"):
+        described(reinforcement=STEEL, combinations=use)
+
+
+def test_ultimate_combinations_without_partial_factors_are_remarked_upon() -> None:
+    """Where no factor of any ultimate combination is above 1, a note says what the loads must hold then."""
+    notes = table("reinforcement", combined(described(reinforcement=STEEL))).notes
+    assert not [each for each in notes if "above 1" in each]
+    given = [{**each, "factors": {"G": 1.0}} for each in COMBINATIONS]
+    assert "above 1" in table("reinforcement", combined(described(reinforcement=STEEL, combinations=given))).notes[-1]
+
+
+#: A plate of 400 mm with a zone of 700 mm on x > 2 m, y from 0 to 4 m.
+ZONED = {
+    "outline": {"kind": "rectangle", "x": (0, 6), "y": (0, 4)}, "thickness": 0.4, "E": 30e9, "nu": 0.2,
+    "zones": [{"shape": {"kind": "rectangle", "x": (2, 6), "y": (0, 4)}, "thickness": 0.7}],
+}  # fmt: skip
+
+
+def designed(moments: Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]) -> Table:
+    """Return the table of a plate with a zone, whose m_x [N m/m] follows from x, y and from being in the zone."""
+    mesh, right = parted(straight(), 2.0)
+    model = described(plate=ZONED, reinforcement=STEEL)
+    plate = plate_of(mesh)
+    none = np.zeros(len(plate.nodes))
+    plate = replace(plate, moment_x=moments(*plate.nodes.T, right), moment_y=none, moment_xy=none)
+    about: dict[str, Any] = {"limit_state": "ultimate", "factors": model.combinations[1].factors}
+    one = results(model=model, plate=plate, combination="most", **about)
+    return table("reinforcement", Combined(model, model.combinations[1:2], {"most": one}, {}))
+
+
+def test_each_section_of_the_plate_has_a_row_of_its_own() -> None:
+    """Thin and thick part each name their own moment, place, depth and least area (9.2.1.1(1)), by hand.
+
+    400 kNm/m in the middle of the thick part need, with d = 0.66 m and f_cd = 20 MPa, less there than 250 kNm/m need
+    with d = 0.36 m: A = (1 - sqrt(1 - 2 m / (d^2 f_cd))) d f_cd / f_yd = 14.27 and 16.83 cm2/m.
+    """
+
+    def m_x(x: np.ndarray, y: np.ndarray, thick: np.ndarray) -> np.ndarray:
+        return np.where(
+            thick, 400e3 * (1 - ((x - 4) ** 2 + (y - 2) ** 2) / 20), 250e3 * (1 - (y - 2) ** 2 / 20 - x / 20)
+        )
+
+    found = designed(m_x)
+    thin, thick = row(found, layer="bottom x", section="plate"), row(found, layer="bottom x", section="zone 1")
+    assert (thin["governed by"], thick["governed by"]) == ("moment", "moment")
+    assert (thin["x"], thin["y"], thin["design moment"], thin["thickness"]) == (0, 2, pytest.approx(250), 0.4)
+    assert (thick["x"], thick["y"], thick["design moment"], thick["thickness"]) == (4, 2, pytest.approx(400), 0.7)
+    assert thin["required area"] == pytest.approx(16.83, abs=0.005)
+    assert thick["required area"] == pytest.approx(14.27, abs=0.005)
+    # 0.26 f_ctm / f_yk d with f_ctm = 2.896 MPa
+    assert thin["minimum area"] == pytest.approx(0.26 * 2.8965 / 500 * 0.36 * 1e4, rel=1e-4)
+    assert thick["minimum area"] == pytest.approx(0.26 * 2.8965 / 500 * 0.66 * 1e4, rel=1e-4)
+    assert row(found, layer="top x", section="plate")["governed by"] is None
+    assert len(found) == 8
+
+
+def test_minimum_reinforcement_names_the_largest_moment() -> None:
+    """Where the minimum governs all over the plate, the row says so, with the place of the largest moment."""
+    found = designed(lambda x, y, thick: 1e3 + 2e3 * (x == 1) * (y == 3) - 5e3 * thick)
+    one = row(found, layer="bottom x", section="plate")
+    assert one["governed by"] == "minimum"
+    assert one["required area"] == one["minimum area"]
+    assert (one["x"], one["y"], one["design moment"]) == (1, 3, pytest.approx(3))
+    top = row(found, layer="top x", section="zone 1")
+    assert (top["governed by"], top["design moment"]) == ("minimum", pytest.approx(-4))
+
+
+def test_bars_in_compression_name_the_moment_of_the_other_face() -> None:
+    """1000 kNm/m of sagging in 400 mm are beyond the concrete alone, so bars at the top serve in compression.
+
+    By hand, x / d = 0.45: m_lim = 0.36 (1 - 0.18) f_cd d^2 = 765 kNm/m, the rest over d - d_2 = 0.33 m is 712 kN/m, and
+    the strain 3.5 (1 - 0.03 / 0.162) = 2.85 per mille is above that of yielding, 2.17: A_s2 = 16.37 cm2/m.
+    """
+    found = designed(lambda x, y, thick: np.where(thick, 0.0, 1000e3 * (1 - (x / 20) ** 2 - (y - 2) ** 2 / 20)))
+    one = row(found, layer="top x", section="plate")
+    assert (one["governed by"], one["x"], one["y"]) == ("bars in compression", 0, 2)
+    assert one["design moment"] == pytest.approx(1000)
+    m_lim = 0.36 * 0.82 * 20e6 * 0.36**2
+    assert one["required area"] == pytest.approx((1000e3 - m_lim) / 0.33 / (500e6 / 1.15) * 1e4, rel=1e-9)
+    assert one["part of the plate that needs links"] > 0
+    assert one["part of the plate that fails"] == 0
+
+
+def test_what_is_too_weak_names_its_largest_moment() -> None:
+    """Of many places where no reinforcement helps the worst one is named, not the one nearest to the origin."""
+    found = designed(lambda x, y, thick: np.where(thick, 0.0, -9e6 - 1e6 * (x**2 + y)))
+    for layer in ("bottom x", "top x"):
+        one = row(found, layer=layer, section="plate")
+        assert one["governed by"] == "concrete too weak"
+        assert one["required area"] == np.inf
+        assert one["design moment"] == pytest.approx(-17e3)
+        assert (one["x"], one["y"]) == (2, 4)
+    assert row(found, layer="top x", section="zone 1")["part of the plate that fails"] == 0
 
 
 def test_materials_beyond_the_code_are_refused() -> None:

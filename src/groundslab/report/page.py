@@ -17,6 +17,7 @@ from groundslab.report.soil_drawing import MOST as MOST_COLUMNS
 from groundslab.report.soil_drawing import soil_drawing
 from groundslab.results import Certificate
 from groundslab.tables import tables_of
+from groundslab.tables.design_checks import Design, design_of
 from groundslab.underground import profiles_of
 from groundslab.views import overview, summary
 from groundslab.views.table import shown_row
@@ -75,6 +76,7 @@ class Page:
     sha256: str
     facts: tuple[tuple[str, str], ...]
     verdict: Verdict
+    design: Design
     case: tuple[Section, ...]
     plan: PlanDrawing
     soil: Markup | None
@@ -106,6 +108,7 @@ def page_of(combined: Combined, text: str | None = None, file: str = "case.toml"
         sha256=hashlib.sha256(text.encode()).hexdigest(),
         facts=tuple(_facts(combined, there)),
         verdict=_verdict(found),
+        design=design_of(combined),
         case=tuple(echo(combined.model)),
         plan=plan_drawing(combined.model),
         soil=soil_drawing(profiles),
@@ -134,14 +137,13 @@ def _verdict(found: Sequence[Entry]) -> Verdict:
     """Return the verdict over all combinations."""
     numbers = [str(entry.number) for entry in found if entry.refused is not None]
     if not numbers:
-        which = "The results of all combinations fulfil" if len(found) > 1 else "The result fulfils"
-        return Verdict(True, f"{which} the equations.")
+        return Verdict(True, summary.certified_words(len(found)))
     if len(found) == 1:
         return Verdict(False, "FAILED: there is no certified result; use nothing of it.")
     if len(numbers) == len(found):
         return Verdict(False, "FAILED: no combination has a certified result; use nothing of it.")
     words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
-    return Verdict(False, f"FAILED: {words} The results of the others fulfil the equations.")
+    return Verdict(False, f"FAILED: {words} The results of the others are certified.")
 
 
 def _section(section: summary.Section) -> Grid:

@@ -54,7 +54,7 @@ FIELDS: dict[str, Kept] = {
         Kept("design moment top x", _MOMENT, "the same along x at the top, never positive"),
         Kept("design moment top y", _MOMENT, "the same along y at the top"),
         Kept("reinforcement bottom x", _STEEL, "bars along x at the bottom by EN 1992-1-1, infinite where the concrete "
-             "is too weak; the case needs [reinforcement]"),
+             "is too weak, over the ultimate combinations; the case needs [reinforcement]"),
         Kept("reinforcement bottom y", _STEEL, "the same along y"),
         Kept("reinforcement top x", _STEEL, "the same along x at the top"),
         Kept("reinforcement top y", _STEEL, "the same along y at the top"),
@@ -111,6 +111,11 @@ class Output:
         from groundslab.units import DIMENSIONS
 
         return DIMENSIONS[self.dimension].si if self.dimension else ""
+
+    @property
+    def is_steel(self) -> bool:
+        """Return whether it is required reinforcement, for which only ultimate combinations count."""
+        return self.of.startswith("reinforcement")
 
     @property
     def everywhere(self) -> bool:

@@ -297,8 +297,13 @@ def _output_fits(keep: Keep, of: str, model: Model) -> Iterator[Finding]:
         yield Finding(("support",), describe(keep.support), 'none, as of is not "support force"')
     if of not in ("k0", "k1") and keep.layer is not None:
         yield Finding(("layer",), str(keep.layer), "none, as of is neither k0 nor k1")
-    if of.startswith("reinforcement") and model.reinforcement is None:
-        yield Finding(("of",), describe(keep.of), "a case with [reinforcement]")
+    if of.startswith("reinforcement"):
+        ultimate = [each.name for each in combinations_of(model) if each.limit_state == "ultimate"]
+        if model.reinforcement is None:
+            yield Finding(("of",), describe(keep.of), "a case with [reinforcement]")
+        elif keep.combination in combinations and keep.combination not in ultimate:
+            got = f"{describe(keep.combination)}, which is not for the ultimate limit state"
+            yield Finding(("combination",), got, one_of(ultimate))
 
 
 def _limit(limit: LimitState, outputs: list[Output | None], from_file: bool) -> Limit | None:

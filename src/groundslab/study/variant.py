@@ -22,7 +22,7 @@ from groundslab.errors import (
     NotConverged,
     SingularMatrix,
 )
-from groundslab.loadcases import combinations_of
+from groundslab.loadcases import Combination, combinations_of, has_ultimate
 from groundslab.mesh import Mesh
 from groundslab.study import fields, outputs, paths
 
@@ -85,6 +85,7 @@ class Worker:
         #: Combinations of the case that are solved, by their positions.
         self._solved = [n for n, name in enumerate(self._names) if "" in named or name in named]
         self._all = [self._names[n] for n in self._solved]
+        self._ultimate = {each.name for each in combinations_of(setup.model) if each.limit_state == "ultimate"}
         # as many threads as there are workers are at work already, and sums of one thread come out the same everywhere
         with linear.one_thread():
             self._solve = self._solver()
@@ -122,7 +123,8 @@ class Worker:
 
     def _wanted(self, output: Output, names: dict[str, str]) -> list[str]:
         """Return the combinations of a variant that an output is of."""
-        return [names[each] for each in ([output.combination] if output.combination else self._all)]
+        own = [output.combination] if output.combination else self._all
+        return [names[each] for each in own if each in self._ultimate or not output.is_steel]
 
     def _model(self, values: Sequence[Any]) -> tuple[Model, dict[str, str]]:
         """Return the case with the variables' values, and what its combinations that count are called in it by name.
@@ -136,7 +138,7 @@ class Worker:
             raise InputError([Fault("combinations", f"{len(there)} combinations", expected)])
         chosen = [there[n] for n in self._solved]
         if len(chosen) < len(there):
-            model = model.replace(combinations=tuple(chosen), combine=None)
+            model = _only(model, chosen)
         return model, {self._names[n]: each.name for n, each in zip(self._solved, chosen, strict=True)}
 
     def _factors(self, seeds: Sequence[int]) -> dict[str, Any]:
@@ -151,7 +153,7 @@ class Worker:
         try:
             if len(self._solved) < len(self._names):
                 there = combinations_of(base)
-                base = base.replace(combinations=tuple(there[n] for n in self._solved), combine=None)
+                base = _only(base, [there[n] for n in self._solved])
             if self._setup.fields:
                 base = base.replace(mesh=base.mesh.replace(symmetry="off"))
             return Variants(base).solve_combinations
@@ -160,6 +162,13 @@ class Worker:
             if self._setup.fields:
                 raise
             return lambda model, factors: solve_combinations(model)  # noqa: ARG005
+
+
+def _only(model: Model, combinations: Sequence[Combination]) -> Model:
+    """Return a model with some of its combinations; without an ultimate one nothing is designed."""
+    ultimate = has_ultimate(tuple(combinations), None)
+    reinforcement = model.reinforcement if ultimate else None
+    return model.replace(combinations=tuple(combinations), combine=None, reinforcement=reinforcement)
 
 
 def split(kept: Sequence[Output]) -> tuple[list[Output], list[Output]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from groundslab.results import Combined
 from groundslab.tables.columns import column_table
+from groundslab.tables.design_checks import Design, DesignCheck, design_of
 from groundslab.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.tables.overview import combinations, extremes, tilts
 from groundslab.tables.places import lines, points, strips
@@ -11,7 +12,7 @@ from groundslab.tables.steel import reinforcement
 from groundslab.tables.supports import support_table
 from groundslab.tables.table import Column, Table
 
-__all__ = ["Column", "Table", "fields_of_envelope", "tables_of"]
+__all__ = ["Column", "Design", "DesignCheck", "Table", "design_of", "fields_of_envelope", "tables_of"]
 
 
 def tables_of(combined: Combined) -> tuple[Table, ...]:

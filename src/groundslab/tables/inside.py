@@ -50,7 +50,7 @@ def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict
             force[load.case] += float(load.unit_weight * volume)
         elif isinstance(load, LineLoad):
             force[load.case] += _on_line(load, part)
-        elif isinstance(load, PointLoad) and load.column != column:
+        elif isinstance(load, PointLoad) and load.column != column and _may_meet(load, model, part):
             force[load.case] += _on_footprint(load.on(model.columns), part, chord)
     return force
 
@@ -95,6 +95,12 @@ def _on_line(load: LineLoad, part: Polygon) -> float:
                 force += piece.length * (ends[0] + (ends[1] - ends[0]) * middle / total)
         start += leg.length
     return float(force)
+
+
+def _may_meet(load: PointLoad, model: Model, part: Polygon) -> bool:
+    """Return whether a load that names a column may stand on a part of the plate, by the column's place."""
+    named = [each for each in model.columns if each.name == load.column]
+    return not named or bool(named[0].drawn(CHORD * max(model.plate.sides)).intersects(part))
 
 
 def _on_footprint(load: PointLoad, part: Polygon, chord: float) -> float:

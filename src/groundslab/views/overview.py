@@ -146,6 +146,7 @@ def to_json(combined: Combined, folders: Mapping[str, str], files: Sequence[str]
     found = entries(combined)
     document = summary.json_head(combined.model.title, not combined.refused)
     require_finite(combined)
+    document |= summary.json_design(combined)
     if any(entry.results is not None for entry in found):
         document |= summary.json_sections(description(combined))
     names = {entry.number: entry.combination.name for entry in found}

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab import __version__
 from groundslab.readings import goes_below_zero, holds_line_force, require_finite
-from groundslab.results import PLATE_FIELDS
+from groundslab.results import PLATE_FIELDS, alone
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from groundslab.results import (
         Array,
         Certificate,
+        Combined,
         Flags,
         Results,
         SupportResult,
@@ -109,6 +110,8 @@ def to_json(results: Results, files: Sequence[str] = ()) -> dict[str, Any]:
     where it is an extreme; counts, ratios and words stand for themselves. Lists over layers run downwards.
     """
     document = json_head(results.model.title, results.certificate.holds)
+    document |= json_design(alone(results))
+    document |= {"combination": results.combination, "limit_state": results.limit_state}
     document |= json_sections(summary(results))
     document |= json_analysis(results)
     document["files"] = list(files)
@@ -124,6 +127,24 @@ def json_head(title: str, certified: bool) -> dict[str, Any]:
         "title": title,
         "certified": certified,
     }
+
+
+def json_design(combined: Combined) -> dict[str, Any]:
+    """Return what can be judged of the design as data for JSON."""
+    from groundslab.tables.design_checks import design_of
+
+    design = design_of(combined)
+    checks = [asdict(check) for check in design.checks]
+    return {"design": {"status": design.status, "headline": design.headline, "checks": checks}}
+
+
+def certified_words(count: int) -> str:
+    """Return in words what a certificate of so many results says, and what it does not say."""
+    which = f"The results of all {count} combinations are" if count > 1 else "The result is"
+    return (
+        f"{which} certified: equilibrium and contact conditions are satisfied on this mesh. "
+        "This is no approval of the design."
+    )
 
 
 def json_sections(sections: Sequence[Section]) -> dict[str, Any]:
@@ -318,7 +339,7 @@ def _middle(support: SupportResult) -> tuple[float, float]:
 
 
 def certificate_section(certificate: Certificate) -> Section:
-    """Return the figures that say how well the result fulfils the equations, each with its verdict."""
+    """Return the figures that say how well equilibrium and contact conditions are satisfied, each with its verdict."""
     rows = [
         Row("load", "sum of the loads", certificate.load, FORCE),
         Row("reaction", "sum of the reactions", certificate.reaction, FORCE),

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab import __version__
+from groundslab.results import alone
 from groundslab.views import overview
-from groundslab.views.summary import Row, Section, summary
+from groundslab.views.summary import Row, Section, certified_words, summary
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from rich.text import Text
 
     from groundslab.results import Combined, Results, Step
+    from groundslab.tables.design_checks import Design, Status
     from groundslab.views.overview import Entry, Extreme
 
 #: Widths of the columns of words and of values; unit and place follow, 78 in all.
@@ -28,15 +30,18 @@ def print_summary(results: Results, console: Console) -> None:
     """Print everything that ``summary`` returns, the convergence history and the verdict."""
     from rich.text import Text
 
-    sections = summary(results)
-    _head(results.model.title, console)
+    from groundslab.tables.design_checks import design_of
+
+    sections, design = summary(results), design_of(alone(results))
+    _head(results.model.title, design, console)
+    console.print(Text(f"{results.combination} ({results.limit_state})", style="dim"))
     for section in sections:
         _section(section, [_line(row) for row in section.rows], console)
     console.print()
     print_history(results.steps, console)
     console.print()
     if results.certificate.holds:
-        console.print(Text("The result fulfils the equations.", style="bold green"))
+        _certified(1, design, console)
     else:
         console.print(Text("FAILED: the result does not fulfil the equations; do not use it.", style="bold red"))
 
@@ -45,8 +50,11 @@ def print_overview(combined: Combined, console: Console) -> None:
     """Print what all combinations have in common, each on its lines, the extremes over all, and the verdict."""
     from rich.text import Text
 
+    from groundslab.tables.design_checks import design_of
+
     overview.require_finite(combined)
-    _head(combined.model.title, console)
+    design = design_of(combined)
+    _head(combined.model.title, design, console)
     for section in overview.description(combined):
         _section(section, [_line(row) for row in section.rows], console)
     found = overview.entries(combined)
@@ -64,7 +72,7 @@ def print_overview(combined: Combined, console: Console) -> None:
     console.print(Text("  The number before each line is that of the combination that governs.", style="dim"))
     console.print()
     if not combined.refused:
-        console.print(Text("The results of all combinations fulfil the equations.", style="bold green"))
+        _certified(len(found), design, console)
         return
     numbers = ", ".join(str(entry.number) for entry in found if entry.refused is not None)
     words = f"FAILED: {len(combined.refused)} of {len(found)} combinations have no certified result: {numbers}."
@@ -99,12 +107,33 @@ def _extreme(extreme: Extreme) -> Text:
     return Text(f"{extreme.number:>2} ") + _line(extreme.row, 1)
 
 
-def _head(title: str, console: Console) -> None:
-    """Print the title and who says it."""
+def _head(title: str, design: Design, console: Console) -> None:
+    """Print the title, who says it, and what fails in the design."""
     from rich.text import Text
 
     console.print(Text(title or "(no title)", style="bold"))
     console.print(Text(f"groundslab {__version__}", style="dim"))
+    for line in textwrap.wrap(design.headline, 78):
+        console.print(Text(line, style=_STYLES[design.status]), soft_wrap=True)
+    for check in design.open:
+        for line in textwrap.wrap(f"- {check.name}: {check.words}", 76, subsequent_indent="  "):
+            console.print(Text(f"  {line}", style=_STYLES[check.status]), soft_wrap=True)
+
+
+_STYLES: dict[Status, str] = {
+    "fails": "bold red", "attention": "bold yellow", "no failure found": "dim", "not checked": "dim",
+}  # fmt: skip
+
+
+def _certified(count: int, design: Design, console: Console) -> None:
+    """Print what the certificate of so many results says, and again what fails in the design."""
+    from rich.text import Text
+
+    for line in textwrap.wrap(certified_words(count), 78):
+        console.print(Text(line, style="green"), soft_wrap=True)
+    if design.open:
+        for line in textwrap.wrap(f"{design.headline} See the first lines.", 78):
+            console.print(Text(line, style=_STYLES[design.status]), soft_wrap=True)
 
 
 def _section(section: Section, lines: Sequence[Text], console: Console) -> None:

@@ -15,9 +15,11 @@ if TYPE_CHECKING:
 
 
 def summary_of(combined: Combined) -> dict[str, Any]:
-    """Return what is told of each combination; raises GroundslabError if a number is not finite."""
+    """Return the design and what is told of each combination; raises GroundslabError if a number is not finite."""
     overview.require_finite(combined)
-    return {"combinations": [_combination(entry) for entry in overview.entries(combined)]}
+    return summary.json_design(combined) | {
+        "combinations": [_combination(entry) for entry in overview.entries(combined)]
+    }
 
 
 def _combination(entry: Entry) -> dict[str, Any]:

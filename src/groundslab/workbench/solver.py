@@ -366,11 +366,13 @@ class Solver:
 
 
 def _told(result: Result) -> dict[str, Any]:
-    """Return the event that tells of results."""
+    """Return the event that tells of results, and in words what fails in the design."""
+    design = result.answer.summary.get("design", {})
     return {
         "run": result.run,
         "version": result.version,
         "seconds": result.answer.seconds,
+        "design": design["headline"] if design.get("status") in ("fails", "attention") else "",
         "refused": result.answer.refused,
     }
 

@@ -79,7 +79,14 @@ export interface SummaryOfOne {
   sections: { title: string; rows: SummaryRow[]; notes: string[] }[];
 }
 
+export interface DesignCheck {
+  name: string;
+  status: "fails" | "attention" | "no failure found" | "not checked";
+  words: string;
+}
+
 export interface Summary {
+  design?: { status: DesignCheck["status"]; headline: string; checks: DesignCheck[] };
   combinations: SummaryOfOne[];
 }
 

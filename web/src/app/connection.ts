@@ -115,7 +115,7 @@ export class Connection {
     on("progress", (about) => this.progress(about));
     on("solved", (about) => {
       this.store.setRun({ kind: "idle" });
-      this.store.setSolved({ run: Number(about.run), version: Number(about.version), seconds: Number(about.seconds) });
+      this.store.setSolved({ run: Number(about.run), version: Number(about.version), seconds: Number(about.seconds), design: String(about.design ?? "") });
     });
     on("refused", (about) => {
       const faults = Array.isArray(about.faults) ? (about.faults as { where: string; got: string; expected: string; mend: string }[]) : [];

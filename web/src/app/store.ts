@@ -19,6 +19,8 @@ export interface Solved {
   run: number;
   version: number;
   seconds: number;
+  /** What fails in the design, in words; empty if nothing was found to. */
+  design: string;
 }
 
 export type Topic = "doc" | "data" | "connection" | "run" | "solved" | "selection" | "waiting" | "autosolve" | "notice";

@@ -168,8 +168,10 @@ describe("words", () => {
   });
 
   it("say whether the results are those of the model", () => {
-    const solved = { run: 1, version: 1, seconds: 12.4 };
+    const solved = { run: 1, version: 1, seconds: 12.4, design: "" };
     expect(statusWords("fresh", { kind: "idle" }, solved, true, 0)).toBe("Solved in 12 s.");
+    const failing = { ...solved, design: "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails." };
+    expect(statusWords("fresh", { kind: "idle" }, failing, true, 0)).toBe("DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails. Solved in 12 s.");
     expect(statusWords("stale", { kind: "idle" }, solved, true, 2)).toContain("Mend the faults");
     expect(statusWords("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0)).toMatch(/earlier state of the model.*Solving/);
     expect(statusWords("none", { kind: "refused", version: 1, message: "no equilibrium", faults: [] }, null, false, 0)).toBe("Not solved: no equilibrium");

@@ -113,7 +113,7 @@ class Panel implements ResultPanel {
     const { stage, summary } = this;
     const { choice } = stage;
     const one = typeof choice === "number" ? (summary?.combinations[choice] ?? null) : null;
-    showSummary(this.summaryBox, one);
+    showSummary(this.summaryBox, one, summary);
     showCertificates(this.certificateBox, summary, (n) => this.choose(n));
     const bad = summary?.combinations.filter((each) => verdictOf(each) !== "certified").length ?? 0;
     this.lower.mark("certificate", summary ? (bad > 0 ? String(bad) : "✓") : "", bad > 0);

@@ -26,7 +26,7 @@ export function statusWords(fresh: Freshness, run: Run, solved: Solved | null, a
       if (fresh === "none") return "Not solved yet.";
       if (fresh === "stale" && faults > 0) return `${old}Mend the ${faults === 1 ? "fault" : "faults"} to renew them.`;
       if (fresh === "stale") return autosolve ? old : `${old}Solve to renew them.`;
-      return `Solved in ${seconds(solved?.seconds ?? 0)}.`;
+      return [solved?.design ?? "", `Solved in ${seconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
   }
 }
 
@@ -44,7 +44,8 @@ export function statusLine(store: Store): HTMLElement {
     const fresh = freshness(solved, doc?.version, store.waitingCount);
     setText(words, statusWords(fresh, run, solved, store.autosolve, doc?.faults.length ?? 0));
     words.title = words.textContent ?? "";
-    element.dataset.state = run.kind === "solving" ? "solving" : run.kind === "refused" ? "refused" : fresh;
+    const failing = fresh === "fresh" && Boolean(solved?.design);
+    element.dataset.state = run.kind === "solving" ? "solving" : run.kind === "refused" ? "refused" : failing ? "failing" : fresh;
     bar.hidden = run.kind !== "solving";
     if (run.kind === "solving" && run.share !== null) bar.value = run.share;
     else bar.removeAttribute("value");

@@ -5,11 +5,21 @@ import type { Summary, SummaryOfOne } from "../api";
 import { fill, h } from "../dom";
 import type { Json } from "../paths";
 
-/** Show the figures of one combination; null: none is chosen. */
-export function showSummary(element: HTMLElement, one: SummaryOfOne | null): void {
-  if (!one) return fill(element, h("p", { class: "empty" }, "Choose a combination to see its figures."));
-  if (one.refused !== null) return fill(element, h("p", { class: "verdict bad" }, `${one.name} has no solution: ${one.refused}`));
-  fill(element, h("div", { class: "summary-sections" }, ...one.sections.map((section) =>
+/** What can be judged of the design: what fails or needs attention comes in words. */
+function designOf(summary: Summary | null): HTMLElement[] {
+  const design = summary?.design;
+  if (!design) return [];
+  const open = design.checks.filter((check) => check.status === "fails" || check.status === "attention");
+  if (open.length === 0) return [h("p", { class: "quiet" }, design.headline)];
+  return [h("p", { class: "verdict bad" }, design.headline), h("ul", {}, ...open.map((check) => h("li", {}, `${check.name}: ${check.words}`)))];
+}
+
+/** Show what fails in the design, and the figures of one combination; null: none is chosen. */
+export function showSummary(element: HTMLElement, one: SummaryOfOne | null, summary: Summary | null = null): void {
+  const design = designOf(summary);
+  if (!one) return fill(element, ...design, h("p", { class: "empty" }, "Choose a combination to see its figures."));
+  if (one.refused !== null) return fill(element, ...design, h("p", { class: "verdict bad" }, `${one.name} has no solution: ${one.refused}`));
+  fill(element, ...design, h("div", { class: "summary-sections" }, ...one.sections.map((section) =>
     h("section", {},
       h("h3", {}, section.title),
       h("table", { class: "figures" }, h("tbody", {}, ...section.rows.map((row) =>
@@ -47,7 +57,7 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
   const bad = summary.combinations.filter((one) => verdictOf(one) !== "certified").length;
   const total = summary.combinations.length;
   const verdict = bad === 0
-    ? h("p", { class: "verdict good" }, total === 1 ? "The result fulfils the equations." : `All ${total} combinations fulfil the equations.`)
+    ? h("p", { class: "verdict good" }, `${total === 1 ? "The result is" : `The results of all ${total} combinations are`} certified: equilibrium and contact conditions are satisfied on this mesh. This is no approval of the design.`)
     : h("p", { class: "verdict bad" }, total === 1 ? "This result must not be used." : `${bad} of ${total} combinations have no result that may be used.`);
   const head = h("tr", {}, h("th", { scope: "col" }, "combination"), h("th", { scope: "col" }, "certificate"), ...keys.map((key) => h("th", { scope: "col" }, key.replaceAll("_", " "))));
   const rows = summary.combinations.map((one, n) => {
