@@ -406,9 +406,12 @@ def _hand_over(text: str, file: str | None) -> None:
     if file is None:
         answer(text.rstrip("\n"))
         return
+    from pathlib import Path
+
+    from groundslab import atomic
+
     try:
-        with open(file, "x", encoding="utf-8", newline="\n") as opened:  # noqa: PTH123
-            opened.write(text)
+        atomic.write(Path(file), text.encode(), new=True)
     except FileExistsError:
         raise InputError([Fault(file, "a file that exists", "a name that is free", "choose another name")]) from None
 

@@ -27,8 +27,9 @@ from groundslab.errors import (
     NotConverged,
     SingularMatrix,
 )
+from groundslab.results import Increment
 from groundslab.views import archive, store
-from groundslab.views.contents import folder_name
+from groundslab.views.contents import DEEPEST, folder_name, is_path
 
 OLD, NEW = synthetic.results(), synthetic.results(lifts=False)
 TABLES = {f"tables/{name}.csv" for name in ("combinations", "extremes", "envelope", "tilt")}
@@ -284,6 +285,69 @@ class TestRefuse:
         _link(folder / "plate.vtu", tmp_path / "elsewhere.vtu")
         with pytest.raises(InputError, match=r"plate\.vtu"):
             store.write(NEW, folder)
+
+    @pytest.mark.parametrize(
+        "name",
+        ["thesis.docx", "case.md", "sub/thesis.docx", "../thesis.docx", "tables/../thesis.docx", "Plate.vtu",
+         "01-A/plate.vtu", "tables/thesis.CSV", "increments/plate.vtu", "raft.toml", "01-a/case.toml", ".bashrc", ""],
+    )  # fmt: skip
+    def test_a_summary_that_names_what_is_not_ours(self, folder: Path, name: str) -> None:
+        """A file is not ours because a summary says so: names that are never written protect the whole folder."""
+        mine = folder / (name or "mine.txt")
+        mine.parent.mkdir(exist_ok=True)
+        mine.write_text("mine")
+        summary = json.loads((folder / "summary.json").read_text())
+        summary["files"] += [name, str(mine)]
+        (folder / "summary.json").write_text(json.dumps(summary))
+        before = tree(folder.parent)
+        if name.startswith("..") or "/../" in name:
+            # they lie outside of it or are called otherwise there, and stay
+            store.write(NEW, folder) if name.startswith("..") else None
+        else:
+            with pytest.raises(InputError):
+                store.write(NEW, folder)
+            assert tree(folder.parent) == before
+        assert mine.read_text() == "mine"
+
+    @pytest.mark.parametrize("name", ["plate.vtu", "picture.png", "results.npz", "tables/tilt.csv", "case.toml"])
+    def test_a_name_of_ours_with_something_else_in_it(self, folder: Path, name: str) -> None:
+        """Where one of our names holds another kind of file, it is the user's, listed or not."""
+        (folder / name).write_bytes(b"\0 mine")
+        summary = json.loads((folder / "summary.json").read_text())
+        summary["files"].append(name)
+        (folder / "summary.json").write_text(json.dumps(summary))
+        with pytest.raises(InputError, match=Path(name).name):
+            store.write(NEW, folder)
+        assert (folder / name).read_bytes() == b"\0 mine"
+        assert debris(folder) == []
+
+    def test_every_name_is_a_name_of_ours(self, tmp_path: Path) -> None:
+        """Whatever is written, with many combinations and increments too, is among the names that may be replaced."""
+        combined = synthetic.combined()
+        state = Increment(0.5, OLD.plate, OLD.elements, OLD.ground)
+        first = replace(combined.results["NUL"], increments=(state,) * 100)
+        results = combined.results | {"NUL": first}
+        folder = store.write(replace(combined, results=results), tmp_path / "raft", plot=True)
+        assert "02-nul/increments/100-plate.vtu" in tree(folder)
+        assert all(map(is_path, tree(folder)))
+        assert all(is_path(f"{folder_name(number, 'x' * 300, 12345)}/plate.vtu") for number in (1, 12345))
+        assert max(map(len, tree(folder))) < len(DEEPEST)
+        assert len(f"{folder_name(12345, 'x' * 300, 12345)}/increments/12345-ground.vtu") <= len(DEEPEST)
+
+    def test_names_that_are_too_long(self, tmp_path: Path) -> None:
+        """They are found out before the analysis; the longest that the system takes can be written and replaced."""
+        with pytest.raises(InputError, match="too long"):
+            store.check(tmp_path / ("x" * 256))
+        deep = tmp_path.joinpath(*["y" * 250] * 15)
+        missing = 4095 - len(os.fsencode(deep))  # of Linux, with the zero at the end
+        with pytest.raises(InputError, match="too long"):
+            store.check(deep / ("x" * min(250, missing - 30)))
+        for length in (236, 255):
+            for results in (OLD, NEW):
+                folder = store.write(results, tmp_path / "long" / ("x" * length))
+                assert store.check(folder) == folder
+                assert debris(folder) == [] or length == 255
+                synthetic.assert_same(archive.load(folder / "results.npz"), results)
 
     @pytest.mark.parametrize("summary", [None, "{", "[]", '{"program": "other", "files": ["a.txt"]}', '{"files": 3}'])
     def test_a_folder_without_our_summary(self, tmp_path: Path, summary: str | None) -> None:
