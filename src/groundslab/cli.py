@@ -195,9 +195,11 @@ def _solve(options: argparse.Namespace) -> int:
         return NO_RESULT
     try:
         store.write(results, folder, plot=options.plot)
-    except GroundslabError:
+    except (GroundslabError, OSError, MemoryError):
         # The disk is no reason to lose the answer.
         _show(results, options)
+        kept = store.write_elsewhere(results, folder)
+        say(f"{folder} cannot be written" + (f"; the results are kept in {kept}" if kept is not None else ""))
         raise
     _show(results, options)
     if not (options.quiet or options.json):

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
 FORMAT = 1
+#: Types of what about.json holds and is read from there.
+_TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
 #: Columns before those of the study.
 FIXED = ("number", "status", "reason", "message", "seconds")
 
@@ -217,9 +219,11 @@ def about(folder: str | Path) -> dict[str, Any]:
         found = json.loads((path / ABOUT).read_text(encoding="utf-8"))
         if found["program"] == "groundslab study" and (path / ROWS).is_file():
             if found["format"] == FORMAT:
-                return dict(found)
-            expected = f"a folder of format {FORMAT}, which this version reads"
-    except (OSError, ValueError, KeyError, TypeError):
+                if all(isinstance(found[name], kind) for name, kind in _TYPES.items()):
+                    return dict(found)
+            else:
+                expected = f"a folder of format {FORMAT}, which this version reads"
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
     raise InputError([Fault(str(folder), "something else", expected)])
 

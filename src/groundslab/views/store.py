@@ -7,13 +7,14 @@ files of these names and they hold what belongs there.
 
 from __future__ import annotations
 
-import json
 import os
+import tempfile
+from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from groundslab import atomic, provenance
 from groundslab.errors import (
@@ -26,9 +27,11 @@ from groundslab.errors import (
     SingularMatrix,
 )
 from groundslab.results import Combined, Results, alone
-from groundslab.views import contents
+from groundslab.views import archive, contents
 
 if TYPE_CHECKING:
+    from pydantic import TypeAdapter
+
     from groundslab.views.contents import Writer
 
 
@@ -46,6 +49,26 @@ def write(results: Results | Combined, folder: str | Path, *, plot: bool = False
     except OSError as error:
         raise _unwritable(target, error) from error
     return target
+
+
+def write_elsewhere(results: Results | Combined, folder: str | Path) -> Path | None:
+    """Write results into another folder than the one that they were meant for, and return it.
+
+    It is a new one beside that folder, or one among the system's temporary files; None if neither can be written.
+    """
+    target = Path(os.path.realpath(folder))
+    name = target.name[:40]
+    beside = (target.with_name(f"{name}-{number}") for number in range(2, 1000))
+    with suppress(GroundslabError, OSError, MemoryError):
+        return write(results, next(path for path in beside if not os.path.lexists(path)))
+    with suppress(GroundslabError, OSError, MemoryError):
+        room = Path(tempfile.mkdtemp(prefix="groundslab-"))
+        try:
+            return write(results, room / name)
+        finally:
+            if not any(room.iterdir()):
+                room.rmdir()
+    return None
 
 
 def check(folder: str | Path) -> Path:
@@ -87,50 +110,111 @@ def load(folder: str | Path) -> Combined:
 
     Of an iteration that did not converge only the history is there, not the last iterate.
     """
-    from groundslab.views import archive
-
     path = Path(folder)
-    if not _files(path):
+    found = _summary(path)
+    if found is None or not found.files:
         raise _not_ours(path, "no summary.json that names its files")
-    document = json.loads((path / "summary.json").read_text(encoding="utf-8"))
-    if "combinations" not in document:
-        return alone(archive.load(path / "results.npz"))
+    if found.combinations is None:
+        return _one(path)
     try:
-        return _several(path, document["combinations"])
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        return _several(path, found.combinations)
+    except (KeyError, ValueError) as error:
         raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
 
 
-def _several(path: Path, told: list[dict[str, Any]]) -> Combined:
-    """Return the combinations that a summary tells of, read from their folders."""
+@dataclass(frozen=True, slots=True)
+class _Refused:
+    """Why a combination has no certified result, as a summary says it."""
+
+    error: str
+    reason: str = ""
+    what: str = ""
+    history: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Combination:
+    """One combination, as a summary says it."""
+
+    name: str
+    limit_state: str
+    factors: dict[str, float]
+    folder: str | None = None
+    refused: _Refused | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Summary:
+    """What a folder's summary says of the folder; its JSON text is held to these types."""
+
+    program: Literal["groundslab"]
+    files: tuple[str, ...]
+    combinations: tuple[_Combination, ...] | None = None
+
+
+@cache
+def _adapter() -> TypeAdapter[_Summary]:
+    """Return what reads summary.json."""
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(_Summary)
+
+
+def _summary(folder: Path) -> _Summary | None:
+    """Return what the summary in a folder says of it, None if there is none that groundslab wrote."""
+    path = folder / "summary.json"
+    try:
+        return _adapter().validate_json(path.read_bytes(), strict=True) if path.is_file() else None
+    except (OSError, ValueError):
+        return None
+
+
+def _one(path: Path) -> Combined:
+    """Return the only combination of a folder; raises InputError."""
+    archived = path / "results.npz"
+    found = archive.load(archived)
+    try:
+        return alone(found)
+    except InputError as error:
+        raise _not_ours(archived, f"a combination that is wrong ({error.faults[0]})") from error
+
+
+def _several(path: Path, listed: Sequence[_Combination]) -> Combined:
+    """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab import casefile
     from groundslab.loadcases import Combination
-    from groundslab.views import archive
 
     model = casefile.load(path / "case.toml")
     combinations, results, refused = [], {}, dict[str, GroundslabError]()
-    for each in told:
-        name = each["name"]
-        combinations.append(Combination(name=name, limit_state=each["limit_state"], factors=each["factors"]))
-        if "folder" in each:
-            archived = path / each["folder"] / "results.npz"
+    for number, each in enumerate(listed, 1):
+        combinations.append(Combination(name=each.name, limit_state=each.limit_state, factors=each.factors))
+        if each.folder is not None:
+            if each.folder != contents.folder_name(number, each.name, len(listed)):
+                raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')
+            archived = path / each.folder / "results.npz"
             found = archive.load(archived)
-            if found.model != model or found.combination != name:
+            if found.model != model or found.combination != each.name:
                 raise _not_ours(archived, "results of another case or combination")
-            results[name] = replace(found, model=model)
-        if "refused" in each:
-            refused[name] = _refused(each["refused"], results.pop(name, None))
+            results[each.name] = replace(found, model=model)
+        if each.refused is not None:
+            refused[each.name] = _refused(each.refused, results.pop(each.name, None))
+    if (
+        not listed
+        or len({each.name for each in listed}) < len(listed)
+        or not results.keys() | refused.keys() == {each.name for each in listed}
+    ):
+        raise ValueError("combinations that have neither results nor a reason, or the same name")
     return Combined(model, tuple(combinations), results, refused)
 
 
-def _refused(told: dict[str, Any], results: Results | None) -> GroundslabError:
+def _refused(why: _Refused, results: Results | None) -> GroundslabError:
     """Return the error that a summary tells of."""
     if results is not None:
         return NotCertified(results)
-    if told["error"] == "NotConverged":
-        return NotConverged(told["what"], told["history"], {})
+    if why.error == "NotConverged":
+        return NotConverged(why.what, list(why.history), {})
     kinds: dict[str, type[GroundslabError]] = {"NoEquilibrium": NoEquilibrium, "SingularMatrix": SingularMatrix}
-    return kinds.get(told["error"], GroundslabError)(told["reason"])
+    return kinds.get(why.error, GroundslabError)(why.reason)
 
 
 def _not_ours(path: Path, got: str) -> InputError:
@@ -203,12 +287,8 @@ def _foreign(folder: Path) -> list[str]:
 
 def _files(folder: Path) -> list[str]:
     """Return the names of the files that groundslab wrote into a folder, according to the summary there."""
-    try:
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-        files = summary["files"] if summary["program"] == "groundslab" else []
-        return [name for name in files if isinstance(name, str) and contents.is_path(name)]
-    except (OSError, ValueError, KeyError, TypeError):
-        return []
+    found = _summary(folder)
+    return [] if found is None else [name for name in found.files if contents.is_path(name)]
 
 
 def _resolve(folder: str | Path) -> Path:
