@@ -305,3 +305,20 @@ def test_commands_refuse_what_they_cannot_evaluate(tmp_path: Path, capsys: pytes
         main(["evaluate", str(tmp_path), "--level", "95"])
     assert caught.value.code == 2
     assert "between 0 and 1" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["rows.sqlite", "about.json", "case.toml"])
+@pytest.mark.parametrize("content", [b"", b"\0" * 5000, b"[" * 100_000])
+def test_damaged_studies_are_told_as_such(
+    study: Study, tmp_path: Path, name: str, content: bytes, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whatever has become of a file in its folder, a study is read or refused with exit code 2, with no traceback."""
+    import shutil
+
+    folder = tmp_path / "study"
+    shutil.copytree(study.folder, folder)
+    whole = (folder / name).read_bytes()
+    # an SQLite file that begins well, too
+    (folder / name).write_bytes(whole[:1000] + content if name == "rows.sqlite" else content)
+    assert main(["evaluate", str(folder)]) == 2
+    assert "in the input" in capsys.readouterr().err
