@@ -43,6 +43,13 @@ MESH = {"nodes", "elements"}
 
 
 @dataclass(frozen=True, slots=True)
+class _Layout:
+    """What every version of an archive says of itself."""
+
+    format: int
+
+
+@dataclass(frozen=True, slots=True)
 class _About:
     """What an archive holds besides arrays and model; its JSON text is held to these types."""
 
@@ -141,21 +148,33 @@ def _array(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> Any:
 
 
 @cache
-def _adapter() -> TypeAdapter[_About]:
-    """Return what reads the JSON text."""
+def _adapters() -> tuple[TypeAdapter[_Layout], TypeAdapter[_About]]:
+    """Return what reads the JSON text: the version of its layout alone, and all of it."""
     from pydantic import TypeAdapter
 
-    return TypeAdapter(_About)
+    return TypeAdapter(_Layout), TypeAdapter(_About)
+
+
+def _read_about(text: str) -> _About:
+    """Return what the JSON text says; raises ValueError, which names the first value that is wrong."""
+    from pydantic import ValidationError
+
+    layout, whole = _adapters()
+    try:
+        found = layout.validate_json(text, strict=True).format
+        if found != FORMAT:
+            raise ValueError(f"layout {found}, while this version reads {FORMAT}")
+        return whole.validate_json(text, strict=True)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        raise ValueError(f"about.{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
 
 
 def _results(arrays: dict[str, Any]) -> Results:
     """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
     from groundslab import casefile
 
-    text = str(arrays["about"])
-    about = _adapter().validate_json(text, strict=True)
-    if about.format != FORMAT:
-        raise ValueError(f"layout {about.format}, while this version reads {FORMAT}")
+    about = _read_about(str(arrays["about"]))
     for array in arrays.values():
         array.flags.writeable = False
     found = Results(
