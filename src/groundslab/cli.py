@@ -196,9 +196,11 @@ def _solve(options: argparse.Namespace) -> int:
         return NO_RESULT
     try:
         store.write(results, folder, plot=options.plot)
-    except GroundslabError:
+    except (GroundslabError, OSError, MemoryError):
         # The disk is no reason to lose the answer.
         _show(results, options)
+        kept = store.write_elsewhere(results, folder)
+        say(f"{folder} cannot be written" + (f"; the results are kept in {kept}" if kept is not None else ""))
         raise
     _show(results, options)
     if not (options.quiet or options.json):
@@ -418,9 +420,12 @@ def _hand_over(text: str, file: str | None) -> None:
     if file is None:
         answer(text.rstrip("\n"))
         return
+    from pathlib import Path
+
+    from groundslab import atomic
+
     try:
-        with open(file, "x", encoding="utf-8", newline="\n") as opened:  # noqa: PTH123
-            opened.write(text)
+        atomic.write(Path(file), text.encode(), new=True)
     except FileExistsError:
         raise InputError([Fault(file, "a file that exists", "a name that is free", "choose another name")]) from None
 

@@ -50,7 +50,7 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "--out",
         metavar="FILE",
         help="file to write, which ends with .pdf (pages of A4 width), .svg or .png (one sheet); an existing one is "
-        "replaced (default: a PDF beside the folder)",
+        "replaced if groundslab drew it (default: a PDF beside the folder)",
     )
 
 
@@ -59,17 +59,19 @@ def draw(options: argparse.Namespace) -> str:
     from pathlib import Path
 
     from groundslab import plots
-    from groundslab.plots.files import format_of
+    from groundslab.plots.files import check
     from groundslab.plots.wish import wish_of
     from groundslab.views import store
 
     folder = Path(os.path.realpath(options.folder))
     lines = [_coordinates(text) for text in options.line] if options.line else None
+    if options.out is not None:
+        check(options.out)
     combined = store.load(options.folder)
     wish = wish_of(combined, options.fields, options.kind, options.combination, options.envelope, lines)
     what = "-".join(amount.name for amount in wish.amounts) if options.fields and wish.kind == "plan" else wish.kind
     file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
-    format_of(file)
+    check(file)
     if folder in Path(os.path.realpath(file)).parents:
         mend = "solve could not replace the folder any more"
         raise InputError([Fault("--out", f"{file}, inside the folder of results", "a place outside it", mend)])

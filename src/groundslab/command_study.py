@@ -26,7 +26,10 @@ def describe(study: argparse.ArgumentParser) -> None:
         metavar="N",
         help="processes on this machine (default: one for each core; 0: none but this one)",
     )
-    place.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler to use, such as tcp://127.0.0.1:8786")
+    place.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler to use, such as tls://127.0.0.1:8786")
+    study.add_argument(
+        "--dashboard", action="store_true", help="let Dask show in the browser what the processes of this machine do"
+    )
     study.add_argument("--quiet", action="store_true", help="print no progress")
 
 
@@ -61,6 +64,7 @@ def run(options: argparse.Namespace) -> int:
             out=folder,
             workers=options.workers,
             scheduler=options.scheduler,
+            dashboard=options.dashboard,
             resume=options.resume,
             quiet=options.quiet,
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -13,8 +14,9 @@ FINE, NO_RESULT, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
 def say(text: str) -> None:
-    """Print a message to standard error."""
-    print(text, file=sys.stderr)
+    """Print a message to standard error, if that takes it: what else there is to do counts more."""
+    with suppress(OSError):
+        print(text, file=sys.stderr, flush=True)
 
 
 def answer(text: str) -> None:
@@ -23,6 +25,9 @@ def answer(text: str) -> None:
         print(text, flush=True)
     except BrokenPipeError:
         close_output()
+    except OSError:
+        close_output()
+        raise
 
 
 def close_output() -> None:

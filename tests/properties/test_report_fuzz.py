@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
+import damage
+import synthetic
+from groundslab import cli
+from groundslab.errors import InputError
 from groundslab.findings import quote
 from groundslab.keys import Quantity, Text
 from groundslab.model import Model
@@ -17,6 +25,7 @@ from groundslab.report.plan_drawing import plan_drawing
 from groundslab.scene import plan_of
 from groundslab.schema import Part, key_of
 from groundslab.units import QuantityError, parse
+from groundslab.views import store
 from pages import page
 from strategies import models, rich_models
 
@@ -91,3 +100,45 @@ def test_every_plan_can_be_drawn(model: Model) -> None:
     for text in drawing.all("text"):
         assert -20 <= float(text.attributes["x"]) <= width + 20
         assert -20 <= float(text.attributes["y"]) <= height + 20
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder of results."""
+    return store.write(synthetic.results(shear=True), tmp_path_factory.mktemp("whole") / "raft")
+
+
+@settings(derandomize=True, max_examples=60, deadline=None, database=None)
+@given(data=st.data())
+def test_damaged_results_are_reported_as_they_are_or_refused(folder: Path, data: st.DataObject) -> None:
+    """Whatever is damaged in a folder, it is read as sound results that a report can be made of, or refused."""
+    damaged = folder.with_name("damaged")
+    shutil.rmtree(damaged, ignore_errors=True)
+    shutil.copytree(folder, damaged)
+    archive = damaged / "results.npz"
+    names = sorted(damage.arrays(archive))
+    kind = data.draw(st.sampled_from(["array", "about", "bytes", "file"]))
+    if kind == "array":
+        change = damage.ARRAYS[data.draw(st.sampled_from(sorted(damage.ARRAYS)))]
+        damage.with_array(
+            archive, data.draw(st.sampled_from([n for n in names if n not in ("about", "model")])), change
+        )
+    elif kind == "about":
+        about = json.loads(str(damage.arrays(archive)["about"]))
+        place = data.draw(st.sampled_from(list(damage.places(about))))
+        damage.with_about(archive, place, data.draw(st.sampled_from(damage.VALUES)))
+    else:
+        path = archive if kind == "bytes" else damaged / "summary.json"
+        content = path.read_bytes()
+        at = data.draw(st.integers(0, len(content) - 1))
+        path.write_bytes(
+            content[:at] + data.draw(st.binary(max_size=20)) + content[at + data.draw(st.integers(0, 50)) :]
+        )
+    try:
+        store.load(damaged)
+    except InputError:
+        assert cli.main(["report", str(damaged), "--out", str(folder.with_name("none.html"))]) == 2
+        return
+    out = folder.with_name("a.html")
+    assert cli.main(["report", str(damaged), "--out", str(out)]) == 0
+    assert cli.main(["plot", str(damaged), "--out", str(out.with_suffix(".svg"))]) == 0

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import contextlib
+import json
+import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from scipy.optimize import linprog
 
+import synthetic
 from groundslab.analysis import solve, solve_combinations
 from groundslab.discretise import discretise
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
@@ -16,6 +21,7 @@ from groundslab.loadcases import combinations_of
 from groundslab.model import Model, UniformLoad
 from groundslab.problem import BETA_X, TOP, Problem, W
 from groundslab.statics import require_equilibrium
+from groundslab.views import store
 from strategies import models, rich_models
 
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
@@ -184,3 +190,40 @@ def test_a_case_without_loads(tensionless: bool) -> None:
     else:
         assert combined.results["empty"].certificate.holds
         assert not combined.results["empty"].plate.settlement.any()
+
+
+#: Names below a folder: those that groundslab uses, those of others, and in between.
+NAMES = st.sampled_from([
+    "plate.vtu", "results.npz", "case.toml", "summary.json", "picture.png", "combinations.csv", "tables/tilt.csv",
+    "01-a/plate.vtu", "increments/01-plate.vtu", "thesis.odt", "tables/thesis.odt", "01-a/mine.vtu", "Plate.vtu",
+    ".DS_Store", "deep/er/plate.vtu", "../beside.txt", "../raft-results/x", "plate.vtu/", "",
+])  # fmt: skip
+CONTENT = b"\0 somebody's work"
+
+
+@settings(FUZZ, max_examples=60)
+@given(there=st.sets(NAMES, max_size=4), listed=st.sets(NAMES, max_size=6), ours=st.booleans())
+def test_writing_results_destroys_nobodys_work(tmp_path_factory, there, listed, ours):
+    """Whatever lies in a folder and whatever its summary says, no byte of others is lost; else results are there."""
+    above = tmp_path_factory.mktemp("fuzz")
+    folder = above / "raft"
+    if ours:
+        store.write(synthetic.results(), folder)
+    mine: list[Path] = []
+    for name in there:
+        path = folder / name
+        if name and not name.endswith("/") and not path.exists() and not path.parent.is_file():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(CONTENT)
+            if path.name != ".DS_Store":
+                mine.append(path.resolve())
+    summary = folder / "summary.json"
+    if summary.is_file() and summary.resolve() not in mine:
+        document = json.loads(summary.read_text())
+        summary.write_text(json.dumps(document | {"files": sorted({*document["files"], *listed})}))
+    with contextlib.suppress(InputError):
+        store.write(synthetic.results(lifts=False), folder)
+        assert len(store.load(folder).results) == 1
+    assert all(path.read_bytes() == CONTENT for path in mine)
+    assert not [path for path in above.iterdir() if path.name.startswith(".")]
+    shutil.rmtree(above)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import subprocess
 import sys
 import tomllib
@@ -184,6 +185,27 @@ class TestSolve:
         out, err = capsys.readouterr()
         assert "largest settlement" in out
         assert "no room" in err
+
+    def test_results_are_kept_elsewhere(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """If somebody puts a file into the folder during the analysis, the results are kept beside it."""
+        solve = groundslab.analysis.solve_combinations  # type: ignore[attr-defined]
+        folder = case.with_name("raft-results")
+
+        def disturbed(*arguments: Any) -> Any:
+            folder.mkdir()
+            (folder / "notes.txt").write_text("mine")
+            return solve(*arguments)
+
+        monkeypatch.setattr(groundslab.analysis, "solve_combinations", disturbed)  # type: ignore[attr-defined]
+        assert cli.main(["solve", str(case)]) == 2
+        out, err = capsys.readouterr()
+        assert "largest settlement" in out
+        assert "notes.txt" in err
+        assert f"the results are kept in {case.with_name('raft-results-2')}" in err
+        assert [path.name for path in folder.iterdir()] == ["notes.txt"]
+        synthetic.assert_same(archive.load(case.with_name("raft-results-2") / "results.npz"), synthetic.results())
 
     def test_progress_is_for_terminals(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
@@ -422,6 +444,71 @@ class TestOthers:
             process.stdout.close()
             assert process.stderr.read() == ""
         assert process.returncode == 0
+
+
+#: Runs the program in a process that is interrupted as a module is imported; what comes of the interrupt is turned into
+#: an error of another kind if asked for, as libraries with parts in C do.
+INTERRUPTED = """
+import os, signal, sys
+module, turned = sys.argv[1], sys.argv[2] == "True"
+class Interrupting:
+    def find_spec(self, name, *_):
+        if name != module:
+            return None
+        try:
+            os.kill(os.getpid(), signal.SIGINT)
+            for _ in range(10**6):
+                pass
+        except KeyboardInterrupt:
+            if not turned:
+                raise
+            try:
+                raise ValueError("Traceback")
+            except ValueError:
+                sys.excepthook(*sys.exc_info())
+            raise ImportError("half imported") from None
+sys.meta_path.insert(0, Interrupting())
+sys.argv[1:] = sys.argv[3:]
+from groundslab.__main__ import main
+sys.exit(main())
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
+class TestProgram:
+    """The program as the system sees it: streams and signals."""
+
+    @pytest.mark.parametrize(
+        ("module", "turned"), [("groundslab.cli", False), ("argparse", True), ("numpy", False), ("pydantic", True)]
+    )
+    def test_an_interrupt_while_something_is_imported(self, case: Path, module: str, turned: bool) -> None:
+        """The program ends with 130, or by the signal, which a shell calls so; one line says it, with no traceback."""
+        command = [sys.executable, "-c", INTERRUPTED, module, str(turned), "solve", str(case), "--quiet"]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert ended.returncode in (130, -signal.SIGINT), ended.stderr
+        assert ended.stderr.split("\n")[-2:] == ["interrupted", ""] or (turned and ended.stderr)
+        assert "Traceback" not in ended.stderr
+
+    @pytest.mark.parametrize("closed", ["2>&-", ">&-", "2>&- >&- <&-", "2>/dev/full"])
+    def test_closed_streams(self, case: Path, closed: str) -> None:
+        """What cannot be said changes neither the exit code nor the results."""
+        if "full" in closed and not Path("/dev/full").exists():
+            pytest.skip("needs a device that is full")
+        for arguments, code in ((["solve", str(case)], 0), (["solve", f"{case}.none"], 2), (["fly"], 2)):
+            command = ["sh", "-c", f'exec "$0" -m groundslab "$@" {closed}', sys.executable, *arguments]
+            assert subprocess.run(command, capture_output=True, check=False).returncode == code
+        assert len(store.load(case.with_name("raft-results")).results) == 1
+
+    def test_an_answer_that_cannot_be_given(self, case: Path) -> None:
+        """Where the answer itself cannot be written the exit code says so; the results are in their folder."""
+        if not Path("/dev/full").exists():
+            pytest.skip("needs a device that is full")
+        command = ["sh", "-c", 'exec "$0" -m groundslab "$@" > /dev/full', sys.executable, "solve", str(case)]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert ended.returncode == 2
+        assert ended.stderr.startswith("error: ")
+        assert "Traceback" not in ended.stderr
+        assert len(store.load(case.with_name("raft-results")).results) == 1
 
 
 @pytest.fixture

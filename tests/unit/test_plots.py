@@ -896,8 +896,8 @@ class TestCommand:
     def test_one_combination_and_one_file(self, folder: Path, tmp_path: Path) -> None:
         """A combination by name, a file by its ending; what is there is replaced."""
         out = tmp_path / "a.svg"
-        out.write_text("old")
-        assert cli.main(["plot", str(folder), "--combination", "NUL", "--out", str(out), "p"]) == 0
+        for field in ("w", "p"):
+            assert cli.main(["plot", str(folder), "--combination", "NUL", "--out", str(out), field]) == 0
         text = out.read_text(encoding="utf-8")
         assert ">NUL (ultimate)</text>" in text
         assert "Contact pressure" in text

@@ -709,7 +709,7 @@ class TestFiles:
 
     def test_a_place_that_cannot_be_written(self, tmp_path: Path) -> None:
         """A folder that is not there is told as such."""
-        with pytest.raises(InputError, match="a file that can be written"):
+        with pytest.raises(InputError, match="no folder"):
             groundslab.write_report(synthetic.results(), tmp_path / "missing" / "x.html")
 
     def test_refused_combinations_are_told(

@@ -10,15 +10,18 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
+import damage
 import synthetic
-from groundslab import casefile
+from groundslab import casefile, cli
 from groundslab.errors import (
     GroundslabError,
     InputError,
@@ -27,8 +30,9 @@ from groundslab.errors import (
     NotConverged,
     SingularMatrix,
 )
+from groundslab.results import Increment
 from groundslab.views import archive, store
-from groundslab.views.contents import folder_name
+from groundslab.views.contents import DEEPEST, folder_name, is_path
 
 OLD, NEW = synthetic.results(), synthetic.results(lifts=False)
 TABLES = {f"tables/{name}.csv" for name in ("combinations", "extremes", "envelope", "tilt")}
@@ -259,6 +263,120 @@ class TestSeveral:
                 store.load(several)
 
 
+class TestDamaged:
+    """Folders in which something is damaged."""
+
+    @pytest.mark.parametrize("how", damage.FILES)
+    def test_files(self, folder: Path, how: str, capsys: pytest.CaptureFixture[str]) -> None:
+        """Whatever became of a file: reading, report and plot name the folder, with exit code 2 and no traceback."""
+        damage.FILES[how](folder)
+        with pytest.raises(InputError, match="raft"):
+            store.load(folder)
+        for command, ending in (("report", "html"), ("plot", "png")):
+            out = folder.with_name(f"a.{ending}")
+            assert cli.main([command, str(folder), "--out", str(out)]) == 2
+            assert "that groundslab wrote" in capsys.readouterr().err
+            assert not out.exists()
+
+    @pytest.mark.parametrize("how", damage.ARRAYS)
+    def test_arrays(self, folder: Path, how: str) -> None:
+        """No array of another type, shape or range is read as one of results, whichever it is."""
+        whole = (folder / "results.npz").read_bytes()
+        for name, values in damage.arrays(folder / "results.npz").items():
+            if name in ("model", "about") or (how == "single precision" and values.dtype == np.float32):
+                continue
+            damage.with_array(folder / "results.npz", name, damage.ARRAYS[how])
+            with pytest.raises(InputError, match="archive"):
+                store.load(folder)
+            (folder / "results.npz").write_bytes(whole)
+        assert store.load(folder)
+
+    @pytest.mark.parametrize("by", [-1, 25, 10**12])
+    def test_elements_with_nodes_that_are_not_there(self, folder: Path, by: int) -> None:
+        """Indices beyond the nodes, or below 0, are found out, of plate and ground."""
+        for name in ("plate.elements", "ground.elements"):
+            archived = folder / "results.npz"
+            whole = archived.read_bytes()
+            damage.with_array(archived, name, lambda a: np.where(a == 0, by, a))
+            with pytest.raises(InputError, match="nodes that are not there"):
+                store.load(folder)
+            archived.write_bytes(whole)
+
+    @pytest.mark.parametrize("change", [lambda a: a[:, ::-1], lambda a: a[:, [0] * 9]])
+    def test_elements_without_area(self, folder: Path, change: Any) -> None:
+        """Elements that are turned over, or one point, are no mesh."""
+        damage.with_array(folder / "results.npz", "plate.elements", change)
+        with pytest.raises(InputError, match=r"no area|no element"):
+            store.load(folder)
+
+    def test_a_certificate_cannot_be_better_than_perfect(self, folder: Path) -> None:
+        """Figures below zero would pass each limit; they are no figures of a certificate."""
+        damage.with_about(folder / "results.npz", ("certificate", "residual"), -1.0)
+        with pytest.raises(InputError, match="certificate"):
+            store.load(folder)
+
+    @pytest.mark.parametrize("value", ["text", None, [], {"a": 1}])
+    def test_summaries(self, tmp_path: Path, value: Any) -> None:
+        """Whatever stands in place of any value of a summary, it is read as it was meant, or refused."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        path = folder / "summary.json"
+        whole = path.read_text()
+        read = {"name", "limit_state", "factors", "folder", "refused"}
+        for place in damage.places({"combinations": json.loads(whole)["combinations"]}):
+            if len(place) > 2 and (place[2] not in read or place[1] % 2):
+                continue
+            document = json.loads(whole)
+            damage.put(document, place, value)
+            path.write_text(json.dumps(document))
+            with suppress(InputError):
+                assert len(store.load(folder).combinations) == 4
+
+    def test_folders_of_combinations_elsewhere(self, tmp_path: Path) -> None:
+        """A summary cannot lead out of its folder."""
+        folder = store.write(synthetic.combined(), tmp_path / "raft")
+        (folder / "02-nul").rename(tmp_path / "02-nul")
+        text = (folder / "summary.json").read_text()
+        (folder / "summary.json").write_text(text.replace('"folder": "02-nul"', '"folder": "../02-nul"'))
+        with pytest.raises(InputError, match="02-nul"):
+            store.load(folder)
+
+
+class TestElsewhere:
+    """Results whose folder cannot be written."""
+
+    def test_a_place_that_somebody_took_meanwhile(self, folder: Path) -> None:
+        """They are kept in a new folder beside it, whole."""
+        (folder / "notes.txt").write_text("mine")
+        for number in (2, 3):
+            assert store.write_elsewhere(NEW, folder) == folder.with_name(f"raft-{number}")
+        synthetic.assert_same(archive.load(folder.with_name("raft-2") / "results.npz"), NEW)
+
+    def test_a_full_disk(self, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """They are kept among temporary files, if these are on another disk; else nothing is left anywhere."""
+        (tmp_path / "temporary").mkdir()
+        monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "temporary"))
+        fsync = os.fsync
+
+        def full(handle: int) -> None:
+            if all_full or "temporary" not in str(Path(f"/proc/self/fd/{handle}").readlink()):
+                raise OSError(28, "No space left on device")
+            fsync(handle)
+
+        if not Path("/proc/self/fd").is_dir():
+            pytest.skip("needs Linux, to tell two disks apart")
+        monkeypatch.setattr(os, "fsync", full)
+        all_full = False
+        kept = store.write_elsewhere(NEW, folder)
+        assert kept is not None
+        assert kept.is_relative_to(tmp_path / "temporary")
+        synthetic.assert_same(archive.load(kept / "results.npz"), NEW)
+        shutil.rmtree(kept.parent)
+        all_full = True
+        assert store.write_elsewhere(NEW, folder) is None
+        assert list((tmp_path / "temporary").iterdir()) == []
+        assert debris(folder) == []
+
+
 class TestRefuse:
     """What is in the way is named and left untouched."""
 
@@ -284,6 +402,69 @@ class TestRefuse:
         _link(folder / "plate.vtu", tmp_path / "elsewhere.vtu")
         with pytest.raises(InputError, match=r"plate\.vtu"):
             store.write(NEW, folder)
+
+    @pytest.mark.parametrize(
+        "name",
+        ["thesis.docx", "case.md", "sub/thesis.docx", "../thesis.docx", "tables/../thesis.docx", "Plate.vtu",
+         "01-A/plate.vtu", "tables/thesis.CSV", "increments/plate.vtu", "raft.toml", "01-a/case.toml", ".bashrc", ""],
+    )  # fmt: skip
+    def test_a_summary_that_names_what_is_not_ours(self, folder: Path, name: str) -> None:
+        """A file is not ours because a summary says so: names that are never written protect the whole folder."""
+        mine = folder / (name or "mine.txt")
+        mine.parent.mkdir(exist_ok=True)
+        mine.write_text("mine")
+        summary = json.loads((folder / "summary.json").read_text())
+        summary["files"] += [name, str(mine)]
+        (folder / "summary.json").write_text(json.dumps(summary))
+        before = tree(folder.parent)
+        if name.startswith("..") or "/../" in name:
+            # they lie outside of it or are called otherwise there, and stay
+            store.write(NEW, folder) if name.startswith("..") else None
+        else:
+            with pytest.raises(InputError):
+                store.write(NEW, folder)
+            assert tree(folder.parent) == before
+        assert mine.read_text() == "mine"
+
+    @pytest.mark.parametrize("name", ["plate.vtu", "picture.png", "results.npz", "tables/tilt.csv", "case.toml"])
+    def test_a_name_of_ours_with_something_else_in_it(self, folder: Path, name: str) -> None:
+        """Where one of our names holds another kind of file, it is the user's, listed or not."""
+        (folder / name).write_bytes(b"\0 mine")
+        summary = json.loads((folder / "summary.json").read_text())
+        summary["files"].append(name)
+        (folder / "summary.json").write_text(json.dumps(summary))
+        with pytest.raises(InputError, match=Path(name).name):
+            store.write(NEW, folder)
+        assert (folder / name).read_bytes() == b"\0 mine"
+        assert debris(folder) == []
+
+    def test_every_name_is_a_name_of_ours(self, tmp_path: Path) -> None:
+        """Whatever is written, with many combinations and increments too, is among the names that may be replaced."""
+        combined = synthetic.combined()
+        state = Increment(0.5, OLD.plate, OLD.elements, OLD.ground)
+        first = replace(combined.results["NUL"], increments=(state,) * 100)
+        results = combined.results | {"NUL": first}
+        folder = store.write(replace(combined, results=results), tmp_path / "raft", plot=True)
+        assert "02-nul/increments/100-plate.vtu" in tree(folder)
+        assert all(map(is_path, tree(folder)))
+        assert all(is_path(f"{folder_name(number, 'x' * 300, 12345)}/plate.vtu") for number in (1, 12345))
+        assert max(map(len, tree(folder))) < len(DEEPEST)
+        assert len(f"{folder_name(12345, 'x' * 300, 12345)}/increments/12345-ground.vtu") <= len(DEEPEST)
+
+    def test_names_that_are_too_long(self, tmp_path: Path) -> None:
+        """They are found out before the analysis; the longest that the system takes can be written and replaced."""
+        with pytest.raises(InputError, match="too long"):
+            store.check(tmp_path / ("x" * 256))
+        deep = tmp_path.joinpath(*["y" * 250] * 15)
+        missing = 4095 - len(os.fsencode(deep))  # of Linux, with the zero at the end
+        with pytest.raises(InputError, match="too long"):
+            store.check(deep / ("x" * min(250, missing - 30)))
+        for length in (236, 255):
+            for results in (OLD, NEW):
+                folder = store.write(results, tmp_path / "long" / ("x" * length))
+                assert store.check(folder) == folder
+                assert debris(folder) == [] or length == 255
+                synthetic.assert_same(archive.load(folder / "results.npz"), results)
 
     @pytest.mark.parametrize("summary", [None, "{", "[]", '{"program": "other", "files": ["a.txt"]}', '{"files": 3}'])
     def test_a_folder_without_our_summary(self, tmp_path: Path, summary: str | None) -> None:

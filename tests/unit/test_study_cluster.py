@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import http.client
 import os
 import signal
+import socket
+import ssl
 import subprocess
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
 from pathlib import Path
 
 import psutil
@@ -234,3 +237,104 @@ def test_differences() -> None:
         ("b", "numpy 2.0"), ("c", "no groundslab"), ("c", "gstools 1.6")
     ]  # fmt: skip
     assert asked.versions(("groundslab", "no_such_package_at_all", "python")).keys() == {"python", "groundslab"}
+
+
+def listening(process: psutil.Process) -> list[int]:
+    """Return the ports on which a process and those that it started listen."""
+    found = []
+    for each in (process, *process.children(recursive=True)):
+        found += [to.laddr for to in each.net_connections("tcp") if to.status == psutil.CONN_LISTEN]
+    assert all(place.ip == "127.0.0.1" for place in found)
+    return [place.port for place in found]
+
+
+def refuses_strangers(port: int) -> bool:
+    """Return whether a port ends every conversation with who has no key: plain, over HTTP, and over TLS."""
+    with socket.create_connection(("127.0.0.1", port), timeout=PATIENCE) as plain:
+        plain.sendall(b"GET /status HTTP/1.1\r\nHost: evil.example\r\n\r\n")
+        with suppress(ConnectionError):
+            if plain.recv(1) != b"":
+                return False
+    context = ssl.create_default_context()
+    context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+    try:
+        with (
+            socket.create_connection(("127.0.0.1", port), timeout=PATIENCE) as plain,
+            context.wrap_socket(plain) as wrapped,
+        ):
+            return wrapped.recv(1) == b""
+    except (ssl.SSLError, ConnectionError):
+        return True
+
+
+def test_strangers_are_kept_out() -> None:
+    """Each port of the local cluster, those of its workers too, asks for the run's keys; no page is served."""
+    import distributed
+
+    before = set(listening(psutil.Process()))
+    with cluster.local(2, 2) as found:
+        ports = set(listening(psutil.Process())) - before
+        assert len(ports) == 5  # scheduler, two workers, and what looks after each of them
+        assert all(map(refuses_strangers, ports))
+        assert found.dashboard == ""
+        address = found.client.scheduler.address
+        assert address.startswith("tls://127.0.0.1:")
+        for other in (address, address.replace("tls://", "tcp://")):
+            keys = distributed.Security.temporary() if other.startswith("tls") else None
+            with pytest.raises(OSError, match=r"TLS certificate|TCP|timed out"):
+                distributed.Client(other, timeout=5, security=keys)
+        assert found.threads == 2
+
+
+def test_dashboard_when_asked_for() -> None:
+    """The dashboard is there if asked for, on the loopback, and answers no other name than that of the loopback."""
+    with cluster.local(1, 1, dashboard=True) as found:
+        assert found.dashboard.startswith("http://127.0.0.1:")
+        port = int(found.dashboard.split(":")[2].split("/")[0])
+        for host, code in (("127.0.0.1", 200), ("localhost", 200), ("evil.example", 404)):
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=PATIENCE)
+            with closing(connection):
+                connection.request("GET", "/status", headers={"Host": host})
+                assert connection.getresponse().status == code
+
+
+def test_without_cryptography(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the package that makes keys nothing is opened, and the fault says what to install."""
+    monkeypatch.setitem(sys.modules, "cryptography", None)
+    for name in [name for name in sys.modules if name.startswith("cryptography.")]:
+        monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(InputError, match=r"cryptography.*groundslab\[study\]"):
+        groundslab.study(write(tmp_path), workers=1, quiet=True)
+
+
+def test_a_scheduler_with_keys(tmp_path: Path) -> None:
+    """With the keys in Dask's configuration a scheduler at tls:// solves the study; without them that is a fault."""
+    import distributed
+
+    made = distributed.Security.temporary()
+    (tmp_path / "ca.pem").write_text(made.tls_ca_file)
+    (tmp_path / "pair.pem").write_text(made.tls_client_cert + made.tls_client_key)
+    tls = "DASK_DISTRIBUTED__COMM__TLS__"
+    keys = {f"{tls}CA_FILE": str(tmp_path / "ca.pem"), "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "true"}
+    for role in ("SCHEDULER", "WORKER", "CLIENT"):
+        keys |= {f"{tls}{role}__{part}": str(tmp_path / "pair.pem") for part in ("CERT", "KEY")}
+    told = tmp_path / "scheduler.json"
+    with ExitStack() as stack:
+        arguments = ("--host", "tls://127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(told))
+        stack.enter_context(ended(started("distributed.cli.dask_scheduler", *arguments, **keys)))
+        wait_for(lambda: told.exists() and "address" in told.read_text())
+        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+        assert address.startswith("tls://")
+        options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
+        stack.enter_context(ended(started("distributed.cli.dask_worker", address, *options, **keys)))
+        path = write(tmp_path)
+        command = ("groundslab", "study", str(path), "--scheduler", address, "--quiet")
+        with ended(started(*command)) as process:
+            _, err = process.communicate(timeout=PATIENCE)
+        assert process.returncode == 2
+        assert "distributed.comm.tls" in err
+        assert "Traceback" not in err
+        with ended(started(*command, "--resume", **keys)) as process:
+            said = process.communicate(timeout=PATIENCE)
+        assert process.returncode == 0, said
+    assert len(groundslab.open_study(tmp_path / "study-study")) == 12

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import os
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ import groundslab
 from groundslab import Mesh, Model, Plate, UniformLoad, Winkler, casefile
 from groundslab.cli import main
 from groundslab.errors import InputError
-from groundslab.study import StudyFile, evaluate, reliability
+from groundslab.study import StudyFile, evaluate, reliability, writing
 from groundslab.study.opened import Study
 from groundslab.study.reading import sample_in
 from groundslab.study.writing import tables_of
@@ -102,12 +103,75 @@ def test_maps_are_the_rows(study: Study) -> None:
 def test_evaluating_again_replaces_the_old_evaluation(tmp_path: Path) -> None:
     """An evaluation takes the place of the one before, with nothing left of it and nothing left beside it."""
     study = run(tmp_path, "latin hypercube", 4, [Q, K])
-    (study.folder / "evaluation").mkdir()
-    (study.folder / "evaluation" / "old.csv").write_text("old", encoding="utf-8")
-    first, second = evaluate(study), evaluate(study)
-    assert first == second
-    assert not (study.folder / "evaluation" / "old.csv").exists()
+    first = evaluate(study)
+    older = study.folder / "evaluation" / "sobol.csv"  # which only another kind of sample has
+    older.write_text("input,unit\nq,kPa\n", encoding="utf-8")
+    assert evaluate(study) == first
+    assert not older.exists()
     assert not [each for each in study.folder.iterdir() if each.name.startswith(".")]
+
+
+@pytest.mark.parametrize("name", ["notes.txt", "variants-mine.csv", "statistics.csv", "folder"])
+def test_evaluations_hold_nothing_of_the_users(study: Study, name: str) -> None:
+    """What the user has put among the tables, or in the place of one, is named, and all stays as it is."""
+    evaluate(study)
+    foreign = study.folder / "evaluation" / name
+    before = foreign.read_bytes() if foreign.is_file() else None
+    if name == "folder":
+        foreign.mkdir()
+    else:
+        foreign.write_bytes(b"\0 mine")
+    try:
+        with pytest.raises(InputError, match=name):
+            evaluate(study)
+        assert foreign.is_dir() or foreign.read_bytes() == b"\0 mine"
+    finally:
+        if name == "folder":
+            foreign.rmdir()
+        elif before is None:
+            foreign.unlink()
+        else:
+            foreign.write_bytes(before)
+
+
+@pytest.mark.parametrize("failing", ["fsync", "second rename"])
+def test_an_evaluation_that_fails_leaves_the_earlier_one(
+    study: Study, monkeypatch: pytest.MonkeyPatch, failing: str
+) -> None:
+    """On a full disk, or where the new folder cannot be put in place, all files of the old one are as they were."""
+    before = {path.name: path.read_bytes() for path in map(Path, evaluate(study))}
+    rename, calls = os.rename, []
+
+    def full(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    def once(*arguments: Any, **options: Any) -> None:
+        calls.append(arguments)
+        if len(calls) == 2:
+            raise OSError(28, "No space left on device")
+        rename(*arguments, **options)
+
+    monkeypatch.setattr(os, *("fsync", full) if failing == "fsync" else ("rename", once))
+    with pytest.raises(InputError, match="No space left"):
+        evaluate(study)
+    monkeypatch.undo()
+    assert {path.name: path.read_bytes() for path in (study.folder / "evaluation").iterdir()} == before
+    assert not [each for each in study.folder.iterdir() if each.name.startswith(".")]
+
+
+def test_an_evaluation_that_a_crash_left_aside_comes_back(study: Study) -> None:
+    """Between the two renames the old evaluation lies aside, whole; the next one begins from it."""
+    folder = evaluate(study)[0].parent
+    folder.rename(folder.with_name(".evaluation.previous"))
+    assert writing.check(study) == folder
+    assert (folder / "report.html").is_file()
+    assert not [each for each in study.folder.iterdir() if each.name.startswith(".")]
+
+
+def test_every_file_of_an_evaluation_is_known(study: Study) -> None:
+    """Each name that an evaluation writes is among those that it may replace, design points too."""
+    names = {path.name for path in evaluate(study, [reliability(study)])}
+    assert {"reliability.csv", "design_points.csv"} <= names <= writing.NAMES
 
 
 def test_saltellis_sample_of_the_engine_fits_the_analysis(tmp_path: Path) -> None:
@@ -241,3 +305,20 @@ def test_commands_refuse_what_they_cannot_evaluate(tmp_path: Path, capsys: pytes
         main(["evaluate", str(tmp_path), "--level", "95"])
     assert caught.value.code == 2
     assert "between 0 and 1" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["rows.sqlite", "about.json", "case.toml"])
+@pytest.mark.parametrize("content", [b"", b"\0" * 5000, b"[" * 100_000])
+def test_damaged_studies_are_told_as_such(
+    study: Study, tmp_path: Path, name: str, content: bytes, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whatever has become of a file in its folder, a study is read or refused with exit code 2, with no traceback."""
+    import shutil
+
+    folder = tmp_path / "study"
+    shutil.copytree(study.folder, folder)
+    whole = (folder / name).read_bytes()
+    # an SQLite file that begins well, too
+    (folder / name).write_bytes(whole[:1000] + content if name == "rows.sqlite" else content)
+    assert main(["evaluate", str(folder)]) == 2
+    assert "in the input" in capsys.readouterr().err

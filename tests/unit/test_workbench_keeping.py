@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from groundslab import atomic
 from groundslab.errors import InputError
 from groundslab.workbench import files, keeping
 from groundslab.workbench.document import Document
@@ -24,43 +24,6 @@ def case(tmp_path: Path) -> Path:
     path = tmp_path / "raft.toml"
     path.write_text(TEXT, encoding="utf-8")
     return path
-
-
-def test_a_file_is_written_whole_or_not_at_all(case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where writing fails half-way the old content stays, and nothing is left beside it; the mode is kept."""
-    case.chmod(0o640)
-    files.write(case, b"new")
-    assert case.read_bytes() == b"new"
-    assert case.stat().st_mode & 0o777 == 0o640 or os.name == "nt"
-
-    def full(_: int) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(OSError, match="No space"):
-        files.write(case, b"newer")
-    assert case.read_bytes() == b"new"
-    assert [path.name for path in case.parent.iterdir()] == ["raft.toml"]
-
-
-def test_half_written_files_are_swept(case: Path) -> None:
-    """What a killed process left half written goes after a while; what another one may be writing stays."""
-    names = (".raft.toml.partial-0123abcd", ".raft.toml.partial-aaaaaaaa", ".raft.toml.partial-no")
-    for name in names:
-        case.with_name(name).write_bytes(b"half")
-    os.utime(case.with_name(names[0]), (1, 1))
-    os.utime(case.with_name(names[2]), (1, 1))
-    files.sweep(case)
-    assert sorted(path.name for path in case.parent.iterdir()) == [*names[1:], "raft.toml"]
-
-
-def test_links_are_followed(case: Path) -> None:
-    """A case that is a link stays one; what it leads to is written."""
-    link = case.with_name("link.toml")
-    link.symlink_to(case)
-    files.write(link, b"new")
-    assert link.is_symlink()
-    assert case.read_bytes() == b"new"
 
 
 def test_work_is_kept_and_found(case: Path, tmp_path: Path) -> None:
@@ -99,15 +62,15 @@ def test_declined_work_is_put_aside(case: Path, tmp_path: Path) -> None:
 
 def test_a_folder_that_cannot_be_written_to(case: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The work then lies in the state folder, and is found there."""
-    state, write = tmp_path / "state", files.write
+    state, write = tmp_path / "state", atomic.write
 
     def refusing(path: Path, content: bytes, private: bool = False) -> None:
         if path.parent == case.parent:
             raise PermissionError(13, "Permission denied")
         path.parent.mkdir(parents=True, exist_ok=True)
-        write(path, content, private)
+        write(path, content, private=private)
 
-    monkeypatch.setattr(files, "write", refusing)
+    monkeypatch.setattr(atomic, "write", refusing)
     Keeper(case, state).keep(Document("n = 1\n"), None)
     (offer,) = Keeper(case, state).offers()
     assert offer.path.parent == state / "unsaved"
@@ -120,7 +83,7 @@ def test_no_place_at_all(case: Path, tmp_path: Path, monkeypatch: pytest.MonkeyP
     def refusing(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(files, "write", refusing)
+    monkeypatch.setattr(atomic, "write", refusing)
     with pytest.raises(OSError, match="No space"):
         Keeper(case, tmp_path / "state").keep(Document("n = 1\n"), None)
 

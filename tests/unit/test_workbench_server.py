@@ -15,9 +15,9 @@ import pytest
 import asgi
 import workers
 from asgi import Answer, Headers
-from groundslab import casefile
+from groundslab import atomic, casefile
 from groundslab.errors import InputError
-from groundslab.workbench import events, files
+from groundslab.workbench import events
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.guard import HEADERS, LARGEST, refusal
 
@@ -407,7 +407,7 @@ def test_a_full_disk(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) 
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr(files, "write", full)
+        patch.setattr(atomic, "write", full)
         state = bench.set(["plate", "nu"], 0.3)
         assert "no space left" in state["unkept"]
         assert "no space left" in bench.post("/api/save", status=422)["error"]["got"]

@@ -31,7 +31,8 @@ def plot(
     Fields are those of results.PLATE_FIELDS by name or symbol, m_1, m_2, bottom_x, bottom_y, top_x and top_y. Kinds are
     plan (if nothing is said), deformed, lines (if a line is given), soil and convergence; docs/plots.md shows each.
     Without a combination all certified ones are drawn. An envelope is that of a limit state; a line is x1, y1, x2, y2
-    in metres, or several of these. A PDF has pages of A4 width, other files are one sheet. Raises InputError.
+    in metres, or several of these. A PDF has pages of A4 width, other files are one sheet. A file that exists is
+    replaced only if groundslab drew it. Raises InputError.
     """
     from groundslab.plots import files
     from groundslab.plots.wish import wish_of
@@ -40,7 +41,7 @@ def plot(
     wish = wish_of(combined, fields, kind, combination, envelope, line)
     if to is None:
         return _sheet(wish)
-    files.format_of(to)
+    files.check(to)
     written = write(wish, to)
     return written[0] if len(written) == 1 else _sheet(wish)
 

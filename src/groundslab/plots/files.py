@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab import __version__
+from groundslab import __version__, atomic
 from groundslab.errors import Fault, InputError
 from groundslab.findings import listed, quote
 from groundslab.plots.style import styled
+from groundslab.provenance import is_figure, require_replaceable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,21 +30,40 @@ def format_of(path: str | Path) -> str:
     return ending[1:]
 
 
-def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> None:
-    """Write figures into a file: into a PDF as pages, into another one a single figure.
+def check(path: str | Path) -> Path:
+    """Return the full path if figures may be written there; else raise InputError saying why not."""
+    format_of(path)
+    return require_replaceable(path, is_figure, "a figure that groundslab drew")
 
-    Nothing in the file tells when it was written.
+
+def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> None:
+    """Write figures into a file, whole or not at all: into a PDF as pages, into another one a single figure.
+
+    An existing file is replaced only if groundslab drew it. Nothing in the file tells when it was written.
     """
-    kind = format_of(path)
+    target = check(path)
+    content = content_of(figures, format_of(path), dpi)
+    try:
+        atomic.write(target, content)
+    except OSError as error:
+        hint = "make room or choose another place; what was there is as it was"
+        got = error.strerror or str(error)
+        raise InputError([Fault(str(path), got, "a file that can be written", hint)]) from error
+
+
+def content_of(figures: Sequence[Figure], kind: str, dpi: float = DPI) -> bytes:
+    """Return a file of figures as its bytes, whose kind is "pdf", "svg" or "png"."""
+    file = BytesIO()
     made_by = f"groundslab {__version__}"
     with styled():
         if kind == "pdf":
             from matplotlib.backends.backend_pdf import PdfPages
 
-            with PdfPages(path, metadata={"Creator": made_by, "CreationDate": None}) as pages:
+            with PdfPages(file, metadata={"Creator": made_by, "CreationDate": None}) as pages:
                 for figure in figures:
                     figure.savefig(pages, format="pdf", dpi=dpi)
-            return
+            return file.getvalue()
         (figure,) = figures
         about = {"Software": made_by} if kind == "png" else {"Creator": made_by, "Date": None}
-        figure.savefig(path, format=kind, dpi=dpi, metadata=about)
+        figure.savefig(file, format=kind, dpi=dpi, metadata=about)
+    return file.getvalue()

@@ -11,13 +11,13 @@ import gzip
 import hashlib
 import os
 import re
-import secrets
-from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab import __version__, casefile
+from groundslab import __version__, atomic, casefile
 from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.provenance import is_page, require_replaceable
 from groundslab.report.figures import pictures_of
 from groundslab.report.grid import pieces_of, pieces_of_words
 from groundslab.report.page import page_of
@@ -35,8 +35,6 @@ MARK = "groundslab report"
 #: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
 #: apart.
 MOST_DATA = 15_000_000
-#: So much of an existing file is looked at for the mark.
-_START = 4096
 _CONTROL = {code: "\ufffd" for code in [*range(32), 127] if chr(code) not in "\t\n\r"}
 
 
@@ -72,35 +70,17 @@ def write(results: Results | Combined, path: str | Path, *, text: str | None = N
     """Write the report and return its path; an existing file is replaced only if it is a report of groundslab."""
     target = check(path)
     content = html_of(results, text=text, file=file)
-    staging = target.with_name(f".{target.name}.partial-{secrets.token_hex(4)}")
     try:
-        staging.write_text(content, encoding="utf-8", newline="\n")
-        staging.replace(target)
+        atomic.write(target, content.encode())
     except OSError as error:
-        expected = "a file that can be written"
-        raise InputError([Fault(str(target), error.strerror or str(error), expected)]) from error
-    finally:
-        with suppress(OSError):
-            staging.unlink(missing_ok=True)
-    return target
+        expected, hint = "a file that can be written", "make room or choose another place; what was there is as it was"
+        raise InputError([Fault(str(target), error.strerror or str(error), expected, hint)]) from error
+    return Path(path)
 
 
 def check(path: str | Path) -> Path:
-    """Return the path if a report may be written there; else raise InputError saying why not."""
-    target = Path(path)
-    mend = "choose another name; nothing was changed"
-    try:
-        with target.open("rb") as file:
-            start = file.read(_START).decode("utf-8", "replace")
-    except FileNotFoundError:
-        return target
-    except OSError as error:
-        got = "a folder" if target.is_dir() else error.strerror or str(error)
-        raise InputError([Fault(str(target), got, "a file, or a name that is free", mend)]) from None
-    if f'<meta name="generator" content="{MARK}' not in start:
-        expected = "a report of groundslab, or a name that is free"
-        raise InputError([Fault(str(target), "a file that is no report", expected, mend)])
-    return target
+    """Return the full path if a report may be written there; else raise InputError saying why not."""
+    return require_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
 
 
 def default_path(folder: str | Path) -> Path:

@@ -45,6 +45,7 @@ def run(
     out: str | Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
+    dashboard: bool = False,
     resume: bool = False,
     quiet: bool = False,
 ) -> Study:
@@ -52,8 +53,9 @@ def run(
 
     study is a file or a StudyFile; case takes the place of the case that it names. Variants are solved in so many
     processes of this machine (workers, one for each core by default; 0 for none but this), or on the cluster of a Dask
-    scheduler such as "tcp://127.0.0.1:8786". Rows are kept in the folder out, by default `<study>-study` beside the
-    file; with resume a study that is there goes on. Progress is shown on standard error unless quiet.
+    scheduler such as "tcp://127.0.0.1:8786". With dashboard the processes of this machine can be watched in a
+    browser. Rows are kept in the folder out, by default `<study>-study` beside the file; with resume a study that is
+    there goes on. Progress is shown on standard error unless quiet.
 
     Where rows cannot be written, or the scheduler is lost, GroundslabError is raised; rows that were there are kept.
     """
@@ -64,7 +66,7 @@ def run(
         raise InputError([Fault("workers", "workers and a scheduler", "one of them", "a cluster has its own workers")])
     read = files.read(study, case) if isinstance(study, str | Path) else files.made(study, case)
     folder = folder_of(study, out)
-    where = running.Where(workers, scheduler)
+    where = running.Where(workers, scheduler, dashboard)
     with terminal.shown(quiet) as on_progress:
         running.run(read, folder, where, resume, on_progress)
     return opened.Study(folder)

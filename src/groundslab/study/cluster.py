@@ -3,6 +3,9 @@
 The setup of a study goes to each worker once, as a plugin that new and restarted workers are given too; tasks are
 small. Only some more tasks than there are threads are under way at a time. A task whose worker dies is given to
 another by Dask's scheduler; one that has brought down several workers comes back as a mishap.
+
+The processes of this machine talk to each other over TLS with keys that are made for the run and stay in their memory:
+nobody else can have them run anything.
 """
 
 from __future__ import annotations
@@ -44,7 +47,12 @@ SETTINGS = {
     "distributed.scheduler.worker-saturation": 1.0,
     # workers that look at themselves every few milliseconds take a fifth longer for small cases
     "distributed.worker.profile.enabled": False,
+    # each process would serve pages over HTTP
+    "distributed.worker.http.routes": [],
+    "distributed.worker.preload": ["groundslab.study.plugin"],
 }
+NO_PAGES: dict[str, Any] = {"distributed.scheduler.http.routes": []}
+LOOPBACK = "127.0.0.1"
 DASHBOARD = 8787  # port, where it is free
 
 
@@ -75,16 +83,24 @@ class Cluster:
 
 
 @contextmanager
-def local(workers: int | None, most: int) -> Iterator[Cluster]:
-    """Return a cluster on this machine, of processes with one thread: one for each core by default, at most `most`."""
+def local(workers: int | None, most: int, dashboard: bool = False) -> Iterator[Cluster]:
+    """Return a cluster on this machine, of processes with one thread: one for each core by default, at most `most`.
+
+    Only who has the keys made here can connect to it. Dask's dashboard is there if it is asked for.
+    """
     distributed, dask = _dask()
-    with dask.config.set(SETTINGS):
+    security, port = _keys(distributed), _free_port(DASHBOARD) if dashboard else 0
+    with dask.config.set(SETTINGS | (_dashboard_settings(port) if dashboard else NO_PAGES)):
         try:
             cluster = distributed.LocalCluster(
                 n_workers=min(workers or dask.system.CPU_COUNT, most),
                 threads_per_worker=1,
                 processes=True,
-                dashboard_address=f"127.0.0.1:{_free_port(DASHBOARD)}",
+                host=LOOPBACK,
+                protocol="tls://",
+                security=security,
+                dashboard_address=f"{LOOPBACK}:{port}",
+                scheduler_kwargs={"dashboard": dashboard},
                 silence_logs=logging.CRITICAL,
             )
         except RuntimeError as error:
@@ -92,31 +108,65 @@ def local(workers: int | None, most: int) -> Iterator[Cluster]:
             mend = 'call groundslab.study in a file, below if __name__ == "__main__":, or with workers=0'
             raise InputError([Fault("workers", f"none that start ({error})", "processes of Python", mend)]) from error
         with cluster, distributed.Client(cluster) as client:
-            yield Cluster(client, cluster.dashboard_link, own=True)
+            _guard_pages(cluster.scheduler, dashboard)
+            yield Cluster(client, cluster.dashboard_link if dashboard else "", own=True)
+
+
+def _keys(distributed: Any) -> Any:
+    """Return a key and a certificate for this run alone, kept in memory; who connects must have them."""
+    try:
+        return distributed.Security.temporary()
+    except ImportError:
+        expected = "cryptography, which makes the keys of a run"
+        hint = "pip install groundslab[study]; --workers 0 does without it"
+        raise InputError([Fault("cryptography", "nothing that can be imported", expected, hint)]) from None
+
+
+def _dashboard_settings(port: int) -> dict[str, Any]:
+    """Return the settings by which the dashboard talks to its own pages alone."""
+    origins = [f"{LOOPBACK}:{port}", f"localhost:{port}"]
+    return {"distributed.scheduler.dashboard.bokeh-application.allow_websocket_origin": origins}
+
+
+def _guard_pages(scheduler: Any, dashboard: bool) -> None:
+    """Close the scheduler's port for HTTP, or answer only who asks for this machine by a name of the loopback."""
+    if not dashboard:
+        scheduler.http_server.stop()
+        return
+    from tornado.routing import HostMatches, Rule, RuleRouter
+
+    here = HostMatches(r"^(127\.0\.0\.1|localhost)$")
+    scheduler.http_server.request_callback = RuleRouter([Rule(here, scheduler.http_application)])
 
 
 def _free_port(port: int) -> int:
-    """Return a port of the loopback if nobody has it, else 0 for any."""
+    """Return a port of the loopback that nobody has, this one if possible."""
     with socket.socket() as tried:
         try:
-            tried.bind(("127.0.0.1", port))
+            tried.bind((LOOPBACK, port))
         except OSError:
-            return 0
-    return port
+            return _free_port(0)
+        found: int = tried.getsockname()[1]
+        return found
 
 
 @contextmanager
 def there(scheduler: str, setup: Setup) -> Iterator[Cluster]:
-    """Return the cluster of a scheduler that runs already; InputError if it cannot be used."""
+    """Return the cluster of a scheduler that runs already; InputError if it cannot be used.
+
+    For an address that begins with tls:// the keys are those that Dask's configuration names.
+    """
     distributed, _ = _dask()
     # what becomes of the connection is told in our own words
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     try:
         client = distributed.Client(scheduler, timeout=CONNECT)
-    except (OSError, ValueError) as error:
-        raise InputError(
-            [Fault("scheduler", f"{scheduler}: {error}", 'a Dask scheduler such as "tcp://127.0.0.1:8786"')]
-        ) from None
+    except (OSError, ValueError, TypeError, RuntimeError) as error:
+        hint = ""
+        if scheduler.startswith("tls:"):
+            hint = "keys are those that distributed.comm.tls names in Dask's configuration; see docs/study.md"
+        expected = 'a Dask scheduler such as "tcp://127.0.0.1:8786"'
+        raise InputError([Fault("scheduler", f"{scheduler}: {error}", expected, hint)]) from None
     try:
         with suppress(TimeoutError):
             client.wait_for_workers(1, timeout=PATIENCE)

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 
 #: The quantiles that are told of each output.
 QUANTILES = (0.05, 0.5, 0.95)
+#: The names of all tables that there can be.
+NAMES = (
+    "variants", "statistics", "limit_states", "exceedance", "sobol", "tornado", "correlations", "missing"
+)  # fmt: skip
 #: Points of an exceedance curve in its table.
 MOST_POINTS = 200
 

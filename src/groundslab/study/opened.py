@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import sqlite3
+import zlib
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -69,12 +72,12 @@ class Study:
 
     def __len__(self) -> int:
         """Return how many variants have a row."""
-        with self._store() as rows:
+        with self.opened_rows() as rows:
             return rows.count()
 
     def counts(self) -> dict[str, int]:
         """Return how many variants are solved, and how many failed for each reason."""
-        with self._store() as rows:
+        with self.opened_rows() as rows:
             return rows.counts()
 
     def table(self) -> pd.DataFrame:
@@ -92,18 +95,18 @@ class Study:
             ) from None
         columns = columns_in(self.setup)
         names = [*store.FIXED, *columns.inputs, *columns.results]
-        with self._store() as rows:
+        with self.opened_rows() as rows:
             frame = pd.DataFrame(rows.rows(names), columns=names).set_index("number")
         return frame.astype(dict.fromkeys(["seconds", *columns.results], float))
 
     def mishaps(self) -> dict[int, str]:
         """Return why variants have no row, by their numbers: what happened to the machine, not to the variant."""
-        with self._store() as rows:
+        with self.opened_rows() as rows:
             return rows.mishaps()
 
     def runs(self) -> list[dict[str, Any]]:
         """Return when the study was run, and with which versions."""
-        with self._store() as rows:
+        with self.opened_rows() as rows:
             return rows.runs()
 
     def blocks(self) -> dict[str, range]:
@@ -120,14 +123,14 @@ class Study:
         All variants must have the same mesh, else InputError is raised.
         """
         self.mesh(name)
-        with self._store() as rows:
+        with self.opened_rows() as rows:
             for number, _, values in rows.fields(self._column(name)):
                 yield number, values
 
     def mesh(self, name: str) -> Mesh:
         """Return the mesh that a field kept everywhere is given on; InputError if there is none or more than one."""
         self._column(name)
-        with self._store() as rows:
+        with self.opened_rows() as rows:
             meshes = rows.meshes()
         if len(meshes) != 1:
             got = f"{len(meshes)} meshes, as what varies changes the mesh" if meshes else "no variant with a field yet"
@@ -156,8 +159,15 @@ class Study:
             return Map(mesh, found.deviation, output.unit, found.n)
         return Map(mesh, found.below_zero, "", found.n)
 
-    def _store(self) -> store.Store:
-        return store.Store(self.folder, columns_in(self.setup), read_only=True)
+    @contextmanager
+    def opened_rows(self) -> Iterator[store.Store]:
+        """Return the rows while they are read; raises InputError if they are damaged."""
+        try:
+            with store.Store(self.folder, columns_in(self.setup), read_only=True) as rows:
+                yield rows
+        except (sqlite3.Error, zlib.error) as error:
+            expected, hint = "the rows that groundslab study wrote", "copy the folder back from where it is whole"
+            raise InputError([Fault(str(self.folder / store.ROWS), str(error), expected, hint)]) from error
 
     def _column(self, name: str) -> str:
         """Return the column of a field kept everywhere, by its name or by what it is of."""

@@ -15,6 +15,11 @@ from groundslab.study.setup import Setup
 from groundslab.study.variant import Row, Worker
 
 
+def dask_setup(worker: Any) -> None:
+    """Close a worker's port for HTTP; Dask calls this when it starts a worker of the local cluster."""
+    worker.http_server.stop()
+
+
 class Plugin(WorkerPlugin):  # type: ignore[misc]
     """The setup of a study, and for each thread of a worker what its variants have in common."""
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def sample_in(study: Study) -> Gathered:
     """Return all rows of a study that are there; of one that still runs, those that it has so far."""
     setup, columns = study.setup, columns_in(study.setup)
-    with store.Store(study.folder, columns) as kept:
+    with study.opened_rows() as kept:
         rows = kept.rows([*store.FIXED, *columns.inputs, *columns.results])
     table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in columns.all]
     number, status, reason, message, seconds = table[: len(store.FIXED)]

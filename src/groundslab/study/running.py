@@ -33,6 +33,7 @@ class Where:
 
     workers: int | None = None  # None: one for each core
     scheduler: str | None = None
+    dashboard: bool = False  # Dask's, of the processes of this machine
 
 
 @dataclass(slots=True)
@@ -110,7 +111,7 @@ def _solving(
         return
     with ExitStack() as stack:
         if where.scheduler is None:
-            found = stack.enter_context(cluster.local(where.workers, len(todo)))
+            found = stack.enter_context(cluster.local(where.workers, len(todo), where.dashboard))
         else:
             found = stack.enter_context(cluster.there(where.scheduler, read.setup))
         count = found.threads

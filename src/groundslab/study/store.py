@@ -15,8 +15,6 @@ from __future__ import annotations
 
 import json
 import os
-import secrets
-import shutil
 import sqlite3
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
@@ -27,6 +25,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab import atomic
 from groundslab.errors import Fault, GroundslabError, InputError
 from groundslab.mesh import Mesh
 from groundslab.study.variant import Row, key_of
@@ -36,6 +35,8 @@ if TYPE_CHECKING:
 
 STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
 FORMAT = 1
+#: Types of what about.json holds and is read from there.
+_TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
 #: Columns before those of the study.
 FIXED = ("number", "status", "reason", "message", "seconds")
 
@@ -46,28 +47,30 @@ class StoreFull(GroundslabError):
 
 def create(folder: Path, study: str, case: str, about: Mapping[str, Any], columns: Columns) -> None:
     """Make the folder of a study, whole or not at all; raises InputError if the name is taken or cannot be written."""
-    if os.path.lexists(folder):
-        raise InputError([Fault(str(folder), "a name that is taken", "a name that is free", "choose another folder")])
-    staging = folder.with_name(f".{folder.name}.partial-{secrets.token_hex(4)}")
-    try:
-        staging.mkdir(parents=True)
+
+    def fill(staging: Path) -> None:
         (staging / STUDY).write_text(study, encoding="utf-8")
         (staging / CASE).write_text(case, encoding="utf-8")
         (staging / ABOUT).write_text(json.dumps({"format": FORMAT, **about}, indent=2) + "\n", encoding="utf-8")
         with closing(_connect(staging / ROWS)) as connection, connection:
             for statement in columns.statements():
                 connection.execute(statement)
-        for name in (STUDY, CASE, ABOUT, ROWS):
-            with (staging / name).open("r+b") as file:
-                os.fsync(file.fileno())
-        staging.rename(folder)
+
+    try:
+        _require_free(folder)
+        atomic.write_folder(folder, fill, {STUDY, CASE, ABOUT, ROWS}.__contains__, lambda: _require_free(folder))
     except (OSError, sqlite3.Error) as error:
         got = getattr(error, "strerror", None) or str(error)
         raise InputError(
             [Fault(str(folder), got, "a folder that can be written", "make room or choose another")]
         ) from None
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
+
+
+def _require_free(folder: Path) -> None:
+    """Raise InputError if a name is taken."""
+    atomic.require_possible(folder, f"{ROWS}-journal")
+    if os.path.lexists(folder):
+        raise InputError([Fault(str(folder), "a name that is taken", "a name that is free", "choose another folder")])
 
 
 class Columns:
@@ -216,9 +219,11 @@ def about(folder: str | Path) -> dict[str, Any]:
         found = json.loads((path / ABOUT).read_text(encoding="utf-8"))
         if found["program"] == "groundslab study" and (path / ROWS).is_file():
             if found["format"] == FORMAT:
-                return dict(found)
-            expected = f"a folder of format {FORMAT}, which this version reads"
-    except (OSError, ValueError, KeyError, TypeError):
+                if all(isinstance(found[name], kind) for name, kind in _TYPES.items()):
+                    return dict(found)
+            else:
+                expected = f"a folder of format {FORMAT}, which this version reads"
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
     raise InputError([Fault(str(folder), "something else", expected)])
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import secrets
-import shutil
+import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from groundslab import atomic, provenance
 from groundslab.errors import Fault, InputError
 from groundslab.study import evaluation, page, reading
 from groundslab.study.gathered import Unit, unit_for
@@ -20,33 +20,73 @@ if TYPE_CHECKING:
 
 #: The folder within the study's, and the page in it.
 FOLDER, PAGE = "evaluation", "report.html"
+#: All names of files that an evaluation can have.
+NAMES = frozenset({PAGE} | {f"{name}.csv" for name in (*evaluation.NAMES, "reliability", "design_points")})
 
 
 def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float = LEVEL) -> tuple[Path, ...]:
     """Write report.html and the tables as CSV into the folder `evaluation` of a study and return their paths.
 
-    An evaluation that is there is replaced by a whole one or not at all.
+    An evaluation that is there is replaced by a whole one or not at all. If the folder holds anything that groundslab
+    did not write, or cannot be written, InputError is raised.
     """
     from groundslab.study import first_order
 
+    folder = check(study)
     sample = reading.sample_in(study)
     if len(sample.number) == 0:
         raise InputError([Fault(str(study.folder), "a study without a row", "a study with rows to evaluate")])
     tables = [*evaluation.tables_of(sample, level), *(first_order.tables(reliability) if reliability else ())]
     texts = {f"{table.name}.csv": table.csv() for table in tables}
     texts[PAGE] = page.html(sample, origin(study), list(maps(study)), reliability, level)
-    folder = study.folder / FOLDER
-    staging = folder.with_name(f".{FOLDER}.partial-{secrets.token_hex(4)}")
-    try:
-        staging.mkdir()
+
+    def fill(staging: Path) -> None:
         for name, text in texts.items():
             (staging / name).write_text(text, encoding="utf-8", newline="\n")
-        if folder.exists():
-            shutil.rmtree(folder)
-        staging.rename(folder)
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
+
+    try:
+        atomic.write_folder(folder, fill, NAMES.__contains__, lambda: _require_free(folder))
+    except OSError as error:
+        raise _unwritable(folder, error) from error
     return tuple(folder / name for name in (PAGE, *(name for name in texts if name != PAGE)))
+
+
+def check(study: Study) -> Path:
+    """Return the folder of a study's evaluation if it may be written; else raise InputError saying why not.
+
+    Puts back an earlier evaluation first if a crash has left it aside.
+    """
+    folder = study.folder / FOLDER
+    try:
+        atomic.recover_folder(folder, _foreign)
+        _require_free(folder)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    return folder
+
+
+def _require_free(folder: Path) -> None:
+    """Raise InputError if there is anything in an evaluation's place that groundslab did not write."""
+    if not os.path.lexists(folder):
+        return
+    expected, hint = "an evaluation of groundslab, or nothing", "move it away; nothing was changed"
+    if folder.is_symlink() or not folder.is_dir():
+        raise InputError([Fault(str(folder), "something that is no folder", expected, hint)])
+    found = _foreign(folder)
+    if found:
+        got = "something that groundslab did not write"
+        raise InputError([Fault(str(folder / name), got, expected, hint) for name in found])
+
+
+def _foreign(folder: Path) -> list[str]:
+    """Return the paths in a folder that no evaluation has."""
+    return provenance.strangers(folder, NAMES)
+
+
+def _unwritable(folder: Path, error: OSError) -> InputError:
+    """Return the error for a folder that cannot be written; an earlier evaluation there is untouched."""
+    hint = "make room; an earlier evaluation is as it was"
+    return InputError([Fault(str(folder), error.strerror or str(error), "a folder that can be written", hint)])
 
 
 def tables_of(study: Study, level: float = LEVEL) -> tuple[Table, ...]:

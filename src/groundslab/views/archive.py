@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, fields
+import math
+import stat
+import zipfile
+from dataclasses import asdict, dataclass, fields
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,16 +25,47 @@ from groundslab.results import (
     Step,
     SupportResult,
 )
+from groundslab.views.validation import require_sound
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from pydantic import TypeAdapter
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
 FORMAT = 3
 
 
+#: Letters of a library's reason that are told.
+LONGEST_REASON = 300
 #: Arrays that all states have in common.
 MESH = {"nodes", "elements"}
+
+
+@dataclass(frozen=True, slots=True)
+class _Layout:
+    """What every version of an archive says of itself."""
+
+    format: int
+
+
+@dataclass(frozen=True, slots=True)
+class _About:
+    """What an archive holds besides arrays and model; its JSON text is held to these types."""
+
+    format: int
+    version: str
+    constants: Constants
+    certificate: Certificate
+    steps: tuple[Step, ...]
+    solver: str
+    unknowns: int
+    symmetry: tuple[bool, bool]
+    combination: str
+    limit_state: str
+    factors: tuple[tuple[str, float], ...]
+    supports: tuple[str, ...]
+    increments: tuple[float, ...]
 
 
 def write(results: Results, path: Path) -> None:
@@ -65,47 +100,102 @@ def write(results: Results, path: Path) -> None:
 
 
 def load(path: Path) -> Results:
-    """Return the results that ``write`` put into an archive; their arrays cannot be written to."""
-    from zipfile import BadZipFile
+    """Return the results that ``write`` put into an archive; their arrays cannot be written to.
 
+    Raises InputError if anything in it is damaged.
+    """
     try:
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as stored:
-            return _results({name: stored[name] for name in stored.files})
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise _refusal(path, "something that is no file")
+        return _results(_stored(path))
+    except InputError as error:
+        if error.faults[0].where == str(path):
+            raise
+        # of the description within
+        raise _refusal(path, f"a description that is wrong ({error.faults[0]})") from error
     except OSError as error:
         raise _refusal(path, error.strerror or str(error)) from error
-    except (KeyError, ValueError, TypeError, AttributeError, EOFError, BadZipFile) as error:
-        raise _refusal(path, f"something else ({type(error).__name__}: {error})") from error
+    except Exception as error:
+        # whatever a library trips over in a damaged file
+        words = " ".join(f"{type(error).__name__}: {error}".split())
+        raise _refusal(path, f"something else ({words[:LONGEST_REASON]})") from error
+
+
+def _stored(path: Path) -> dict[str, Any]:
+    """Return the arrays of an archive by their names.
+
+    Raises ValueError if any takes more memory than it has bytes in the file, or holds objects.
+    """
+    with path.open("rb") as file, zipfile.ZipFile(file) as archive:
+        members = archive.infolist()
+        if any(member.compress_type != zipfile.ZIP_STORED for member in members):
+            raise ValueError("compressed arrays, which groundslab does not write")
+        if sum(member.file_size for member in members) > path.stat().st_size:
+            raise ValueError("arrays that are larger than the file")
+        return {member.filename.removesuffix(".npy"): _array(archive, member) for member in members}
+
+
+def _array(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> Any:
+    """Return one array of an archive."""
+    with archive.open(member) as file:
+        version = np.lib.format.read_magic(file)
+        of_version = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
+        shape, _, dtype = of_version[version](file)
+        if dtype.hasobject or dtype.itemsize * math.prod(shape) != member.file_size - file.tell():
+            raise ValueError(f"{member.filename}: an array of another size than its bytes")
+        file.seek(0)
+        return np.lib.format.read_array(file, allow_pickle=False)
+
+
+@cache
+def _adapters() -> tuple[TypeAdapter[_Layout], TypeAdapter[_About]]:
+    """Return what reads the JSON text: the version of its layout alone, and all of it."""
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(_Layout), TypeAdapter(_About)
+
+
+def _read_about(text: str) -> _About:
+    """Return what the JSON text says; raises ValueError, which names the first value that is wrong."""
+    from pydantic import ValidationError
+
+    layout, whole = _adapters()
+    try:
+        found = layout.validate_json(text, strict=True).format
+        if found != FORMAT:
+            raise ValueError(f"layout {found}, while this version reads {FORMAT}")
+        return whole.validate_json(text, strict=True)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        raise ValueError(f"about.{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
 
 
 def _results(arrays: dict[str, Any]) -> Results:
-    """Return the results that the arrays of an archive stand for."""
+    """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
     from groundslab import casefile
 
-    about = json.loads(str(arrays["about"]))
-    if about["format"] != FORMAT:
-        raise ValueError(f"layout {about['format']}, while this version reads {FORMAT}")
+    about = _read_about(str(arrays["about"]))
     for array in arrays.values():
         array.flags.writeable = False
-    symmetric_x, symmetric_y = about["symmetry"]
-    constants = about["constants"]
-    return Results(
+    found = Results(
         model=casefile.loads(str(arrays["model"])),
         **_parts("", arrays),
-        constants=Constants(**constants | {"k0": tuple(constants["k0"]), "k1": tuple(constants["k1"])}),
-        certificate=Certificate(**about["certificate"]),
-        steps=tuple(Step(**step) for step in about["steps"]),
-        solver=about["solver"],
-        unknowns=about["unknowns"],
-        symmetry=(symmetric_x, symmetric_y),
-        combination=about["combination"],
-        limit_state=about["limit_state"],
-        factors=tuple((name, factor) for name, factor in about["factors"]),
-        supports=tuple(_support(name, number, arrays) for number, name in enumerate(about["supports"])),
+        constants=about.constants,
+        certificate=about.certificate,
+        steps=about.steps,
+        solver=about.solver,
+        unknowns=about.unknowns,
+        symmetry=about.symmetry,
+        combination=about.combination,
+        limit_state=about.limit_state,
+        factors=about.factors,
+        supports=tuple(_support(name, number, arrays) for number, name in enumerate(about.supports)),
         increments=tuple(
-            Increment(share, **_parts(f"increments.{number}.", arrays))
-            for number, share in enumerate(about["increments"])
+            Increment(share, **_parts(f"increments.{number}.", arrays)) for number, share in enumerate(about.increments)
         ),
     )
+    require_sound(found)
+    return found
 
 
 def _arrays(below: str, state: Results | Increment) -> dict[str, Any]:

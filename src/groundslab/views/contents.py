@@ -19,6 +19,20 @@ if TYPE_CHECKING:
 
 #: Longest name of a combination in the name of its folder.
 LONGEST = 40
+#: A path that is longer than that of any file below a folder of results.
+DEEPEST = "/".join(("0" * (LONGEST + 8), "increments", "00000-ground.vtu"))
+#: The paths of all files that are ever written into a folder of results.
+_PATHS = re.compile(
+    r"(case\.toml|summary\.json|combinations\.csv|envelope\.vtu|(plate|ground)\.pvd|tables/[a-z_]{1,40}\.csv)"
+    rf"|([0-9]{{2,7}}(-[a-z0-9-]{{1,{LONGEST}}})?/)?"
+    r"(plate\.vtu|ground\.vtu|results\.npz|picture\.png|(plate|ground)-increments\.pvd"
+    r"|increments/[0-9]{2,5}-(plate|ground)\.vtu)"
+)
+
+
+def is_path(name: str) -> bool:
+    """Return whether a file of that path below a folder of results can have been written by groundslab."""
+    return _PATHS.fullmatch(name) is not None
 
 
 def of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:

@@ -1,30 +1,22 @@
 """A folder of results, written whole or not at all.
 
-Three folders stand side by side in one parent while results are written:
-
-    NAME                    the results, always whole
-    .NAME.partial-<random>  results in the making, or old ones on their way out: worthless after a crash
-    .NAME.previous          the results that NAME held, whole, for the moment between two renames
-
-A crash leaves NAME as it was, or complete and new, or absent with .NAME.previous beside it, which
-``recover`` mends.
-
-One combination has its files in NAME itself; of several each has a folder in NAME, beside what tells of all of them.
+One combination has its files in the folder itself; of several each has a folder in it, beside what tells of all of
+them. The names of all files stand in summary.json. Only such files are ever removed, if groundslab can have written
+files of these names and they hold what belongs there.
 """
 
 from __future__ import annotations
 
-import json
 import os
-import re
-import secrets
-import shutil
-import time
+import tempfile
+from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import replace
-from pathlib import Path, PurePosixPath
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from functools import cache, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
 
+from groundslab import atomic, provenance
 from groundslab.errors import (
     Fault,
     GroundslabError,
@@ -37,16 +29,12 @@ from groundslab.errors import (
     SingularMatrix,
 )
 from groundslab.results import Combined, Results, alone
+from groundslab.views import archive, contents
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from pydantic import TypeAdapter
 
     from groundslab.views.contents import Writer
-
-#: Files that file managers put into any folder that is looked at.
-LITTER = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})
-#: Age after which a folder left half written is removed [s].
-STALE = 3600.0
 
 
 def write(results: Results | Combined, folder: str | Path, *, plot: bool = False) -> Path:
@@ -56,19 +44,33 @@ def write(results: Results | Combined, folder: str | Path, *, plot: bool = False
     The folder may be missing, empty, or hold only what groundslab wrote; anything else raises InputError.
     """
     target = check(folder)
-    _sweep(target)
-    staging = _beside(target, "partial-" + secrets.token_hex(4))
+    combined = results if isinstance(results, Combined) else alone(results)
+    fill = partial(_fill, combined, plot=plot)
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        staging.mkdir()
-        _fill(results if isinstance(results, Combined) else alone(results), staging, plot)
-        _sync(staging)
-        _swap(staging, target)
+        atomic.write_folder(target, fill, contents.is_path, partial(_require_free, target))
     except OSError as error:
         raise _unwritable(target, error) from error
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
     return target
+
+
+def write_elsewhere(results: Results | Combined, folder: str | Path) -> Path | None:
+    """Write results into another folder than the one that they were meant for, and return it.
+
+    It is a new one beside that folder, or one among the system's temporary files; None if neither can be written.
+    """
+    target = Path(os.path.realpath(folder))
+    name = target.name[:40]
+    beside = (target.with_name(f"{name}-{number}") for number in range(2, 1000))
+    with suppress(GroundslabError, OSError, MemoryError):
+        return write(results, next(path for path in beside if not os.path.lexists(path)))
+    with suppress(GroundslabError, OSError, MemoryError):
+        room = Path(tempfile.mkdtemp(prefix="groundslab-"))
+        try:
+            return write(results, room / name)
+        finally:
+            if not any(room.iterdir()):
+                room.rmdir()
+    return None
 
 
 def check(folder: str | Path) -> Path:
@@ -80,12 +82,17 @@ def check(folder: str | Path) -> Path:
     target = _resolve(folder)
     recover(target)
     try:
-        faults = _in_the_way(target)
+        _require_free(target)
     except OSError as error:
         raise _unwritable(target, error) from error
+    return target
+
+
+def _require_free(target: Path) -> None:
+    """Raise InputError with all that speaks against writing results into the folder."""
+    faults = _in_the_way(target)
     if faults:
         raise InputError(faults)
-    return target
 
 
 def recover(folder: str | Path) -> bool:
@@ -94,20 +101,10 @@ def recover(folder: str | Path) -> bool:
     If the newer results are in place, the older ones are removed.
     """
     target = _resolve(folder)
-    previous = _beside(target, "previous")
     try:
-        if not previous.is_dir() or _foreign(previous):
-            return False
-        if target.is_dir() and not any(target.iterdir()):
-            target.rmdir()
-        if not os.path.lexists(target):
-            _rename(previous, target)
-            return True
-        if _files(target) and not _foreign(target):
-            _discard(previous, target)
+        return atomic.recover_folder(target, _foreign)
     except OSError as error:
         raise _unwritable(target, error) from error
-    return False
 
 
 def load(folder: str | Path) -> Combined:
@@ -115,52 +112,113 @@ def load(folder: str | Path) -> Combined:
 
     Of an iteration that did not converge only the history is there, not the last iterate.
     """
-    from groundslab.views import archive
-
     path = Path(folder)
-    if not _files(path):
+    found = _summary(path)
+    if found is None or not found.files:
         raise _not_ours(path, "no summary.json that names its files")
-    document = json.loads((path / "summary.json").read_text(encoding="utf-8"))
-    if "combinations" not in document:
-        return alone(archive.load(path / "results.npz"))
+    if found.combinations is None:
+        return _one(path)
     try:
-        return _several(path, document["combinations"])
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        return _several(path, found.combinations)
+    except (KeyError, ValueError) as error:
         raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
 
 
-def _several(path: Path, told: list[dict[str, Any]]) -> Combined:
-    """Return the combinations that a summary tells of, read from their folders."""
+@dataclass(frozen=True, slots=True)
+class _Refused:
+    """Why a combination has no certified result, as a summary says it."""
+
+    error: str
+    reason: str = ""
+    what: str = ""
+    history: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Combination:
+    """One combination, as a summary says it."""
+
+    name: str
+    limit_state: str
+    factors: dict[str, float]
+    folder: str | None = None
+    refused: _Refused | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Summary:
+    """What a folder's summary says of the folder; its JSON text is held to these types."""
+
+    program: Literal["groundslab"]
+    files: tuple[str, ...]
+    combinations: tuple[_Combination, ...] | None = None
+
+
+@cache
+def _adapter() -> TypeAdapter[_Summary]:
+    """Return what reads summary.json."""
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(_Summary)
+
+
+def _summary(folder: Path) -> _Summary | None:
+    """Return what the summary in a folder says of it, None if there is none that groundslab wrote."""
+    path = folder / "summary.json"
+    try:
+        return _adapter().validate_json(path.read_bytes(), strict=True) if path.is_file() else None
+    except (OSError, ValueError):
+        return None
+
+
+def _one(path: Path) -> Combined:
+    """Return the only combination of a folder; raises InputError."""
+    archived = path / "results.npz"
+    found = archive.load(archived)
+    try:
+        return alone(found)
+    except InputError as error:
+        raise _not_ours(archived, f"a combination that is wrong ({error.faults[0]})") from error
+
+
+def _several(path: Path, listed: Sequence[_Combination]) -> Combined:
+    """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab import casefile
     from groundslab.loadcases import Combination
-    from groundslab.views import archive
 
     model = casefile.load(path / "case.toml")
     combinations, results, refused = [], {}, dict[str, GroundslabError]()
-    for each in told:
-        name = each["name"]
-        combinations.append(Combination(name=name, limit_state=each["limit_state"], factors=each["factors"]))
-        if "folder" in each:
-            archived = path / each["folder"] / "results.npz"
+    for number, each in enumerate(listed, 1):
+        combinations.append(Combination(name=each.name, limit_state=each.limit_state, factors=each.factors))
+        if each.folder is not None:
+            if each.folder != contents.folder_name(number, each.name, len(listed)):
+                raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')
+            archived = path / each.folder / "results.npz"
             found = archive.load(archived)
-            if found.model != model or found.combination != name:
+            if found.model != model or found.combination != each.name:
                 raise _not_ours(archived, "results of another case or combination")
-            results[name] = replace(found, model=model)
-        if "refused" in each:
-            refused[name] = _refused(each["refused"], results.pop(name, None))
+            results[each.name] = replace(found, model=model)
+        if each.refused is not None:
+            refused[each.name] = _refused(each.refused, results.pop(each.name, None))
+    if (
+        not listed
+        or len({each.name for each in listed}) < len(listed)
+        or not results.keys() | refused.keys() == {each.name for each in listed}
+    ):
+        raise ValueError("combinations that have neither results nor a reason, or the same name")
     return Combined(model, tuple(combinations), results, refused)
 
 
-def _refused(told: dict[str, Any], results: Results | None) -> GroundslabError:
+def _refused(why: _Refused, results: Results | None) -> GroundslabError:
     """Return the error that a summary tells of."""
     if results is not None:
         return NotCertified(results)
-    if told["error"] == "NotConverged":
-        return NotConverged(told["what"], told["history"], {})
+    if why.error == "NotConverged":
+        return NotConverged(why.what, list(why.history), {})
     kinds: dict[str, type[GroundslabError]] = {
         kind.__name__: kind for kind in (IllConditioned, NeutralEquilibrium, NoEquilibrium, SingularMatrix)
     }
-    return kinds.get(told["error"], GroundslabError)(told["reason"])
+    return kinds.get(why.error, GroundslabError)(why.reason)
 
 
 def _not_ours(path: Path, got: str) -> InputError:
@@ -170,7 +228,8 @@ def _not_ours(path: Path, got: str) -> InputError:
 
 def _in_the_way(target: Path) -> list[Fault]:
     """Return what speaks against writing results into the folder."""
-    previous = _beside(target, "previous")
+    atomic.require_possible(target, contents.DEEPEST)
+    previous = atomic.previous_of(target)
     if os.path.lexists(previous):
         return [Fault(str(previous), "something that is in the way", "a name that is free", "move it away")]
     room = next(parent for parent in target.parents if os.path.lexists(parent))
@@ -197,10 +256,10 @@ def _in_the_way(target: Path) -> list[Fault]:
     ]
 
 
-def _fill(combined: Combined, folder: Path, plot: bool) -> None:
+def _fill(combined: Combined, folder: Path, *, plot: bool) -> None:
     """Write every file; the summary, which names them all, comes last."""
     from groundslab import casefile
-    from groundslab.views import contents, overview, summary
+    from groundslab.views import overview, summary
 
     found = overview.entries(combined)
     folders: dict[str, str] = {}
@@ -225,122 +284,21 @@ def _fill(combined: Combined, folder: Path, plot: bool) -> None:
     contents.write_text(folder / "summary.json", text + "\n")
 
 
-def _swap(staging: Path, target: Path) -> None:
-    """Put the staged folder in the target's place; the old contents stay until the new ones are there."""
-    previous = _beside(target, "previous")
-    replaces = os.path.lexists(target)
-    if replaces:
-        _rename(target, previous)
-    try:
-        _rename(staging, target)
-    except BaseException:
-        if replaces and not os.path.lexists(target):
-            _rename(previous, target)
-        raise
-    _sync_entries(target.parent)
-    if replaces:
-        # The results are in place; what is left over of the old ones is no reason to fail.
-        with suppress(OSError):
-            _discard(previous, target)
-
-
-def _rename(old: Path, new: Path) -> None:
-    """Rename a folder, with patience for Windows, where a virus scanner may hold new files for a moment."""
-    for pause in (0.05, 0.1, 0.2, 0.4, 0.8) if os.name == "nt" else ():
-        with suppress(PermissionError):
-            old.rename(new)
-            return
-        time.sleep(pause)
-    old.rename(new)
-
-
-def _discard(previous: Path, target: Path) -> None:
-    """Remove the old results, renamed to something worthless first, so that no half of them counts."""
-    rubbish = _beside(target, "partial-" + secrets.token_hex(4))
-    _rename(previous, rubbish)
-    shutil.rmtree(rubbish, ignore_errors=True)
-
-
-def _sync(folder: Path) -> None:
-    """Make sure that the files of a folder, those in folders within it too, and their names are on the disk."""
-    for path in folder.iterdir():
-        if path.is_dir():
-            _sync(path)
-            continue
-        with path.open("r+b") as file:
-            os.fsync(file.fileno())
-    _sync_entries(folder)
-
-
-def _sync_entries(folder: Path) -> None:
-    """Make sure that the names in a folder are on the disk, where the system can do that."""
-    if os.name != "posix":
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        # Some network file systems refuse this.
-        with suppress(OSError):
-            os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
-def _sweep(target: Path) -> None:
-    """Remove folders that earlier runs, killed more than an hour ago, left half written beside the target."""
-    pattern = re.compile(re.escape(f".{target.name}.partial-") + "[0-9a-f]{8}")
-    with suppress(OSError):
-        for path in target.parent.iterdir():
-            if pattern.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
-                newest = max(entry.lstat().st_mtime for entry in (path, *path.rglob("*")))
-                if time.time() - newest > STALE:
-                    shutil.rmtree(path, ignore_errors=True)
-
-
 def _foreign(folder: Path) -> list[str]:
     """Return the paths in a folder, and in the folders within it, that groundslab did not write there."""
-    files = set(_files(folder))
-    rooms = {above.as_posix() for name in files for above in PurePosixPath(name).parents}
-    return sorted(_strange(folder, "", files, rooms))
-
-
-def _strange(folder: Path, below: str, files: set[str], rooms: set[str]) -> Iterator[str]:
-    """Yield the paths in a folder that are neither our files nor folders that hold some."""
-    for path in folder.iterdir():
-        name = below + path.name
-        if name in rooms and path.is_dir() and not path.is_symlink():
-            yield from _strange(path, f"{name}/", files, rooms)
-        elif not ((name in files or path.name in LITTER) and _plain(path)):
-            yield name
+    return provenance.strangers(folder, set(_files(folder)))
 
 
 def _files(folder: Path) -> list[str]:
     """Return the names of the files that groundslab wrote into a folder, according to the summary there."""
-    try:
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-        files = summary["files"] if summary["program"] == "groundslab" else []
-        return [name for name in files if isinstance(name, str)]
-    except (OSError, ValueError, KeyError, TypeError):
-        return []
-
-
-def _plain(path: Path) -> bool:
-    """Return whether a path is a file, and no link to one."""
-    return path.is_file() and not path.is_symlink()
-
-
-def _beside(target: Path, suffix: str) -> Path:
-    """Return the path of a helper folder beside the target."""
-    return target.with_name(f".{target.name}.{suffix}")
+    found = _summary(folder)
+    return [] if found is None else [name for name in found.files if contents.is_path(name)]
 
 
 def _resolve(folder: str | Path) -> Path:
     """Return the full path without links, so that the folder itself is replaced and not a link to it."""
     target = Path(os.path.realpath(folder))
-    try:
-        loop = target.is_symlink() or any(parent.is_symlink() for parent in target.parents)
-    except OSError:
-        loop = True
-    if loop:
+    if any(map(os.path.islink, (target, *target.parents))):
         raise InputError([Fault(str(folder), "a link that leads back to itself", "a folder, or a name that is free")])
     if not target.name:
         raise InputError([Fault(str(folder), "the root of the file system", "a folder of its own for the results")])

@@ -1,81 +1,19 @@
-"""Files written whole or not at all, folders of the user, and what can be chosen in a folder."""
+"""Fingerprints of files, folders of the user, and what can be chosen in a folder."""
 
 from __future__ import annotations
 
 import hashlib
 import os
-import re
-import secrets
-import shutil
 import sys
-import time
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from groundslab.errors import Fault, InputError
 
-#: Pauses [s] between trials on Windows, where a virus scanner may hold a file for a moment.
-PATIENCE = (0.05, 0.1, 0.2, 0.4, 0.8)
-#: A file that has been half written for so long is nobody's any more [s].
-STALE = 60.0
-
 
 def digest(content: bytes) -> str:
     """Return a fingerprint of a file's bytes."""
     return hashlib.sha256(content).hexdigest()
-
-
-def write(path: Path, content: bytes, private: bool = False) -> None:
-    """Write a file so that after a crash either the old or the new content is there, whole; raises OSError.
-
-    The file keeps its mode; a new one is the user's alone if it is private.
-    """
-    target = Path(os.path.realpath(path))
-    partial = target.with_name(f".{target.name}.partial-{secrets.token_hex(4)}")
-    try:
-        handle = os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600 if private else 0o666)
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        with suppress(FileNotFoundError):
-            shutil.copymode(target, partial)
-        replace(partial, target)
-    finally:
-        partial.unlink(missing_ok=True)
-    sync_names(target.parent)
-
-
-def sweep(path: Path) -> None:
-    """Remove what a process that was killed while writing a file has left half written beside it."""
-    pattern = re.compile(re.escape(f".{path.name}.partial-") + "[0-9a-f]{8}")
-    with suppress(OSError):
-        for each in path.parent.iterdir():
-            if pattern.fullmatch(each.name) and time.time() - each.lstat().st_mtime > STALE:
-                each.unlink()
-
-
-def replace(old: Path, new: Path) -> None:
-    """Rename a file, over another one if need be."""
-    for pause in PATIENCE if os.name == "nt" else ():
-        with suppress(PermissionError):
-            old.replace(new)
-            return
-        time.sleep(pause)
-    old.replace(new)
-
-
-def sync_names(folder: Path) -> None:
-    """Make sure that the names in a folder are on the disk, where the system can do that."""
-    if os.name != "posix":
-        return
-    with suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
 
 
 def state_folder() -> Path:

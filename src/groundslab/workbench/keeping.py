@@ -19,11 +19,14 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
+from groundslab import atomic
 from groundslab.workbench import files
 from groundslab.workbench.document import Document
 from groundslab.workbench.lock import Lock
 
 HEAD = "# unsaved work of groundslab: "
+#: Age [s] after which a file left half written is nobody's.
+STALE = 60.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,8 +41,10 @@ class Kept:
 
 
 def read(path: Path) -> Kept | None:
-    """Return the work that a file keeps, None if it keeps none."""
+    """Return the work that a file keeps, None if it keeps none; links are not followed."""
     try:
+        if path.is_symlink() or not path.is_file():
+            return None
         head, _, text = path.read_bytes().decode("utf-8").partition("\n")
         about: dict[str, Any] = json.loads(head.removeprefix(HEAD))
         document = Document(text, about["newline"], about["mark"])
@@ -70,10 +75,10 @@ class Keeper:
         content = f"{HEAD}{json.dumps(about)}\n{document.text}".encode()
         failure: OSError | None = None
         if self.path is not None:
-            files.sweep(self.path)
+            atomic.sweep(self.path, STALE)
         for path in chain([] if self.path is None else [self.path], self._places()):
             try:
-                files.write(path, content, private=True)
+                atomic.write(path, content, private=True)
             except OSError as error:
                 failure = error
                 continue
@@ -111,8 +116,8 @@ class Keeper:
             return
         for folder, stem in self._homes():
             for number in range(1, 1000):
-                path = folder / (f".{stem}.unsaved" if number == 1 else f".{stem}.unsaved-{number}")
-                if not path.exists():
+                path = atomic.helper(folder / stem, "unsaved" if number == 1 else f"unsaved-{number}")
+                if not os.path.lexists(path):
                     yield path
                     break
 
@@ -133,7 +138,7 @@ class Keeper:
                         yield path
             return
         for folder, stem in self._homes():
-            pattern = re.compile(re.escape(f".{stem}.unsaved") + r"(-[0-9]+)?")
+            pattern = re.compile(re.escape(atomic.helper(folder / stem, "unsaved").name) + r"(-[0-9]+)?")
             with suppress(OSError):
                 yield from [path for path in folder.iterdir() if pattern.fullmatch(path.name)]
 
@@ -141,8 +146,11 @@ class Keeper:
 def decline(kept: Kept) -> None:
     """Put work aside that is not wanted: it is offered no more, but the latest such is still there."""
     name = re.sub(r"(^untitled-[0-9a-f]+)?\.unsaved(-[0-9]+)?$", _declined, kept.path.name)
+    aside = kept.path.with_name(name)
     with suppress(OSError):
-        files.replace(kept.path, kept.path.with_name(name))
+        # nothing but other such work is replaced
+        if not os.path.lexists(aside) or read(aside) is not None:
+            atomic.replace(kept.path, aside)
 
 
 def _declined(match: re.Match[str]) -> str:

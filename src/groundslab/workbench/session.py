@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from groundslab import casefile
+from groundslab import atomic, casefile
 from groundslab.errors import Fault, InputError
 from groundslab.model import Model
 from groundslab.workbench import faults, files, keeping
@@ -146,7 +146,7 @@ class Session:
             lock = None if own else self._take(target)
             content = self._document.content()
             try:
-                files.write(target, content)
+                atomic.write(target, content)
             except OSError as error:
                 if lock is not None:
                     lock.release()

@@ -1,0 +1,257 @@
+"""Files and folders written whole or not at all.
+
+While NAME is written, others stand beside it:
+
+    .NAME.partial-<random>  a file or folder in the making, or an old folder on its way out: worthless after a crash
+    .NAME.previous          the folder that NAME was, whole, for the moment between two renames
+
+A crash leaves NAME as it was, or complete and new. Between the two renames of a folder it leaves NAME absent with
+.NAME.previous beside it, which ``recover_folder`` puts back. Processes that exchange the same folder wait for each
+other, where the system has locks. Names of these helpers fit wherever NAME itself does.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import secrets
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from hashlib import sha256
+from pathlib import Path
+
+#: Files that file managers put into any folder that is looked at.
+LITTER = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})
+#: Age after which a folder left half written is removed [s].
+STALE = 3600.0
+#: Pauses [s] between trials on Windows, where a virus scanner may hold a new file for a moment.
+PAUSES = (0.05, 0.1, 0.2, 0.4, 0.8) if sys.platform == "win32" else ()
+#: Bytes of a name that its helpers' names repeat; of longer names they hold the beginning and a checksum.
+LONGEST_STEM = 96
+
+
+def write(path: Path, content: bytes, *, private: bool = False, new: bool = False) -> None:
+    """Write a file so that after a crash either the old or the new content is there, whole; raises OSError.
+
+    The file keeps its mode, and a link stays one. A private file is the user's alone and is never written through a
+    link. A new one takes no other's place: FileExistsError is raised if the name is taken.
+    """
+    target = path if private or new else Path(os.path.realpath(path))
+    partial = helper(target, f"partial-{secrets.token_hex(4)}")
+    try:
+        handle = os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600 if private else 0o666)
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        if new:
+            _take_name(partial, target)
+        else:
+            if not private:
+                with suppress(FileNotFoundError):
+                    shutil.copymode(target, partial)
+            replace(partial, target)
+    finally:
+        with suppress(OSError):
+            partial.unlink(missing_ok=True)
+    _sync_names(target.parent)
+
+
+def _take_name(partial: Path, target: Path) -> None:
+    """Give a file a name that nothing has; raises FileExistsError."""
+    try:
+        os.link(partial, target)
+    except FileExistsError:
+        raise
+    except OSError:
+        # no hard links on this disk
+        if os.path.lexists(target):
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(target)) from None
+        replace(partial, target)
+
+
+def replace(old: Path, new: Path) -> None:
+    """Rename a file, over another one if need be."""
+    for pause in PAUSES:
+        with suppress(PermissionError):
+            old.replace(new)
+            return
+        time.sleep(pause)
+    old.replace(new)
+
+
+def sweep(path: Path, age: float) -> None:
+    """Remove what a process that was killed so long ago [s] has left half written of a file."""
+    for each in _left_over(path):
+        with suppress(OSError):
+            if not each.is_dir() and time.time() - each.lstat().st_mtime > age:
+                each.unlink()
+
+
+def write_folder(
+    target: Path, fill: Callable[[Path], None], ours: Callable[[str], bool], check: Callable[[], object]
+) -> None:
+    """Let ``fill`` write into a new folder and put it in the target's place; raises OSError.
+
+    ``ours`` says which paths below the folder ``fill`` could write. ``check`` is called just before the exchange and
+    raises an error of its own if what is there may not be replaced.
+    """
+    _sweep_folders(target, ours)
+    staging = helper(target, f"partial-{secrets.token_hex(4)}")
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        staging.mkdir()
+        fill(staging)
+        _sync(staging)
+        with _alone(target.parent):
+            check()
+            _exchange(staging, target)
+    finally:
+        shutil.rmtree(staging, ignore_errors=True)
+
+
+def recover_folder(target: Path, strangers: Callable[[Path], list[str]]) -> bool:
+    """Put back the folder that a crash has left aside; return whether there was any to put back; raises OSError.
+
+    If the newer one is in place, the older one is removed. ``strangers`` returns the paths in such a folder that must
+    not be removed; where there are any, nothing is touched.
+    """
+    if not previous_of(target).is_dir():
+        return False
+    with _alone(target.parent):
+        previous = previous_of(target)
+        if not previous.is_dir() or previous.is_symlink() or strangers(previous):
+            return False
+        if target.is_dir() and not any(target.iterdir()):
+            target.rmdir()
+        if not os.path.lexists(target):
+            _rename(previous, target)
+            return True
+        if any(path.name not in LITTER for path in target.iterdir()) and not strangers(target):
+            _discard(previous, target)
+    return False
+
+
+def previous_of(target: Path) -> Path:
+    """Return where the folder that a target was stands while it is exchanged."""
+    return helper(target, "previous")
+
+
+def helper(target: Path, ending: str) -> Path:
+    """Return the path of a helper beside the target, whose name is short enough wherever the target's is."""
+    name = target.name
+    if len(os.fsencode(name)) > LONGEST_STEM:
+        whole = os.fsencode(name)
+        name = whole[: LONGEST_STEM - 9].decode("utf-8", "ignore") + "~" + sha256(whole).hexdigest()[:8]
+    return target.with_name(f".{name}.{ending}")
+
+
+def require_possible(target: Path, inside: str = "") -> None:
+    """Raise OSError if the system can hold no such name, or no path like ``inside`` within such a folder."""
+    for path in (target, target / inside, helper(target, "partial-01234567") / inside):
+        with suppress(FileNotFoundError, NotADirectoryError):
+            path.lstat()
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Keep other processes from exchanging anything in a folder, where the system has locks on folders."""
+    if sys.platform == "win32":
+        yield
+        return
+    import fcntl
+
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        # Some network file systems refuse this.
+        with suppress(OSError):
+            fcntl.flock(handle, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(handle)
+
+
+def _exchange(staging: Path, target: Path) -> None:
+    """Put the staged folder in the target's place; the old contents stay until the new ones are there."""
+    previous = previous_of(target)
+    replaces = os.path.lexists(target)
+    if replaces:
+        _rename(target, previous)
+    try:
+        _rename(staging, target)
+    except BaseException:
+        if replaces and not os.path.lexists(target):
+            _rename(previous, target)
+        raise
+    _sync_names(target.parent)
+    if replaces:
+        # The new contents are in place; what is left over of the old ones is no reason to fail.
+        with suppress(OSError):
+            _discard(previous, target)
+
+
+def _rename(old: Path, new: Path) -> None:
+    """Rename a folder."""
+    for pause in PAUSES:
+        with suppress(PermissionError):
+            old.rename(new)
+            return
+        time.sleep(pause)
+    old.rename(new)
+
+
+def _discard(previous: Path, target: Path) -> None:
+    """Remove an old folder, renamed to something worthless first, so that no half of it counts."""
+    rubbish = helper(target, f"partial-{secrets.token_hex(4)}")
+    _rename(previous, rubbish)
+    shutil.rmtree(rubbish, ignore_errors=True)
+
+
+def _sweep_folders(target: Path, ours: Callable[[str], bool]) -> None:
+    """Remove folders that earlier runs, killed more than an hour ago, left half written beside the target."""
+    for path in _left_over(target):
+        with suppress(OSError):
+            if path.is_dir() and not path.is_symlink():
+                entries = list(path.rglob("*"))
+                newest = max(entry.lstat().st_mtime for entry in (path, *entries))
+                files = [
+                    each.relative_to(path).as_posix() for each in entries if each.is_symlink() or not each.is_dir()
+                ]
+                if time.time() - newest > STALE and all(map(ours, files)):
+                    shutil.rmtree(path, ignore_errors=True)
+
+
+def _left_over(target: Path) -> list[Path]:
+    """Return what lies beside the target under names of its halves."""
+    pattern = re.compile(re.escape(helper(target, "partial-").name) + "[0-9a-f]{8}")
+    with suppress(OSError):
+        return [path for path in target.parent.iterdir() if pattern.fullmatch(path.name)]
+    return []
+
+
+def _sync(folder: Path) -> None:
+    """Make sure that the files of a folder, those in folders within it too, and their names are on the disk."""
+    for path in folder.iterdir():
+        if path.is_dir():
+            _sync(path)
+            continue
+        with path.open("r+b") as file:
+            os.fsync(file.fileno())
+    _sync_names(folder)
+
+
+def _sync_names(folder: Path) -> None:
+    """Make sure that the names in a folder are on the disk, where the system can do that."""
+    if sys.platform == "win32":
+        return
+    # Some network file systems refuse this.
+    with suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
