@@ -22,7 +22,7 @@ from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.guard import HEADERS, LARGEST, refusal
 
 pytest.importorskip("fastapi")
-from groundslab.workbench import session as sessions
+from groundslab.workbench import reading
 from groundslab.workbench.routes import Tickets, application
 from groundslab.workbench.session import Session
 from groundslab.workbench.solver import Solver
@@ -87,7 +87,7 @@ class Bench:
     def __init__(self, state: Path, static: Path, case: Path | None = None) -> None:
         self.hub = Ear()
         self.solver = Solver(self.hub.tell, workers.obey, None)
-        self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}")
+        self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}", workers.Inline())
         self.tickets = Tickets()
         self.app = application(self.session, self.tickets, PORT, TOKEN, static)
         if case is not None:
@@ -517,7 +517,7 @@ def test_an_error_of_ours_is_a_fault(bench: Bench, monkeypatch: pytest.MonkeyPat
         raise ZeroDivisionError("by zero")
 
     with monkeypatch.context() as patch:
-        patch.setattr(sessions.casefile, "from_table", broken)
+        patch.setattr(reading.casefile, "from_table", broken)
         state = bench.set(["plate", "nu"], 0.3)
         assert "ZeroDivisionError" in state["faults"][0]["got"]
         assert "line" not in state["faults"][0]
