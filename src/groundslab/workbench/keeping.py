@@ -19,11 +19,13 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
+from groundslab import casefile
 from groundslab.workbench import files
 from groundslab.workbench.document import Document
 from groundslab.workbench.lock import Lock
 
 HEAD = "# unsaved work of groundslab: "
+LARGEST = 5 * casefile.LARGEST  # bytes of such a file: a character has up to four
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +42,7 @@ class Kept:
 def read(path: Path) -> Kept | None:
     """Return the work that a file keeps, None if it keeps none."""
     try:
-        head, _, text = path.read_bytes().decode("utf-8").partition("\n")
+        head, _, text = files.read(path, LARGEST).decode("utf-8").partition("\n")
         about: dict[str, Any] = json.loads(head.removeprefix(HEAD))
         document = Document(text, about["newline"], about["mark"])
         return Kept(path, about["when"], document, about["file"], about["base"]) if head.startswith(HEAD) else None
@@ -112,7 +114,7 @@ class Keeper:
         for folder, stem in self._homes():
             for number in range(1, 1000):
                 path = folder / (f".{stem}.unsaved" if number == 1 else f".{stem}.unsaved-{number}")
-                if not path.exists():
+                if not os.path.lexists(path):
                     yield path
                     break
 
@@ -136,6 +138,12 @@ class Keeper:
             pattern = re.compile(re.escape(f".{stem}.unsaved") + r"(-[0-9]+)?")
             with suppress(OSError):
                 yield from [path for path in folder.iterdir() if pattern.fullmatch(path.name)]
+
+
+def remove(kept: Kept) -> None:
+    """Remove work that is not needed any more, if its folder can be written to."""
+    with suppress(OSError):
+        kept.path.unlink()
 
 
 def decline(kept: Kept) -> None:

@@ -175,7 +175,7 @@ class Session:
             keeper = Keeper(target, self._state)
             there, offers = _content(target), keeper.offers()
             if there is None and not offers:
-                mend = f"groundslab new {target.name} makes one" if target.parent.is_dir() else ""
+                mend = f"groundslab new {target.name} makes one" if files.holds(target.parent.is_dir) else ""
                 raise InputError([Fault(str(target), "no file of that name", "a case file", mend)])
             # unsaved work whose file is gone is taken up where it was
             document = Document.read(there, str(target)) if there is not None else offers[0].document
@@ -260,7 +260,7 @@ class Session:
         self._offers = self._keeper.offers()
         for kept in list(self._offers):
             if kept.document.content() == self._start and content is not None:
-                kept.path.unlink(missing_ok=True)  # it was saved in the end
+                keeping.remove(kept)  # it was saved in the end
                 self._offers.remove(kept)
         self._unkept = ""
         self._plan = None
@@ -276,7 +276,7 @@ class Session:
                 self._history.record(before.text, "Restore unsaved work")
             self._adopt(offer.document)
             if not self._unkept:
-                offer.path.unlink(missing_ok=True)
+                keeping.remove(offer)
         else:
             keeping.decline(offer)
         self._offers = [each for each in self._offers if each.path != offer.path]
@@ -349,7 +349,10 @@ class Session:
         """Whether the file is no longer what was read or saved."""
         if self._file is None or _stamp(self._file) == self._stamp:
             return False
-        there = _content(self._file)
+        try:
+            there = _content(self._file)
+        except InputError:
+            return True  # it cannot even be read any more
         changed = there is None or files.digest(there) != self._base
         if not changed:
             self._stamp = _stamp(self._file)
@@ -365,20 +368,25 @@ class Session:
                 raise InputError([Fault("file", "no name", "a name for the file", "choose one")])
             return self._file
         target = _absolute(file, self._folder())
-        if target != self._file:
-            if not target.suffix:
-                target = target.with_suffix(".toml")
-            if target.suffix.lower() != ".toml":
-                raise InputError([Fault(str(target), f'"{target.suffix}"', 'a name that ends with ".toml"')])
-            if target.is_dir():
-                raise InputError([Fault(str(target), "a folder", "a name for a file")])
+        if target == self._file:
+            return target
+        if not target.suffix and not os.path.lexists(target):
+            target = target.with_suffix(".toml")
+        if files.holds(target.is_dir):
+            raise InputError([Fault(str(target), "a folder", "a name for a file")])
+        if target.suffix.lower() != ".toml":
+            raise InputError([Fault(str(target), f'"{target.suffix}"', 'a name that ends with ".toml"')])
         return target
 
     def _take(self, target: Path) -> Lock:
         """Return the lock on a file; raises OpenElsewhere if another workbench has it."""
         name = files.digest(os.fsencode(os.path.normcase(os.path.realpath(target))))[:32]
         about = {"pid": os.getpid(), "url": self._url, "file": str(target)}
-        lock, holder = Lock.take(self._state / "open" / f"{name}.lock", about)
+        try:
+            lock, holder = Lock.take(self._state / "open" / f"{name}.lock", about)
+        except OSError as error:
+            got = f"no place to note which case is open ({files.reason(error)})"
+            raise InputError([Fault(str(self._state), got, "a folder that can be written")]) from None
         if lock is None:
             raise OpenElsewhere(target, holder)
         return lock
@@ -403,8 +411,7 @@ def _absolute(file: str, folder: Path) -> Path:
 def _content(path: Path) -> bytes | None:
     """Return the bytes of a file, None if it is not there; raises InputError if it cannot be read."""
     try:
-        with path.open("rb") as file:
-            return file.read(casefile.LARGEST + 1)
+        return files.read(path, casefile.LARGEST + 1)
     except FileNotFoundError:
         return None
     except (OSError, ValueError) as error:
