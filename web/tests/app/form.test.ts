@@ -3,7 +3,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Change, Fault } from "../../src/app/api";
 import type { FormContext } from "../../src/app/form/context";
-import { faultsOfPart } from "../../src/app/form/faults";
+import { faultsOfPart, faultWords } from "../../src/app/form/faults";
 import { formPanel } from "../../src/app/form/form-panel";
 import { switchKind } from "../../src/app/form/kinds";
 import { partWidget } from "../../src/app/form/part";
@@ -176,6 +176,7 @@ describe("faults", () => {
     page.show(["plate"]);
     const field = page.field(["plate", "E"]);
     expect(field.querySelector(".messages")?.textContent).toBe('Got "30", expected a pressure such as "30 MPa" — the unit is missing.');
+    expect(faultWords(fault(["x"], '"g"', "a load case", 'did you mean "G"?'))).toBe('Got "g", expected a load case — did you mean "G"?');
     expect(page.input(["plate", "E"]).getAttribute("aria-invalid")).toBe("true");
     page.faults = [];
     page.update();
