@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.errors import NoEquilibrium
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.shape import Array
+from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
 MARGIN = 1e-9
@@ -165,6 +166,7 @@ def _reason(problem: Problem, corners: Array) -> str:
             "to the ground with contact.tensionless = false"
         )
     place = [0.0 if mirrored else value / F for value, mirrored in zip((Fx, Fy), problem.symmetry, strict=True)]
+    place = [coordinate(value) for value in place]
     if _within(corners, np.array(place), problem.symmetry):
         return (
             f"the loads cannot be balanced: their resultant of {F * share / 1e3:.6g} kN acts on the plate, at "
