@@ -99,6 +99,13 @@ describe("the schema", () => {
     visit("");
     expect(seen.size).toBeGreaterThan(35);
   });
+
+  it("say about which axis the moments of a load turn", () => {
+    const fields = schema.part("PointLoad").fields;
+    const named = ["M_x", "M_y"].map((name) => fields.find((field) => field.name === name)!);
+    expect(named.map(labelOf)).toEqual(["moment about the y axis", "moment about the x axis"]);
+    expect(named[0]!.hint).toContain("presses the side of larger x down");
+  });
 });
 
 describe("a field", () => {
