@@ -36,6 +36,7 @@ class Reader:
         self._seconds = seconds
         self._changed = threading.Condition()
         self._wanted: tuple[int, Document] | None = None
+        self._parsed = 0  # the latest version whose data are known
         self._read = 0  # the latest version that has been read
         self._edits = 0  # so many are under way
         self._closed = False
@@ -48,9 +49,10 @@ class Reader:
             self._wanted = version, document
             self._changed.notify_all()
 
-    def wait(self, version: int, seconds: float) -> None:
-        """Wait until a version or a later one has been read, at most so long."""
+    def wait(self, version: int, seconds: float, for_data: float = 0.0) -> None:
+        """Wait until a version or a later one has been read, at most so long; for its data alone perhaps longer."""
         with self._changed:
+            self._changed.wait_for(lambda: self._closed or self._parsed >= version, for_data)
             self._changed.wait_for(lambda: self._closed or self._read >= version, seconds)
 
     def edited(self, document: Document, edits: Sequence[Edit]) -> Document:
@@ -89,6 +91,7 @@ class Reader:
                 (version, document), self._wanted = self._wanted, None
             try:
                 self._on_data(version, self._caller.call(reading.parse, document, **self._limits()))
+                self._note(parsed=version)
                 found = self._caller.call(reading.understand, document, **self._limits())
             except Interrupted:
                 with self._changed:
@@ -97,9 +100,13 @@ class Reader:
             except Exception as error:
                 found = _unread(error)
             self._on_read(version, found)
-            with self._changed:
-                self._read = version
-                self._changed.notify_all()
+            self._note(parsed=version, read=version)
+
+    def _note(self, parsed: int, read: int = 0) -> None:
+        """Let those go on who wait for a version."""
+        with self._changed:
+            self._parsed, self._read = parsed, max(read, self._read)
+            self._changed.notify_all()
 
     def _limits(self) -> dict[str, Any]:
         return {"seconds": self._seconds, "wanted": lambda: self._wanted is None and not self._edits}

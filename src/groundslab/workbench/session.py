@@ -25,6 +25,8 @@ from groundslab.workbench.solver import Solver
 State = dict[str, Any]
 #: An answer waits so long for what the document means; pages ask again for what takes longer [s].
 PATIENCE = 0.5
+#: The same for its data alone, which form and drawing cannot do without [s].
+PATIENCE_FOR_DATA = 2.0
 
 
 class Conflict(Exception):
@@ -72,7 +74,7 @@ class Session:
 
     def state(self) -> State:
         """Return all that a page shows of the document; waits a moment for what it means."""
-        self._reader.wait(self._version, PATIENCE)
+        self._reader.wait(self._version, PATIENCE, PATIENCE_FOR_DATA)
         with self._lock:
             document, history, offer = self._document, self._history, self._offer
             running, found = self.solver.running, self._reading
