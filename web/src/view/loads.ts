@@ -14,7 +14,7 @@ export interface ShownLoad {
  * Return the loads that take part, with words.
  *
  * With the factors of a combination by load case the words are the sum of all that acts at a place, factors included.
- * Without them (envelopes) each load says its case and that it has no factor, unless there are no cases.
+ * Without them (envelopes) each load says its case and that its factor is 1, unless there are no cases.
  */
 export function shownLoads(loads: readonly Load[], factors: ReadonlyMap<string, number> | null): ShownLoad[] {
   const factorOf = (load: Load) => (factors && load.case ? (factors.get(load.case) ?? 0) : 1);
@@ -22,7 +22,7 @@ export function shownLoads(loads: readonly Load[], factors: ReadonlyMap<string, 
   const groups = new Map<string, Load[]>();
   for (const load of acting) groups.set(placeKey(load), [...(groups.get(placeKey(load)) ?? []), load]);
   return acting.map((load) => {
-    if (!factors && load.case) return { load, words: `${wordsOf([load], () => 1)} (${load.case}, without factor)` };
+    if (!factors && load.case) return { load, words: `${wordsOf([load], () => 1)} (1.0 ${load.case})` };
     const group = groups.get(placeKey(load))!;
     return { load, words: group[0] === load ? wordsOf(group, factorOf) : "" };
   });

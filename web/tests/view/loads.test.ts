@@ -26,8 +26,8 @@ describe("loads in a combination", () => {
 });
 
 describe("loads where no one combination is shown", () => {
-  it("say their case and that they have no factor", () => {
-    expect(words([point("G", 200), line], null)).toEqual(["P = 200 kN (G, without factor)", "q = 20 to 10 kN/m (Q, without factor)"]);
+  it("say their case and that its factor is 1", () => {
+    expect(words([point("G", 200), line], null)).toEqual(["P = 200 kN (1.0 G)", "q = 20 to 10 kN/m (1.0 Q)"]);
   });
 
   it("act together where there are no cases", () => {
