@@ -5,9 +5,14 @@ from __future__ import annotations
 import os
 import signal
 import time
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.workbench import reading
+from groundslab.workbench.document import Document
+from groundslab.workbench.reading import Reading
 from groundslab.workbench.worker import Answer, Progress
 
 
@@ -54,3 +59,54 @@ class Broken:
     def __reduce__(self) -> tuple[object, ...]:
         """Be an exit where it is unpickled."""
         return os._exit, (4,)
+
+
+class Inline:
+    """Calls functions at once in the process of the tests, where they can be replaced."""
+
+    def call(self, function: Callable[..., Any], *arguments: Any, **_: Any) -> Any:
+        """Return what the function returns."""
+        return function(*arguments)
+
+    def close(self) -> None:
+        """Do nothing."""
+
+
+def slow(file: str) -> str:
+    """Return when a file is there."""
+    while not Path(file).exists():
+        time.sleep(0.005)
+    return file
+
+
+def grow() -> int:
+    """Take memory without end."""
+    kept = []
+    while True:
+        kept.append(bytes(10_000_000))
+
+
+def large() -> bytes:
+    """Return a large answer."""
+    return bytes(101_000_000)
+
+
+def end() -> None:
+    """End the process."""
+    os._exit(3)
+
+
+def unusual() -> None:
+    """Raise an error that cannot be pickled."""
+
+    class Local(Exception):
+        pass
+
+    raise Local("local")
+
+
+def read_slowly(document: Document) -> Reading:
+    """Return what a text means; one with "# slow" takes for ever."""
+    while "# slow" in document.text:
+        time.sleep(0.005)
+    return reading.understand(document)

@@ -169,10 +169,22 @@ class PointLoad(Part):
     case: CaseName = ""
     P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone")]
     M_x: Annotated[
-        float, Quantity("moment", "M_x", "moment that presses the side of larger x down, the sum of F (x - x_P)")
+        float,
+        Quantity(
+            "moment",
+            "M_x",
+            "moment about the y axis, positive if it presses the side of larger x down: the sum of F (x - x_P) of "
+            "downward forces F; other programs call it M_y, some with the other sign",
+        ),
     ] = 0.0
     M_y: Annotated[
-        float, Quantity("moment", "M_y", "moment that presses the side of larger y down, the sum of F (y - y_P)")
+        float,
+        Quantity(
+            "moment",
+            "M_y",
+            "moment about the x axis, positive if it presses the side of larger y down: the sum of F (y - y_P) of "
+            "downward forces F; other programs call it M_x, some with the other sign",
+        ),
     ] = 0.0
     x: Annotated[float | None, Quantity("length", "x", "position")] = None
     y: Annotated[float | None, Quantity("length", "y", "position")] = None

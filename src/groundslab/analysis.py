@@ -145,6 +145,36 @@ def _each(
     known: Known | None = None,
     ground: Factors | None = None,
 ) -> Iterator[Results | GroundslabError]:
+    """Yield for each combination its results, or why it has none; those with the same factors are solved once."""
+    keys = [tuple(_factors(model, each).tolist()) for each in wanted]
+    first: dict[tuple[float, ...], Combination] = {}
+    for key, combination in zip(keys, wanted, strict=True):
+        first.setdefault(key, combination)
+    solved = _solve_each(model, list(first.values()), on_step, known, ground)
+    found: dict[tuple[float, ...], Results | GroundslabError] = {}
+    for key, combination in zip(keys, wanted, strict=True):
+        if key not in found:
+            found[key] = next(solved)
+        yield _renamed(found[key], combination)
+
+
+def _renamed(found: Results | GroundslabError, combination: Combination) -> Results | GroundslabError:
+    """Return what came out of a combination with the same factors as that of this one."""
+    if isinstance(found, NotCertified):
+        return NotCertified(_renamed(found.results, combination))
+    if not isinstance(found, Results) or found.combination == combination.name:
+        return found
+    name, limit_state = combination.name, combination.limit_state
+    return replace(found, combination=name, limit_state=limit_state, factors=combination.factors)
+
+
+def _solve_each(
+    model: Model,
+    wanted: Sequence[Combination],
+    on_step: OnStep | None,
+    known: Known | None,
+    ground: Factors | None,
+) -> Iterator[Results | GroundslabError]:
     """Yield for each combination its results, or why it has none; several are solved side by side."""
     name, solver = linear.choose(model.analysis.solver)
     keep = len(wanted) > 1 or known is not None

@@ -303,7 +303,7 @@ y = ["-0.5 m", "1 m"]
 # [[loads]]
 # kind = "point"               # on a column, with moments
 # P = "300 kN"
-# M_x = "20 kNm"
+# M_x = "20 kNm"               # presses the side of larger x down: it turns about the y axis
 # column = "A1"
 
 # [[loads]]

@@ -24,6 +24,8 @@ Place = tuple[float, float]
 SAME_PLACE = 1e-9
 #: Arcs are replaced by chords that are at most this far off, relative to the extent, to see what lies inside what.
 FLAT = 1e-6
+#: However small an arc is, its chords turn by no more than this, so that it looks round [rad].
+ROUND = math.radians(4.0)
 #: Section of a place that is not meshed at all; see `sections`.
 NOTHING = -2
 #: Section of a place where ground lies and no plate.
@@ -135,6 +137,8 @@ class Ring:
         parts = []
         for edge in self.segments():
             n = edge.chords(tolerance)
+            if tolerance < math.inf:
+                n = max(n, math.ceil(abs(edge.sweep) / ROUND))
             parts.append(edge.at(np.arange(n) / n))
         return np.concatenate(parts)
 

@@ -13,6 +13,7 @@ from groundslab.bearings import CLOSED, Contact
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, planes
 from groundslab.shape import Array, Flags
+from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
 MARGIN = 1e-9
@@ -107,21 +108,16 @@ def _movement(motions: Array, size: float) -> str:
         # what both leave where it is lies on the line through their zeros
         x, y, z = np.cross(motions[:, 0], motions[:, 1])[[1, 2, 0]]
         if abs(z) > 1e-6 * max(abs(x), abs(y)) / size:
-            return f"can rock about the point ({_length(x / z, size)}, {_length(y / z, size)}) m in every direction"
+            return f"can rock about the point ({coordinate(x / z):.6g}, {coordinate(y / z):.6g}) m in every direction"
         return "can move up and down and rock"
     a, b, c = motions[:, 0]
     if max(abs(b), abs(c)) * size < 1e-6 * abs(a):
         return "can move up and down"
     if abs(b) < 1e-6 * abs(c):
-        return f"can rock about the line y = {_length(-a / c, size)} m"
+        return f"can rock about the line y = {coordinate(-a / c):.6g} m"
     if abs(c) < 1e-6 * abs(b):
-        return f"can rock about the line x = {_length(-a / b, size)} m"
-    return f"can rock about the line y = {_length(-a / c, size)} m {'-' if b / c > 0 else '+'} {abs(b / c):.4g} x"
-
-
-def _length(value: float, size: float) -> str:
-    """Return a length [m] in words, rounded to a millionth of the plate's size."""
-    return f"{0.0 if abs(value) < 1e-6 * size else value:.4g}"
+        return f"can rock about the line x = {coordinate(-a / b):.6g} m"
+    return f"can rock about the line y = {coordinate(-a / c):.6g} m {'-' if b / c > 0 else '+'} {abs(b / c):.4g} x"
 
 
 def _scale(corners: Array) -> Array:
@@ -290,6 +286,7 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
             "to the ground with contact.tensionless = false"
         )
     place = [0.0 if mirrored else value / F for value, mirrored in zip((Fx, Fy), problem.symmetry, strict=True)]
+    place = [coordinate(value) for value in place]
     if _within(corners, np.array(place), problem.symmetry):
         return (
             f"the loads cannot be balanced: their resultant of {F * share / 1e3:.6g} kN acts on the plate, at "

@@ -143,6 +143,11 @@ def parse(text: str, dimension: str) -> float:
     return value
 
 
+def coordinate(metres: float) -> float:
+    """Return a coordinate [m] as it is printed: rounded to nanometres, so that what rounding left of zero is zero."""
+    return round(metres, 9) + 0.0
+
+
 def show(value: float, dimension: str) -> str:
     """Return a quantity given in SI units as people write it, with five digits and a fitting unit."""
     (text,), unit = together([value], dimension)

@@ -281,3 +281,20 @@ def test_the_report_is_saved_and_its_tools_work(server: Server, bench: Bench, ca
     for share in (0.3, 0.7):
         page.mouse.click(box["x"] + box["width"] * share, box["y"] + box["height"] * 0.5)
     page.locator(".gs-chart canvas").first.wait_for()
+
+
+def test_closed_lines_are_no_areas(server: Server, bench: Bench, case: Path) -> None:
+    """A line load and a line support that end where they begin are drawn as lines; an area load is filled."""
+    square = '[["0 m", "-1 m"], ["1 m", "-1 m"], ["1 m", "0 m"], ["0 m", "-1 m"]]'
+    wall = f'[[loads]]\nkind = "line"\nq = "20 kN/m"\npoints = {square}\n'
+    support = f'[[supports]]\nkind = "line"\nname = "W"\nstiffness = "10 MN/m^2"\npoints = {square}\n'
+    area = '[[loads]]\nkind = "patch"\nq = "5 kPa"\nx = ["1 m", "2 m"]\ny = ["0 m", "1 m"]\n'
+    case.write_text(f"{case.read_text()}\n{wall}\n{area}\n{support}")
+    bench.open(server.start(case))
+    fill = "element => getComputedStyle(element.querySelector('path')).fill"
+    drawn = [
+        bench.page.locator(f"svg.drawing .thing[data-path='{path}']").evaluate(fill)
+        for path in ('["loads",1]', '["supports",0]', '["loads",2]')
+    ]
+    assert drawn[:2] == ["none", "none"]
+    assert drawn[2] != "none"

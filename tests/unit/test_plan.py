@@ -132,3 +132,11 @@ def test_all_faults_come_at_once() -> None:
     """Two openings with a fault each are both reported."""
     plan = Plan(SQUARE, (rectangle(11, 12, 0, 1), rectangle(0, 1, 1, 2)))
     assert {fault.where for fault in faults(plan)} == {"plate.openings[1]", "plate.openings[2]"}
+
+
+@pytest.mark.parametrize("radius", [1e-3, 0.3, 5.0])
+def test_circles_look_round_at_any_size(radius: float) -> None:
+    """Beside a plate of 10 m the chords of a small circle turn by 4 degrees at most, those of a large one by less."""
+    places = circle((1.0, 2.0), radius).flat(2e-4 * 10.0)
+    assert len(places) >= 90
+    assert radius * (1 - math.cos(math.pi / len(places))) <= 2e-4 * 10.0

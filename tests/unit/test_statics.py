@@ -92,6 +92,13 @@ def test_uplift_is_told_apart_from_toppling() -> None:
         require_equilibrium(discretise(model([point(2e4, 2, 0), point(-1e4, -1, -1)])))
 
 
+def test_a_place_that_is_zero_but_for_rounding_is_zero() -> None:
+    """0.1 + 0.2 - 0.3 is not quite 0 in a computer; the resultant of such loads acts at x = 0 m all the same."""
+    loads = [point(1e4, 0.1, 1.5), point(1e4, 0.2, 1.5), point(1e4, -0.3, 1.5), point(-1e4, 0, -1.9)]
+    with pytest.raises(NoEquilibrium, match=r"topple.* 20 kN acts at x = 0 m, y = 3\.2 m"):
+        require_equilibrium(discretise(model(loads)))
+
+
 def test_whole_loads_are_named_when_a_quarter_is_meshed() -> None:
     """The message gives the sum over the whole plate, not over the meshed part."""
     with pytest.raises(NoEquilibrium, match=r"-24 kN"):

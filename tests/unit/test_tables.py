@@ -196,6 +196,13 @@ def test_lines_and_strips() -> None:
     assert turned["moment"] == pytest.approx(-400)
 
 
+def test_places_are_rounded_to_nanometres() -> None:
+    """What rounding leaves of zero in a coordinate is zero; other quantities keep all their digits."""
+    heads = [("x", "m"), ("pressure", "kPa")]
+    table = table_of("t", "T", heads, [[2.77555756156e-16, 2.5e-16], [-1e-10, 1.0], [1 / 3, 2.0]])
+    assert table.csv() == "x [m],pressure [kPa]\n0,2.5e-16\n0,1\n0.3333333,2\n"
+
+
 def test_lines_that_miss_the_plate_are_named() -> None:
     """A line or strip that meets the outline but no element has no rows, a note says so once; a point has no values."""
     wide = {"length_x": 20, "length_y": LENGTH_Y, "thickness": 0.4, "E": 30e9, "nu": 0.2}

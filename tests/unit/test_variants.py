@@ -192,3 +192,44 @@ def test_a_factor_of_what_the_ground_has_not(name: str) -> None:
     variants = analysis.Variants(model())
     with pytest.raises(InputError, match=r"ground of kind pasternak"):
         variants.solve_combinations(model(), {name: lambda x, _: x})
+
+
+def test_combinations_with_the_same_factors_are_solved_once() -> None:
+    """Three of four combinations say the same, in any order of cases: two analyses, the results under each name."""
+    cases = [{"name": "G"}, {"name": "Q", "action": "variable"}]
+    both = {"G": 1.0, "Q": 1.0}
+    combinations = [
+        {"name": "one", "limit_state": "characteristic", "factors": both},
+        {"name": "other", "factors": {"G": 1.35, "Q": 1.5}},
+        {"name": "two", "limit_state": "frequent", "factors": dict(reversed(both.items()))},
+        {"name": "three", "limit_state": "quasi-permanent", "factors": both},
+    ]
+    loads = [{**LOADS[0], "case": "G"}, {"kind": "uniform", "q": 5e3, "case": "Q"}]
+    given = model(cases=cases, combinations=combinations, loads=loads)
+    begun: list[str] = []
+    with patch.object(analysis, "_outcome", wraps=analysis._outcome) as outcome:
+        combined = analysis.solve_combinations(given, None, lambda each: begun.append(each.name))
+    assert [call.args[1].name for call in outcome.call_args_list] == ["one", "other"]
+    assert begun == list(combined.results) == ["one", "other", "two", "three"]
+    one, two, three = (combined[name] for name in ("one", "two", "three"))
+    assert two.plate is one.plate
+    assert three.certificate is one.certificate
+    told = [(each.combination, each.limit_state, each.factors) for each in (one, two, three)]
+    assert told == [
+        ("one", "characteristic", (("G", 1.0), ("Q", 1.0))),
+        ("two", "frequent", (("Q", 1.0), ("G", 1.0))),
+        ("three", "quasi-permanent", (("G", 1.0), ("Q", 1.0))),
+    ]
+    same(two, analysis.solve(given.replace(combinations=combinations[2:3])))
+
+
+def test_combinations_with_the_same_factors_are_refused_alike() -> None:
+    """What has no equilibrium under one name has none under the other, and is tried once."""
+    cases = [{"name": "up"}]
+    combinations = [{"name": name, "factors": {"up": 1.0}} for name in ("one", "two")]
+    given = model(cases=cases, combinations=combinations, loads=[{"kind": "uniform", "q": -1e3, "case": "up"}])
+    with patch.object(analysis, "_outcome", wraps=analysis._outcome) as outcome:
+        combined = analysis.solve_combinations(given)
+    assert outcome.call_count == 1
+    assert all(isinstance(each, NoEquilibrium) for each in combined.refused.values())
+    assert list(combined.refused) == ["one", "two"]

@@ -192,6 +192,16 @@ class TestTable:
         assert text.count("FAILED") == 2
         assert "FAILED" in next(line for line in text.splitlines() if "loads against reactions" in line)
 
+    def test_each_symbol_stands_once(self) -> None:
+        """Label and symbol of a row are shown side by side, so a label does not repeat its symbol."""
+        results = synthetic.results()
+        text = printed(results)
+        for section in summary.figures(results):
+            for row in section.rows:
+                assert row.symbol.strip("|-") not in row.label.split()
+                assert text.count(f" {row.label} {row.symbol}".rstrip()) >= 1
+        assert "largest moment m_x " in text
+
     def test_text_of_the_user_is_no_markup(self) -> None:
         """Brackets in a title are shown as they are."""
         model = synthetic.model(title="[bold]slab[/nothing]")

@@ -49,6 +49,15 @@ counts = [12, 8]
 """
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no named pipes")
+def test_a_pipe_is_no_case(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """The command refuses a pipe instead of waiting until somebody writes to it."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    os.mkfifo(tmp_path / "pipe.toml")
+    assert cli.main(["app", "--no-browser", str(tmp_path / "pipe.toml")]) == 2
+    assert "a pipe, a device or the like" in capsys.readouterr().err
+
+
 class App:
     """A server in a process of its own."""
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import socket
 import threading
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +19,12 @@ import workers
 from asgi import Answer, Headers
 from groundslab import atomic, casefile
 from groundslab.errors import InputError
-from groundslab.workbench import events
+from groundslab.workbench import events, files
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.guard import HEADERS, LARGEST, refusal
 
 pytest.importorskip("fastapi")
+from groundslab.workbench import reading
 from groundslab.workbench import session as sessions
 from groundslab.workbench.routes import Tickets, application
 from groundslab.workbench.session import Session
@@ -87,7 +90,7 @@ class Bench:
     def __init__(self, state: Path, static: Path, case: Path | None = None) -> None:
         self.hub = Ear()
         self.solver = Solver(self.hub.tell, workers.obey, None)
-        self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}")
+        self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}", workers.Inline())
         self.tickets = Tickets()
         self.app = application(self.session, self.tickets, PORT, TOKEN, static)
         if case is not None:
@@ -503,6 +506,67 @@ def test_a_file_that_is_open_elsewhere(bench: Bench, case: Path, static: Path, t
     other.close()
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no named pipes")
+def test_only_regular_files_are_read(bench: Bench, case: Path, tmp_path: Path) -> None:
+    """A pipe without a writer, a socket, a device, links to nowhere and in a circle: told at once, never waited for."""
+    folder = case.parent
+    os.mkfifo(folder / "pipe.toml")
+    (folder / "link.toml").symlink_to(folder / "pipe.toml")
+    (folder / "dangling.toml").symlink_to(tmp_path / "none" / "none.toml")
+    (folder / "circle.toml").symlink_to(folder / "circle.toml")
+    names = ["pipe.toml", "link.toml", "dangling.toml", "circle.toml"]
+    with socket.socket(socket.AF_UNIX) as end, pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)  # the names of sockets are short
+        end.bind("socket.toml")
+        for name in (*names, "socket.toml"):
+            assert bench.post("/api/open", {"file": name}, 422)["error"]["got"]
+            assert bench.post("/api/save", {"file": name, "over": True}, 422)["error"]["got"]
+            assert (folder / name).is_symlink() or not (folder / name).is_file()
+    assert "a pipe" in bench.post("/api/open", {"file": "pipe.toml"}, 422)["error"]["got"]
+    assert "a pipe" in bench.post("/api/open", {"file": os.devnull}, 422)["error"]["got"]
+    assert bench.get("/api/files")["files"] == ["raft.toml"]
+    # work kept under such a name is none, and the file itself may become one
+    os.mkfifo(folder / ".raft.toml.unsaved")
+    assert bench.post("/api/open", {"file": "raft.toml"})["offer"] is None
+    bench.set(["plate", "nu"], 0.3)
+    case.unlink()
+    os.mkfifo(case)
+    assert bench.get("/api/state")["outside"] is True
+    assert "a pipe" in bench.post("/api/save", {"over": True}, 422)["error"]["got"]
+
+
+@pytest.mark.parametrize(
+    "name", ["x" * 300, "x" * 300 + ".toml", "a/" * 3000, "/", ".", "..", "a\0b", "\ud800", "~none/x"]
+)
+def test_names_that_no_file_can_have(bench: Bench, name: str) -> None:
+    """Too long, folders, zero characters, halves of letters: a refusal in words for opening, saving and listing."""
+    for path in ("/api/open", "/api/save"):
+        error = bench.post(path, {"file": name}, 422)["error"]
+        assert error.get("got") or error["message"]
+    if name.isascii() and "\0" not in name and not name.startswith((".", "/")):
+        bench.get(f"/api/files?folder={name}", 422)
+    assert bench.get("/api/state")["text"] == CASE
+
+
+def test_folders_that_cannot_be_used(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder that cannot be read or locked in is told; a name that is no text is left out of a list."""
+    odd = os.fsencode(case.parent) + b"/\xff.toml"
+    with suppress(OSError):  # of a system whose names are all text
+        os.close(os.open(odd, os.O_CREAT | os.O_WRONLY))
+    assert bench.get("/api/files")["files"] == ["raft.toml"]
+
+    def denied(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied", str(case))
+
+    for place, name in ((os, "scandir"), (files, "listing"), (Path, "is_dir")):
+        with monkeypatch.context() as patch:
+            patch.setattr(place, name, denied)
+            assert bench.ask("GET", "/api/files").status == (200 if place is Path else 422)
+    with monkeypatch.context() as patch:
+        patch.setattr(sessions.Lock, "take", denied)
+        assert "permission denied" in bench.post("/api/save", {"file": "other.toml"}, 422)["error"]["got"]
+
+
 def test_listing(bench: Bench, case: Path) -> None:
     """By default the folder of the case; others relative to it; one that is none is a fault."""
     assert bench.get("/api/files")["files"] == ["raft.toml"]
@@ -517,7 +581,7 @@ def test_an_error_of_ours_is_a_fault(bench: Bench, monkeypatch: pytest.MonkeyPat
         raise ZeroDivisionError("by zero")
 
     with monkeypatch.context() as patch:
-        patch.setattr(sessions.casefile, "from_table", broken)
+        patch.setattr(reading.casefile, "from_table", broken)
         state = bench.set(["plate", "nu"], 0.3)
         assert "ZeroDivisionError" in state["faults"][0]["got"]
         assert "line" not in state["faults"][0]

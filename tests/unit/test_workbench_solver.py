@@ -139,6 +139,22 @@ def test_a_run_that_does_not_listen_is_ended(
     assert heard.names(first) == ["solving", "cancelled"]
 
 
+def test_cancelling_is_told_at_once(make: Make, heard: Heard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run stuck in a long step is over for the pages at once, long before its process is ended; nothing follows."""
+    monkeypatch.setattr(solvers, "GRACE", PATIENCE)
+    solver, door = make(), tmp_path / "door"
+    run = want(solver, f"stuck {door}")
+    heard.wait("progress", run)
+    start = time.monotonic()
+    solver.cancel()
+    heard.wait("cancelled", run)
+    assert time.monotonic() - start < PATIENCE / 2
+    assert (solver.running, solver.status()) == (None, [])
+    door.touch()  # the run ends with results, which nobody wants any more
+    heard.wait("solved", want(solver, "go 2", 2))
+    assert heard.names(run) == ["solving", "cancelled"]
+
+
 def test_cancelling(make: Make, heard: Heard, tmp_path: Path) -> None:
     """What is solved stops, what waits is forgotten; both are told; results from before stay."""
     solver = make()

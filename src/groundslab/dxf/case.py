@@ -32,6 +32,8 @@ _LOADS = (
 
 #: What differs by less than this part of a column's size is the same.
 SAME = 1e-6
+#: A coordinate so small is what rounding left of zero [m].
+NOTHING = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,5 +171,5 @@ def _pair(point: Point) -> str:
 
 
 def _metres(value: float) -> str:
-    """Return a coordinate with all its digits."""
-    return f'"{repr(value or 0.0).removesuffix(".0")} m"'
+    """Return a coordinate with all its digits; what rounding left of zero is zero."""
+    return f'"{repr(value if abs(value) > NOTHING else 0.0).removesuffix(".0")} m"'

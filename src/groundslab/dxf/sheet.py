@@ -54,7 +54,7 @@ class Sheet:
 
     def place(self, point: Point) -> str:
         """Return a place as it is seen in the drawing."""
-        x, y = (f"{float(value / self.scale):.10g}" for value in point)
+        x, y = (f"{round(float(value / self.scale), 10) + 0.0:.10g}" for value in point)
         return f"({x}, {y}) {self.unit}"
 
     def tell(self, source: Source, taken: bool, why: str) -> None:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     Entries = dict[str, Any]
 
 #: Arcs are drawn as chords that are this far off, relative to the plate's longer side.
-CHORD = 1e-3
+CHORD = 2e-4
 
 
 def white_edge(width: float) -> list[Any]:

@@ -14,7 +14,7 @@ from groundslab.loadcases import combinations_of
 from groundslab.outline import Circle, Polygon, Rectangle
 from groundslab.report.grid import GREEK, Cell, Grid, Head, Kind, without_empty
 from groundslab.schema import Part, key_of, meaning_of, nested
-from groundslab.units import together
+from groundslab.units import coordinate, together
 from groundslab.views.overview import factors_text
 
 if TYPE_CHECKING:
@@ -103,12 +103,12 @@ def shape_told(shape: Part) -> str:
 
 def _span(ends: tuple[float, float]) -> str:
     """Return two lengths in metres."""
-    return f"{ends[0]:.6g} to {ends[1]:.6g}"
+    return f"{coordinate(ends[0]):.6g} to {coordinate(ends[1]):.6g}"
 
 
 def _places(places: Sequence[Sequence[float]]) -> str:
     """Return places in metres."""
-    return " ".join(f"({', '.join(f'{value + 0.0:.6g}' for value in place)})" for place in places)
+    return " ".join(f"({', '.join(f'{coordinate(value):.6g}' for value in place)})" for place in places)
 
 
 def _several(key: Several, values: Sequence[Any]) -> str:

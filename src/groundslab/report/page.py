@@ -155,8 +155,7 @@ def _section(section: summary.Section) -> Grid:
 def _row(row: Row) -> tuple[Cell, ...]:
     """Return a row of the summary without its place."""
     shown = shown_row(row)
-    symbol = "" if row.symbol in row.label else row.symbol
-    return Cell(row.label, "words"), Cell(symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit)
+    return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit)
 
 
 def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[Grid]:

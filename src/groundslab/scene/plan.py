@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.actions import SettlementLoad
-from groundslab.units import show
 
 if TYPE_CHECKING:
     from groundslab.actions import AnyLoad, Void
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
     from groundslab.supports import AnySupport
 
 #: Arcs become chords that are at most this far off, relative to the plate's longer side.
-CHORD = 1e-3
+CHORD = 2e-4
 #: Digits after the point of a length in metres.
 DIGITS = 9
 
@@ -81,23 +80,29 @@ def plan_of(model: Model) -> Data:
     }
 
 
-def load_text(load: AnyLoad) -> str:
-    """Return how large a load is, as in "P = 200 kN, M_x = 20 kNm"."""
+def load_parts(load: AnyLoad) -> list[list[Any]]:
+    """Return how large a load is, without factors: symbol, value and unit of each of its parts."""
     if load.kind == "point":
-        parts = [f"P = {show(load.P, 'force')}"] if load.P or not (load.M_x or load.M_y) else []
-        parts += [f"{name} = {show(value, 'moment')}" for name in ("M_x", "M_y") if (value := getattr(load, name))]
-        return ", ".join(parts)
+        return [["P", _kilo(load.P), "kN"], ["M_x", _kilo(load.M_x), "kNm"], ["M_y", _kilo(load.M_y), "kNm"]]
     if load.kind == "line":
-        end = "" if load.q_end is None or load.q_end == load.q else f" to {show(load.q_end, 'force per length')}"
-        return f"q = {show(load.q, 'force per length')}{end}"
+        end = load.q if load.q_end is None else load.q_end
+        return [["q", _kilo(load.q), "kN/m"], ["q_end", _kilo(end), "kN/m"]]
     if load.kind == "self weight":
-        return f"gamma_c = {show(load.unit_weight, 'weight per volume')}"
+        return [["gamma_c", _kilo(load.unit_weight), "kN/m^3"]]
     if load.kind == "temperature":
-        return f"dT = {show(load.difference, 'temperature difference')}"
+        return [["dT", load.difference, "K"]]
     if load.kind == "settlement":
-        return f"w_s = {show(load.w, 'length')}"
-    varies = any(load.slope) or any(load.bend)
-    return f"q = {show(load.q, 'pressure')}" + (" and varying" if varies else "")
+        return [["w_s", _tidied(load.w * 1e3), "mm"]]
+    return [["q", _kilo(load.q), "kPa"]]
+
+
+def _kilo(value: float) -> float:
+    return _tidied(value / 1e3)
+
+
+def _tidied(value: float) -> float:
+    """Return a value without the rounding of its unit."""
+    return float(f"{value:.12g}") + 0.0
 
 
 def _support(number: int, support: AnySupport) -> Data:
@@ -139,7 +144,9 @@ def _load(number: int, load: AnyLoad, model: Model, chord: float) -> Data:
         about["ring"] = _rounded(_box(load.x, load.y).flat(chord))
     elif load.kind == "area":
         about["ring"] = _rounded(load.shape.ring().flat(chord))
-    return about | {"text": load_text(load)}
+    if any(getattr(load, "slope", ())) or any(getattr(load, "bend", ())):
+        about["varies"] = True
+    return about | {"parts": load_parts(load)}
 
 
 def _footprint(load: Any) -> Ring | None:

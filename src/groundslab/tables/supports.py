@@ -24,7 +24,8 @@ def support_table(combined: Combined) -> Table:
         "Forces as the support pushes the plate, upwards positive. Forces per length are those of the nodes by their "
         "share of the line; at ends and corners of rigid lines they grow as the mesh is refined.",
         "Moments are those by which the support holds the plate's rotation, summed over its nodes, positive if they "
-        "press the side of larger x (M_x) or y (M_y) down; the lever of its forces is not in them.",
+        "press the side of larger x (M_x, about the y axis) or y (M_y, about the x axis) down; the lever of its forces "
+        "is not in them.",
     )
     return table_of("supports", "Supports", heads, rows, notes)
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import Fault, InputError
+from groundslab.units import coordinate
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -86,17 +87,19 @@ class Table:
 def table_of(
     name: str, title: str, heads: Sequence[Head], rows: Iterable[Sequence[Any]], notes: Sequence[str] = ()
 ) -> Table:
-    """Return a table from its rows; NumPy's numbers become Python's."""
-    plain = [[_plain(value) for value in row] for row in rows]
+    """Return a table from its rows; NumPy's numbers become Python's, lengths in metres are rounded to nanometres."""
+    plain = [[_plain(value, unit) for value, (_, unit) in zip(row, heads, strict=True)] for row in rows]
     columns = list(zip(*plain, strict=True)) if plain else [()] * len(heads)
     made = (Column(name, unit, values) for (name, unit), values in zip(heads, columns, strict=True))
     return Table(name, title, tuple(made), tuple(notes))
 
 
-def _plain(value: Any) -> Cell:
+def _plain(value: Any, unit: str) -> Cell:
     """Return a cell as one of Python's own types, no zero of it negative."""
     found: Cell = value.item() if hasattr(value, "item") else value
-    return found + 0.0 if isinstance(found, float) else found
+    if not isinstance(found, float):
+        return found
+    return coordinate(found) if unit == "m" else found + 0.0
 
 
 def _written(value: Cell) -> str:

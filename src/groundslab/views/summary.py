@@ -296,12 +296,11 @@ def _section_forces(results: Results) -> Section:
     for name in ("moment_x", "moment_y"):
         for kind in kinds:
             value, place = extreme(plate.nodes, getattr(plate, name), kind)
-            symbol = PLATE_FIELDS[name].symbol
-            rows.append(Row(f"{kind}_{name}", f"{kind} {symbol}", value, _unit(name), symbol, place))
-    for name in ("moment_xy", "shear_x", "shear_y"):
+            rows.append(Row(f"{kind}_{name}", f"{kind} moment", value, _unit(name), PLATE_FIELDS[name].symbol, place))
+    for name, words in (("moment_xy", "twisting moment"), ("shear_x", "shear force"), ("shear_y", "shear force")):
         value, place = extreme(plate.nodes, np.abs(getattr(plate, name)), "largest")
         symbol = f"|{PLATE_FIELDS[name].symbol}|"
-        rows.append(Row(f"largest_{name}", f"largest {symbol}", value, _unit(name), symbol, place))
+        rows.append(Row(f"largest_{name}", f"largest {words}", value, _unit(name), symbol, place))
     notes: tuple[str, ...] = ()
     model = results.model
     loads = [load.on(model.columns) for load in model.loads if load.kind == "point"]

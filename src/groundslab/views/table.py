@@ -197,7 +197,7 @@ def _line(row: Row, taken: int = 0) -> Text:
     """Return a row of the summary as one line; long words wrap under themselves. So many columns are taken before."""
     from rich.text import Text
 
-    symbol = "" if row.symbol in row.label else f" {row.symbol}"
+    symbol = f" {row.symbol}" if row.symbol else ""
     line = Text(("" if taken else "  ") + (row.label + symbol).ljust(LABEL - taken))
     shown = shown_row(row)
     if row.ok is not None:

@@ -7,7 +7,6 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path as FilePath
 from typing import Any
 
 from groundslab import casefile
@@ -49,12 +48,6 @@ class Document:
             raise InputError([Fault(where, "bytes that are not UTF-8", "UTF-8 text", "save it as UTF-8")]) from None
         windows = "\r\n" in text and text.count("\r\n") == text.count("\n")
         return cls(text.replace("\r\n", "\n"), "\r\n", mark) if windows else cls(text, "\n", mark)
-
-    @classmethod
-    def load(cls, path: FilePath) -> Document:
-        """Return the document that a file holds; raises InputError and OSError."""
-        with path.open("rb") as file:
-            return cls.read(file.read(casefile.LARGEST + 1), str(path))
 
     def content(self) -> bytes:
         """Return the bytes of the file."""

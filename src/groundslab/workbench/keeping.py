@@ -19,7 +19,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from groundslab import atomic
+from groundslab import atomic, casefile
 from groundslab.workbench import files
 from groundslab.workbench.document import Document
 from groundslab.workbench.lock import Lock
@@ -27,6 +27,7 @@ from groundslab.workbench.lock import Lock
 HEAD = "# unsaved work of groundslab: "
 #: Age [s] after which a file left half written is nobody's.
 STALE = 60.0
+LARGEST = 5 * casefile.LARGEST  # bytes of such a file: a character has up to four
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +44,9 @@ class Kept:
 def read(path: Path) -> Kept | None:
     """Return the work that a file keeps, None if it keeps none; links are not followed."""
     try:
-        if path.is_symlink() or not path.is_file():
+        if path.is_symlink():
             return None
-        head, _, text = path.read_bytes().decode("utf-8").partition("\n")
+        head, _, text = files.read(path, LARGEST).decode("utf-8").partition("\n")
         about: dict[str, Any] = json.loads(head.removeprefix(HEAD))
         document = Document(text, about["newline"], about["mark"])
         return Kept(path, about["when"], document, about["file"], about["base"]) if head.startswith(HEAD) else None
@@ -141,6 +142,12 @@ class Keeper:
             pattern = re.compile(re.escape(atomic.helper(folder / stem, "unsaved").name) + r"(-[0-9]+)?")
             with suppress(OSError):
                 yield from [path for path in folder.iterdir() if pattern.fullmatch(path.name)]
+
+
+def remove(kept: Kept) -> None:
+    """Remove work that is not needed any more, if its folder can be written to."""
+    with suppress(OSError):
+        kept.path.unlink()
 
 
 def decline(kept: Kept) -> None:

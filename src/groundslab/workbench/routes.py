@@ -17,9 +17,9 @@ from fastapi.responses import JSONResponse, RedirectResponse, Response, Streamin
 from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 
-from groundslab.errors import InputError
+from groundslab.errors import Fault, InputError
 from groundslab.model import json_schema
-from groundslab.workbench import faults
+from groundslab.workbench import faults, files
 from groundslab.workbench.guard import Guard
 from groundslab.workbench.session import Conflict, OpenElsewhere, Session, State
 
@@ -107,6 +107,11 @@ def _answer_errors(app: FastAPI, session: Session) -> None:
     @app.exception_handler(InputError)
     async def wrong(_: Request, error: InputError) -> JSONResponse:
         return JSONResponse({"error": _told(error.faults)}, 422)
+
+    @app.exception_handler(OSError)
+    async def unavailable(_: Request, error: OSError) -> JSONResponse:
+        where = str(error.filename or "the system")
+        return JSONResponse({"error": _told([Fault(where, files.reason(error), "a place that can be used")])}, 422)
 
     @app.exception_handler(RequestValidationError)
     async def unreadable(_: Request, error: RequestValidationError) -> JSONResponse:

@@ -2,27 +2,31 @@
 
 from __future__ import annotations
 
-import math
 import os
 import threading
-import traceback
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from groundslab import atomic, casefile
 from groundslab.errors import Fault, InputError
-from groundslab.model import Model
-from groundslab.workbench import faults, files, keeping
+from groundslab.workbench import files, keeping
+from groundslab.workbench.bounded import Caller
 from groundslab.workbench.document import Document, Edit
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.history import History
 from groundslab.workbench.keeping import Keeper, Kept
 from groundslab.workbench.lock import Lock
+from groundslab.workbench.reader import Reader
+from groundslab.workbench.reading import Reading
 from groundslab.workbench.solver import Solver
 
 State = dict[str, Any]
+#: An answer waits so long for what the document means; pages ask again for what takes longer [s].
+PATIENCE = 0.5
+#: The same for its data alone, which form and drawing cannot do without [s].
+PATIENCE_FOR_DATA = 2.0
 
 
 class Conflict(Exception):
@@ -44,22 +48,17 @@ class OpenElsewhere(Conflict):
         super().__init__("open", [Fault(str(path), got, "a file that is free", self.url and f"go to {self.url}")])
 
 
-@dataclass(frozen=True, slots=True)
-class _Sense:
-    """What a text means: the model, or what is wrong, and the plan to draw."""
-
-    model: Model | None
-    faults: tuple[Fault, ...]
-    plan: dict[str, Any] | None
-
-
 class Session:
     """The document, its history, its place on the disk, and the solver that follows it."""
 
-    def __init__(self, hub: Hub, solver: Solver, state: Path, url: str) -> None:
-        """Begin with a new document; state is the user's folder for unsaved work and locks."""
+    def __init__(self, hub: Hub, solver: Solver, state: Path, url: str, caller: Caller | None = None) -> None:
+        """Begin with a new document; state is the user's folder for unsaved work and locks; caller reads texts."""
         self.hub = hub
         self.solver = solver
+        self._reader = Reader(self._take_data, self._take_reading, caller)
+        self._data: dict[str, Any] | None = None
+        self._reading: Reading | None = None  # None while the document is being read
+        self._plan: dict[str, Any] | None = None  # the one before, while the document is being read
         self._state = state
         self._url = url
         self._lock = threading.RLock()
@@ -74,16 +73,18 @@ class Session:
         self._begin(None, Document(casefile.starter()), None)
 
     def state(self) -> State:
-        """Return all that a page shows of the document."""
+        """Return all that a page shows of the document; waits a moment for what it means."""
+        self._reader.wait(self._version, PATIENCE, PATIENCE_FOR_DATA)
         with self._lock:
             document, history, offer = self._document, self._history, self._offer
-            running = self.solver.running
+            running, found = self.solver.running, self._reading
             return {
                 "version": self._version,
                 "text": document.text,
-                "data": _plain(document.data),
-                "faults": faults.told_of_text(self._sense.faults, document.layout, document.data is not None),
-                "plan": self._sense.plan,
+                "data": self._data,
+                "checking": found is None,
+                "faults": [] if found is None else found.issues,
+                "plan": self._plan,
                 "file": None if self._file is None else str(self._file),
                 "dirty": self._dirty,
                 "can_undo": history.can_undo,
@@ -104,27 +105,31 @@ class Session:
 
     def edit(self, edits: Sequence[Edit], words: str, base: int | None, merges: bool = False) -> State:
         """Change the document, by all edits or none; raises Conflict on an old version, InputError for wrong edits."""
-        with self._lock:
-            if base is not None and base != self._version:
-                raise Conflict("version")
-            before = self._document
-            after = before.edited(edits)
-            if after.text != before.text:
-                self._history.record(before.text, words or "Edit", merges)
-                self._adopt(after)
+        while True:
+            with self._lock:
+                if base is not None and base != self._version:
+                    raise Conflict("version")
+                before, version = self._document, self._version
+            after = self._reader.edited(before, edits)
+            with self._lock:
+                if version != self._version:
+                    continue  # another edit was quicker
+                if after.text != before.text:
+                    self._history.record(before.text, words or "Edit", merges)
+                    self._adopt(after)
             return self.state()
 
     def undo(self) -> State:
         """Take back the latest step, if there is one."""
         with self._lock:
             self._step(self._history.undo(self._document.text))
-            return self.state()
+        return self.state()
 
     def redo(self) -> State:
         """Do again what was taken back last, if there is anything."""
         with self._lock:
             self._step(self._history.redo(self._document.text))
-            return self.state()
+        return self.state()
 
     def save(self, file: str | None, over: bool) -> State:
         """Write the document to its file or another one.
@@ -162,7 +167,7 @@ class Session:
             self._stamp = _stamp(target)
             self.hub.tell("saved", {"file": str(target)})
             self._tell()
-            return self.state()
+        return self.state()
 
     def open(self, file: str) -> State:
         """Open a file in place of the document, whose unsaved work stays kept; raises InputError and Conflict."""
@@ -172,7 +177,7 @@ class Session:
             keeper = Keeper(target, self._state)
             there, offers = _content(target), keeper.offers()
             if there is None and not offers:
-                mend = f"groundslab new {target.name} makes one" if target.parent.is_dir() else ""
+                mend = f"groundslab new {target.name} makes one" if files.holds(target.parent.is_dir) else ""
                 raise InputError([Fault(str(target), "no file of that name", "a case file", mend)])
             # unsaved work whose file is gone is taken up where it was
             document = Document.read(there, str(target)) if there is not None else offers[0].document
@@ -182,7 +187,7 @@ class Session:
                 self._leave_file()
                 self._file_lock = lock
             self._begin(target, document, there)
-            return self.state()
+        return self.state()
 
     def new(self) -> State:
         """Begin a new document; the unsaved work on the one before stays kept."""
@@ -190,35 +195,27 @@ class Session:
             self._keeper.release()
             self._leave_file()
             self._begin(None, Document(casefile.starter()), None)
-            return self.state()
+        return self.state()
 
     def restore(self, take: bool) -> State:
         """Take up unsaved work of an earlier run, as a step that can be undone, or put it aside."""
         with self._lock:
-            offer = self._offer
-            if offer is None:
-                return self.state()
-            if take:
-                before = self._document
-                # what it builds on counts: a file that was changed since is not to be overwritten unawares
-                self._base = offer.base
-                if offer.document.text != before.text:
-                    self._history.record(before.text, "Restore unsaved work")
-                self._adopt(offer.document)
-                if not self._unkept:
-                    offer.path.unlink(missing_ok=True)
-            else:
-                keeping.decline(offer)
-            self._offers = [each for each in self._offers if each.path != offer.path]
-            self._tell()
-            return self.state()
+            if self._offer is not None:
+                self._answer_offer(self._offer, take)
+        return self.state()
 
     def solve(self) -> int:
         """Solve the document as it is, now; raises InputError with its faults if it cannot be."""
+        self._reader.wait(self._version, PATIENCE)
         with self._lock:
-            if self._sense.model is None:
-                raise InputError(self._sense.faults)
-            return self._want(delay=0.0, again=True)
+            if self._reading is None:
+                mend = "wait until it has been checked"
+                raise InputError(
+                    [Fault("the description", "a case that is still being checked", "a checked one", mend)]
+                )
+            if self._reading.faults:
+                raise InputError(self._reading.faults)
+            return self._want(self._reading, delay=0.0, again=True)
 
     def cancel(self) -> None:
         """Stop solving."""
@@ -228,8 +225,8 @@ class Session:
         """Solve after every change, or only when asked to."""
         with self._lock:
             self._autosolve = on
-            if on and self._sense.model is not None:
-                self._want(delay=0.0)
+            if on and self._reading is not None and self._reading.meaning:
+                self._want(self._reading, delay=0.0)
             self._tell()
 
     def listing(self, folder: str | None) -> dict[str, Any]:
@@ -244,6 +241,7 @@ class Session:
 
     def close(self) -> str:
         """End; return where unsaved work is kept, empty if there is none."""
+        self._reader.close()
         with self._lock:
             self.hub.close()
             self.solver.close()
@@ -264,20 +262,50 @@ class Session:
         self._offers = self._keeper.offers()
         for kept in list(self._offers):
             if kept.document.content() == self._start and content is not None:
-                kept.path.unlink(missing_ok=True)  # it was saved in the end
+                keeping.remove(kept)  # it was saved in the end
                 self._offers.remove(kept)
         self._unkept = ""
+        self._plan = None
         self._adopt(document)
 
+    def _answer_offer(self, offer: Kept, take: bool) -> None:
+        """Take up unsaved work, or put it aside."""
+        if take:
+            before = self._document
+            # what it builds on counts: a file that was changed since is not to be overwritten unawares
+            self._base = offer.base
+            if offer.document.text != before.text:
+                self._history.record(before.text, "Restore unsaved work")
+            self._adopt(offer.document)
+            if not self._unkept:
+                keeping.remove(offer)
+        else:
+            keeping.decline(offer)
+        self._offers = [each for each in self._offers if each.path != offer.path]
+        self._tell()
+
     def _adopt(self, document: Document) -> None:
-        """Make a document the present one: understood, kept, told of, solved."""
+        """Make a document the present one: kept, told of, read; solved when it has been read."""
         self._document = document
         self._version += 1
-        self._sense = _sense(document)
+        self._data = self._reading = None
+        self._reader.want(self._version, document)
         self._keep()
         self._tell()
-        if self._autosolve and self._sense.model is not None:
-            self._want()
+
+    def _take_data(self, version: int, data: dict[str, Any] | None) -> None:
+        """Take what a version's text says."""
+        with self._lock:
+            if version == self._version:
+                self._data = data
+
+    def _take_reading(self, version: int, found: Reading) -> None:
+        """Take what a version means; have it solved."""
+        with self._lock:
+            if version == self._version:
+                self._reading, self._plan = found, found.plan
+                if self._autosolve and found.meaning:
+                    self._want(found)
 
     def _keep(self) -> None:
         """Write the document down if it differs from its file."""
@@ -296,11 +324,10 @@ class Session:
         if text is not None:
             self._adopt(replace(self._document, text=text))
 
-    def _want(self, delay: float | None = None, again: bool = False) -> int:
+    def _want(self, found: Reading, delay: float | None = None, again: bool = False) -> int:
         """Have the document solved."""
-        model, text = self._sense.model, self._document.text
         waits = {} if delay is None else {"delay": delay}
-        return self.solver.want(text, self._version, model, again=again, **waits)
+        return self.solver.want(self._document.text, self._version, found.meaning, again=again, **waits)
 
     def _tell(self) -> None:
         self.hub.tell("state", {"version": self._version})
@@ -324,7 +351,10 @@ class Session:
         """Whether the file is no longer what was read or saved."""
         if self._file is None or _stamp(self._file) == self._stamp:
             return False
-        there = _content(self._file)
+        try:
+            there = _content(self._file)
+        except InputError:
+            return True  # it cannot even be read any more
         changed = there is None or files.digest(there) != self._base
         if not changed:
             self._stamp = _stamp(self._file)
@@ -340,20 +370,25 @@ class Session:
                 raise InputError([Fault("file", "no name", "a name for the file", "choose one")])
             return self._file
         target = _absolute(file, self._folder())
-        if target != self._file:
-            if not target.suffix:
-                target = target.with_suffix(".toml")
-            if target.suffix.lower() != ".toml":
-                raise InputError([Fault(str(target), f'"{target.suffix}"', 'a name that ends with ".toml"')])
-            if target.is_dir():
-                raise InputError([Fault(str(target), "a folder", "a name for a file")])
+        if target == self._file:
+            return target
+        if not target.suffix and not os.path.lexists(target):
+            target = target.with_suffix(".toml")
+        if files.holds(target.is_dir):
+            raise InputError([Fault(str(target), "a folder", "a name for a file")])
+        if target.suffix.lower() != ".toml":
+            raise InputError([Fault(str(target), f'"{target.suffix}"', 'a name that ends with ".toml"')])
         return target
 
     def _take(self, target: Path) -> Lock:
         """Return the lock on a file; raises OpenElsewhere if another workbench has it."""
         name = files.digest(os.fsencode(os.path.normcase(os.path.realpath(target))))[:32]
         about = {"pid": os.getpid(), "url": self._url, "file": str(target)}
-        lock, holder = Lock.take(self._state / "open" / f"{name}.lock", about)
+        try:
+            lock, holder = Lock.take(self._state / "open" / f"{name}.lock", about)
+        except OSError as error:
+            got = f"no place to note which case is open ({files.reason(error)})"
+            raise InputError([Fault(str(self._state), got, "a folder that can be written")]) from None
         if lock is None:
             raise OpenElsewhere(target, holder)
         return lock
@@ -362,22 +397,6 @@ class Session:
         if self._file_lock is not None:
             self._file_lock.release()
             self._file_lock = None
-
-
-def _sense(document: Document) -> _Sense:
-    """Return what a text means; an error of ours is a fault too, so that the text can still be edited and saved."""
-    try:
-        data = document.data
-        model = casefile.loads(document.text, faults.NAME) if data is None else casefile.from_table(data)
-        from groundslab.scene import plan_of
-
-        return _Sense(model, (), plan_of(model))
-    except InputError as error:
-        return _Sense(None, error.faults, None)
-    except Exception as error:
-        traceback.print_exc()
-        got = f"an error in groundslab itself ({type(error).__name__}: {error})"
-        return _Sense(None, (Fault("the description", got, "something that it can read", "undo the last step"),), None)
 
 
 def _absolute(file: str, folder: Path) -> Path:
@@ -394,8 +413,7 @@ def _absolute(file: str, folder: Path) -> Path:
 def _content(path: Path) -> bytes | None:
     """Return the bytes of a file, None if it is not there; raises InputError if it cannot be read."""
     try:
-        with path.open("rb") as file:
-            return file.read(casefile.LARGEST + 1)
+        return files.read(path, casefile.LARGEST + 1)
     except FileNotFoundError:
         return None
     except (OSError, ValueError) as error:
@@ -415,14 +433,3 @@ def _stamp(path: Path) -> tuple[int, int, int] | None:
 def _unwritable(path: Path, error: OSError) -> InputError:
     mend = "choose another place; nothing is lost"
     return InputError([Fault(str(path), files.reason(error), "a file that can be written", mend)])
-
-
-def _plain(data: Any) -> Any:
-    """Return the data of a file as JSON can hold it: dates and numbers that are none become texts."""
-    if isinstance(data, Mapping):
-        return {name: _plain(each) for name, each in data.items()}
-    if isinstance(data, list):
-        return [_plain(each) for each in data]
-    if isinstance(data, float) and not math.isfinite(data):
-        return str(data)
-    return data if data is None or isinstance(data, str | bool | int | float) else str(data)

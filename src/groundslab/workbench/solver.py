@@ -1,8 +1,9 @@
 """The newest state of the document is solved in a process of its own, as soon as the user pauses.
 
 One thread looks after everything: it starts the process, hands it what is to be solved, stops what is not wanted any
-more (between two steps of the analysis, or, if that takes too long, by ending the process), and passes on what the
-process says. A process that ends by itself is told of and replaced.
+more, and passes on what the process says. A run that is stopped is over for the pages at once; the process is left a
+moment to stop between two steps of the analysis, and ended if that takes too long. A process that ends by itself is
+told of and replaced.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 #: A run begins when nothing has changed for so long [s].
 DELAY = 0.2
 #: A run that does not stop by itself for so long is ended with its process [s].
-GRACE = 2.0
+GRACE = 0.5
 #: Results that are kept for pages which still show the one before.
 KEPT = 2
 #: A process that ends so often before it has prepared is not started again until there is something new to solve.
@@ -80,7 +81,7 @@ class _Wishes:
     job: Job | None = None
     cancel: bool = False
     close: bool = False
-    told_again: bool = False  # whether the latest results are told of when the run that is in the way has ended
+    told_again: bool = False  # whether the latest results are told of when the run that is in the way is stopped
     reports: dict[int, list[Future[bytes]]] = field(default_factory=dict)
     file: str = ""  # what the case is called in a report
 
@@ -107,7 +108,6 @@ class Solver:
         self._process: _Process | None = None
         self._failed_starts = 0
         self._results: dict[int, Result] = {}
-        self._forgotten = 0  # the results of this run are not wanted when they come
         self._progress: dict[str, Any] | None = None
         self._inside, self._outside = multiprocessing.Pipe(duplex=False)
         self._thread = threading.Thread(target=self._look_after, name="solver", daemon=True)
@@ -140,7 +140,7 @@ class Solver:
         """Stop what is being solved, and forget what was to be."""
         with self._lock:
             waiting, self._wishes.job, self._wishes.cancel = self._wishes.job, None, self._running is not None
-            if waiting is not None and self._running is None:
+            if waiting is not None:
                 self._tell("cancelled", {"run": waiting.run})
         self._wake()
 
@@ -149,7 +149,6 @@ class Solver:
         self.cancel()
         with self._lock:
             self._results.clear()
-            self._forgotten = self._running.run if self._running is not None else self._forgotten
 
     @property
     def latest(self) -> Result | None:
@@ -232,12 +231,10 @@ class Solver:
         wishes, now = self._wishes, time.monotonic()
         if self._running is not None:
             if wishes.cancel and self._stopping is None:
-                self._stopping = now + GRACE
-                assert self._process is not None
-                self._process.stop.value = self._running.run
+                self._stop(self._running.run, now + GRACE)
             if self._stopping is not None and now >= self._stopping:
                 self._end_process()
-                self._over("cancelled", {"run": self._running.run})
+                self._over()
         else:
             wishes.cancel = False
         if self._process is None and self._failed_starts < MOST_STARTS:
@@ -258,6 +255,16 @@ class Solver:
             self._tell("solving", about)
             with suppress(OSError):  # of a process that has just ended, which will be noticed
                 process.pipe.send(("solve", self._running.run, self._running.text))
+
+    def _stop(self, run: int, deadline: float) -> None:
+        """Tell that the run is cancelled, and have the process stop it until the deadline."""
+        self._stopping, self._progress = deadline, None
+        assert self._process is not None
+        self._process.stop.value = run
+        again, self._wishes.told_again = self._wishes.told_again, False
+        self._tell("cancelled", {"run": run})
+        if again and self.latest is not None:
+            self._tell("solved", _told(self.latest))
 
     def _pause(self) -> float | None:
         """Return how long nothing is due [s], None if nothing is at all."""
@@ -307,13 +314,16 @@ class Solver:
                 self._heard_of_run(self._running, word, rest[1:], content)
 
     def _heard_of_run(self, job: Job, word: str, rest: list[Any], content: bytes) -> None:
-        """Take in what the process says about the run."""
+        """Take in what the process says about the run; of one that is to stop only that it is over."""
         if word == "progress":
             if self._stopping is None:
                 self._progress = {"run": job.run, "text": rest[0], "share": rest[1]}
                 self._tell("progress", self._progress)
-        elif word == "stopped" or job.run == self._forgotten or (word == "refused" and self._stopping is not None):
-            self._over("cancelled", {"run": job.run})
+        elif self._stopping is not None:
+            self._over()
+        elif self._wishes.cancel:  # it ended before it could be stopped
+            self._stop(job.run, 0.0)
+            self._over()
         elif word == "refused":
             faults = told(rest[1])
             self._over("refused", {"run": job.run, "version": job.version, "message": rest[0], "faults": faults})
@@ -324,13 +334,12 @@ class Solver:
                 del self._results[next(iter(self._results))]
             self._over("solved", _told(result))
 
-    def _over(self, word: str, about: dict[str, Any]) -> None:
-        """Note and tell that a run is over."""
+    def _over(self, word: str = "", about: dict[str, Any] | None = None) -> None:
+        """Note that a run is over, and tell it unless that has been done when it was stopped."""
         self._running = self._stopping = self._progress = None
-        again, self._wishes.cancel, self._wishes.told_again = self._wishes.told_again, False, False
-        self._tell(word, about)
-        if again and word != "solved" and self.latest is not None:
-            self._tell("solved", _told(self.latest))
+        self._wishes.cancel = self._wishes.told_again = False
+        if word:
+            self._tell(word, about or {})
 
     def _ended(self, process: _Process) -> None:
         """Tell that the process has ended by itself, so that another one can be started."""
@@ -341,7 +350,7 @@ class Solver:
             self._end_process()
             job = self._running
             if job is not None and self._stopping is not None:
-                self._over("cancelled", {"run": job.run})
+                self._over()
                 return
             if job is None and self._failed_starts >= MOST_STARTS:
                 job, self._wishes.job = self._wishes.job, None

@@ -90,7 +90,7 @@ def warm(progress: Progress) -> None:
 def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], None] | None) -> None:
     """Serve until the other end of the pipe is closed; runs up to the number in ``stop.value`` are to be stopped."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which then ends this process
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    threading.Thread(target=end_with_parent, daemon=True).start()
     pipe.send(("ready",))
     if prepare is not None:
         _prepare(pipe, prepare)
@@ -174,7 +174,7 @@ def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | Non
         pipe.send_bytes(content)
 
 
-def _end_with_parent() -> None:
+def end_with_parent() -> None:
     """End this process at once when the server is gone, however it went."""
     parent = parent_process()
     if parent is not None:

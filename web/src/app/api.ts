@@ -23,8 +23,10 @@ export interface Offer {
 export interface DocState {
   version: number;
   text: string;
-  /** Null while the text is not TOML. */
+  /** Null while the text is not TOML, or not read yet. */
   data: Table | null;
+  /** Whether the server is still reading the text: faults are not known yet, the plan is that of before. */
+  checking?: boolean;
   faults: Fault[];
   plan: Table | null;
   file: string | null;

@@ -16,6 +16,7 @@ export interface ConnectionHooks {
 
 const FIRST_WAIT = 400; // ms until the first new attempt
 const LONGEST_WAIT = 4000;
+const CHECK_WAIT = 100; // ms until the next question while the server reads the text; its answer waits a little, too
 
 export class Connection {
   private source: EventSource | null = null;
@@ -23,6 +24,7 @@ export class Connection {
   private retrying = false;
   private another = false; // whether the server is not the one that the page has known
   private timer: ReturnType<typeof setTimeout> | null = null;
+  private checking: ReturnType<typeof setTimeout> | null = null;
 
   constructor(
     private readonly api: Api,
@@ -30,7 +32,18 @@ export class Connection {
     private readonly queue: EditQueue,
     private readonly hooks: ConnectionHooks,
     private readonly events: (address: string) => EventSource = (address) => new EventSource(address),
-  ) {}
+  ) {
+    store.on(["doc"], () => this.askAgain());
+  }
+
+  /** While the server is still reading the text, ask for what it has found. */
+  private askAgain(): void {
+    if (!this.store.doc?.checking || this.checking !== null) return;
+    this.checking = setTimeout(() => {
+      this.checking = null;
+      void this.refreshFrom(-1);
+    }, CHECK_WAIT);
+  }
 
   /** Ask for everything and listen; tries again until the server answers. */
   async start(): Promise<void> {

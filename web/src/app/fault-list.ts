@@ -19,7 +19,7 @@ export function faultList(store: Store, go: (fault: Fault) => void): FaultList {
   const update = () => {
     const faults = store.doc?.faults ?? [];
     element.classList.toggle("bad", faults.length > 0);
-    count.textContent = faults.length === 0 ? "No faults" : faults.length === 1 ? "1 fault" : `${faults.length} faults`;
+    count.textContent = store.doc?.checking ? "Being checked …" : faults.length === 0 ? "No faults" : faults.length === 1 ? "1 fault" : `${faults.length} faults`;
     first.textContent = faults[0] ? faultLine(faults[0]) : "";
     if (faults.length === 0) element.open = false;
     fill(rows, ...faults.map((fault) => h("li", {}, h("button", { type: "button", onclick: () => go(fault) }, faultLine(fault)))));

@@ -180,6 +180,8 @@ addEventListener("beforeunload", (event) => {
   if (store.waitingCount > 0) event.preventDefault();
 });
 const stop = store.on(["doc"], () => {
+  // the first text may still be being read
+  if (store.doc?.data === null && store.doc.checking) return;
   stop();
   build();
 });

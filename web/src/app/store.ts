@@ -128,7 +128,7 @@ export class Store {
 
   /** Whether the text is broken, so that form and drawing cannot be edited. */
   get broken(): boolean {
-    return this.doc !== null && this.doc.data === null;
+    return this.doc !== null && this.doc.data === null && !this.doc.checking;
   }
 
   private foreseeAll(): void {

@@ -1,5 +1,6 @@
 // What is drawn above the field: outline, openings, columns, supports, loads, marks, axes. Pure drawing on a 2-D canvas.
 import { plainWords } from "./dom";
+import { shownLoads } from "./loads";
 import type { Look } from "./look";
 import type { Camera } from "./painter";
 import { neat, roundStep, roundTicks, tickTexts } from "./scale";
@@ -28,7 +29,7 @@ export interface Marks {
   place: Point | null; // that a chart points at
   section: [Point, Point] | null;
   extremes: { point: Point; text: string; largest: boolean }[];
-  cases: ReadonlySet<string> | null; // load cases that take part; null: all
+  factors: ReadonlyMap<string, number> | null; // of the load cases in what is shown; null: no one combination
 }
 
 /** Room that the axes take at the left and at the bottom [px]. */
@@ -61,7 +62,7 @@ export function drawOverlay(sheet: Sheet, plan: Plan | null, layers: Layers, mar
     if (layers.zones) drawZones(sheet, plan, labels, layers);
     drawOutline(sheet, plan);
     if (layers.output) drawOutput(sheet, plan, labels, layers);
-    if (layers.loads) drawLoads(sheet, plan, labels, layers, marks.cases);
+    if (layers.loads) drawLoads(sheet, plan, labels, layers, marks.factors);
     if (layers.supports) drawSupports(sheet, plan, labels, layers);
     if (layers.columns) drawColumns(sheet, plan, labels, layers);
   }
@@ -224,26 +225,25 @@ function drawOutput(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): v
   }
 }
 
-function drawLoads(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers, cases: ReadonlySet<string> | null): void {
+function drawLoads(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers, factors: Marks["factors"]): void {
   const { look } = sheet;
-  for (const load of plan.loads) {
-    if (cases && load.case && !cases.has(load.case)) continue;
+  for (const { load, words } of shownLoads(plan.loads, factors)) {
     if (load.kind === "uniform") continue;
     if (load.ring) {
       stroke(sheet, [load.ring], look.load, 1.4, [5, 4], true, 1.5);
       const [x0, y0, x1, y1] = boundsOf(load.ring);
       const [px, py] = pixel(sheet, (x0 + x1) / 2, (y0 + y1) / 2);
-      if (layers.labels) labels.add(plainWords(load.text), [px, py], look.load, 1.5, "center");
+      if (layers.labels) labels.add(plainWords(words), [px, py], look.load, 1.5, "center");
     } else if (load.points && load.points.length > 1) {
       stroke(sheet, [load.points], look.load, 2.4, [], false, 2);
       const [a, b] = [load.points[0]!, load.points[1]!];
       const [px, py] = pixel(sheet, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
-      if (layers.labels) labels.add(plainWords(load.text), [px + 6, py - 10], look.load, 1.5);
+      if (layers.labels) labels.add(plainWords(words), [px + 6, py - 10], look.load, 1.5);
     } else if (load.points?.length) {
       if (load.footprint) stroke(sheet, [load.footprint], look.load, 1.1, [4, 3], true, 1.5);
       const [px, py] = pixel(sheet, ...load.points[0]!);
       triangle(sheet, px, py, 6, look.load, false);
-      if (layers.labels) labels.add(plainWords(load.text), [px + 9, py - 9], look.load, 1.5);
+      if (layers.labels) labels.add(plainWords(words), [px + 9, py - 9], look.load, 1.5);
     }
   }
 }

@@ -61,7 +61,7 @@ export class PlanView {
   private layers: Layers = { ...ALL_LAYERS };
   private options = { lines: true, mesh: false, contact: true };
   private range: Range = "auto";
-  private marks: Marks = { pick: null, place: null, section: null, extremes: [], cases: null };
+  private marks: Marks = { pick: null, place: null, section: null, extremes: [], factors: null };
   private sectionStart: Point | null = null;
   private readonly pointers = new Map<number, Point>();
   private pressed: { at: Point; moved: boolean } | null = null;
@@ -240,7 +240,7 @@ export class PlanView {
     this.picture = null;
     this.seen = null;
     this.marks.extremes = [];
-    this.marks.cases = null;
+    this.marks.factors = null;
     if (scene && what) {
       const field = fieldOf(scene, what.field);
       const of = values(scene, what.choice, what.field);
@@ -252,7 +252,7 @@ export class PlanView {
       this.seen = { choice: what.choice, field, scale, lifted };
       this.marks.extremes = extremeMarks(endsOf(scene, what.choice, what.field));
       const factors = isEnvelope(what.choice) ? null : scene.head.combinations[what.choice]?.factors;
-      if (factors?.length) this.marks.cases = new Set(factors.filter(([, factor]) => factor !== 0).map(([name]) => name));
+      if (factors?.length) this.marks.factors = new Map(factors);
     }
     this.painter.setPicture(this.picture);
     this.sharp = null;

@@ -130,9 +130,18 @@ export function neat(value: number, digits = 4): string {
 /** Write the limits of a scale: all with the decimals that the finest of them needs. */
 export function tickTexts(ticks: readonly number[]): string[] {
   const size = Math.max(...ticks.map(Math.abs), 1e-300);
-  if (size >= 1e6 || size < 1e-3) return ticks.map((tick) => number(tick, 3));
-  const decimals = Math.max(...ticks.map((tick) => (Number(tick.toPrecision(6)).toString().split(".")[1] ?? "").length));
-  return ticks.map((tick) => tick.toFixed(decimals).replace(/-/g, "\u2212"));
+  // what is left of zero by rounding is zero
+  const tidied = ticks.map((tick) => (Math.abs(tick) < 1e-9 * size ? 0 : tick));
+  if (size >= 1e6 || size < 1e-3) return tidied.map((tick) => number(tick, 3));
+  const decimals = Math.max(...tidied.map((tick) => decimalsOf(tick, 1e-9 * size)));
+  return tidied.map((tick) => tick.toFixed(decimals).replace(/-/g, "\u2212"));
+}
+
+/** The decimals with which a value is written with an error of at most `error`. */
+function decimalsOf(value: number, error: number): number {
+  let decimals = 0;
+  while (decimals < 12 && Math.abs(Number(value.toFixed(decimals)) - value) > error) decimals++;
+  return decimals;
 }
 
 export function css([red, green, blue]: Rgb, alpha = 1): string {

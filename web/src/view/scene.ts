@@ -23,7 +23,8 @@ export interface Load {
   points?: Point[];
   ring?: Ring;
   footprint?: Ring; // of a point load that has one
-  text: string;
+  parts: [string, number, string][]; // symbol, value without factor, unit
+  varies?: boolean; // whether the pressure varies over the area
 }
 export interface Place { path: string; name: string; x: number; y: number }
 export interface Area { path: string; ring: Ring }

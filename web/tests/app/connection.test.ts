@@ -147,6 +147,22 @@ describe("the connection", () => {
   });
 });
 
+describe("a text that takes long to read", () => {
+  it("is asked about until it has been read; what could be read before is shown meanwhile", async () => {
+    vi.useFakeTimers();
+    const api = new WholeApi({ plate: { nu: 0.2 } });
+    const { store, connection } = page(api);
+    await connection.start();
+    api.unread = 3;
+    connection.retry();
+    await vi.waitFor(() => expect(store.doc?.checking).toBe(true));
+    expect([store.broken, store.data]).toEqual([false, { plate: { nu: 0.2 } }]);
+    await vi.waitFor(() => expect(store.doc?.checking).toBe(false));
+    expect(store.doc?.data).toEqual({ plate: { nu: 0.2 } });
+    vi.useRealTimers();
+  });
+});
+
 describe("two texts", () => {
   const state = (text: string, dirty = false): DocState => ({ ...new FakeApi({}).present(), text, dirty });
 

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 // The drawing: snapping, handles, and the edits that dragging and drawing make.
 import { describe, expect, it } from "vitest";
 import { Camera } from "../../src/app/drawing/camera";
@@ -5,6 +6,7 @@ import { editsBetween, readGeometry, readSides, ringOf, signedArea } from "../..
 import { dragged, handlesOf, withoutCorner } from "../../src/app/drawing/handles";
 import { itemsAt } from "../../src/app/drawing/hits";
 import { itemsOf } from "../../src/app/drawing/items";
+import { paintItems } from "../../src/app/drawing/paint";
 import { Drawing, Moving, Reshaping } from "../../src/app/drawing/press";
 import { roundedTo, roundStep, snap } from "../../src/app/drawing/snap";
 import { freeName, madeAtPoint, madeOfShape, outlineEdits, toolOf } from "../../src/app/drawing/tools";
@@ -39,6 +41,28 @@ describe("snapping", () => {
   it("makes steps of 1, 2 and 5, and numbers without noise", () => {
     expect([0.003, 0.01, 0.011, 0.3, 7].map(roundStep)).toEqual([0.005, 0.01, 0.02, 0.5, 10]);
     expect([roundedTo(0.1 + 0.2, 0.1), roundedTo(-0.001, 0.05), roundedTo(1234.5678, 0.002)]).toEqual([0.3, 0, 1234.568]);
+  });
+});
+
+describe("the drawing", () => {
+  const camera = new Camera();
+  const drawn = (data: Table, kind: string) => paintItems(camera, itemsOf(data, null).filter((item) => item.kind === kind), { selected: null, hovered: null, faulty: [], loadCase: "" });
+  const square = [["0 m", "0 m"], ["1 m", "0 m"], ["1 m", "1 m"], ["0 m", "0 m"]];
+
+  it("fills areas, but no line that is closed", () => {
+    const loads = drawn({ loads: [{ kind: "line", q: "1 kN/m", points: square }, { kind: "area", q: "1 kPa", shape: { kind: "polygon", points: square.slice(1) } }] }, "load");
+    expect(loads.map((group) => group.querySelectorAll(".area").length)).toEqual([0, 1]);
+    const supports = drawn({ supports: [{ kind: "line", name: "W", points: square }, { kind: "point", name: "P", x: "0 m", y: "0 m" }] }, "support");
+    expect(supports.map((group) => group.querySelectorAll(".area").length)).toEqual([0, 1]);
+  });
+
+  it("has circles and arcs whose chords turn by two degrees at most", () => {
+    const circle = ringOf(readGeometry({ o: { kind: "circle", radius: "1 mm" } }, ["o"])!);
+    expect(circle.length).toBe(180);
+    const half = ringOf(readGeometry({ o: { kind: "polygon", points: [["0 m", "0 m"], ["2 m", "0 m"]], bulges: [1] } }, ["o"])!);
+    expect(half.length).toBe(91);
+    // on a half circle about (1, 0)
+    for (const [x, y] of half) expect(Math.hypot(x - 1, y)).toBeCloseTo(1, 12);
   });
 });
 

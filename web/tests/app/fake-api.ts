@@ -10,6 +10,8 @@ export class FakeApi {
   /** Answers get lost although the edit arrives. */
   deaf = false;
   faults: Fault[] = [];
+  /** So many answers come before the text has been read. */
+  unread = 0;
   readonly received: Change[] = [];
   private readonly steps: { data: Table; text: string }[] = [];
 
@@ -18,7 +20,7 @@ export class FakeApi {
   present(): DocState {
     const last = this.steps.at(-1);
     return {
-      version: this.version, text: JSON.stringify(this.data), data: this.data, faults: this.faults, plan: null, file: "case.toml", dirty: this.version > 1,
+      version: this.version, text: JSON.stringify(this.data), data: this.unread > 0 ? null : this.data, checking: this.unread-- > 0, faults: this.faults, plan: null, file: "case.toml", dirty: this.version > 1,
       can_undo: last !== undefined, can_redo: false, undo_text: last?.text ?? "", redo_text: "", offer: null,
     };
   }

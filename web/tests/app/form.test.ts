@@ -1,11 +1,12 @@
 // @vitest-environment happy-dom
 // The form: made from the schema, values kept as typed, kinds switched, faults at their fields.
+import { readGeometry, ringOf } from "../../src/app/drawing/geometry";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Change, Fault } from "../../src/app/api";
 import type { FormContext } from "../../src/app/form/context";
-import { faultsOfPart } from "../../src/app/form/faults";
+import { faultsOfPart, faultWords } from "../../src/app/form/faults";
 import { formPanel } from "../../src/app/form/form-panel";
-import { switchKind } from "../../src/app/form/kinds";
+import { placed, switchKind } from "../../src/app/form/kinds";
 import { partWidget } from "../../src/app/form/part";
 import { removal, renames } from "../../src/app/form/references";
 import { labelOf, summaryOf } from "../../src/app/form/words";
@@ -99,6 +100,13 @@ describe("the schema", () => {
     visit("");
     expect(seen.size).toBeGreaterThan(35);
   });
+
+  it("say about which axis the moments of a load turn", () => {
+    const fields = schema.part("PointLoad").fields;
+    const named = ["M_x", "M_y"].map((name) => fields.find((field) => field.name === name)!);
+    expect(named.map(labelOf)).toEqual(["moment about the y axis", "moment about the x axis"]);
+    expect(named[0]!.hint).toContain("presses the side of larger x down");
+  });
 });
 
 describe("a field", () => {
@@ -176,6 +184,7 @@ describe("faults", () => {
     page.show(["plate"]);
     const field = page.field(["plate", "E"]);
     expect(field.querySelector(".messages")?.textContent).toBe('Got "30", expected a pressure such as "30 MPa" — the unit is missing.');
+    expect(faultWords(fault(["x"], '"g"', "a load case", 'did you mean "G"?'))).toBe('Got "g", expected a load case — did you mean "G"?');
     expect(page.input(["plate", "E"]).getAttribute("aria-invalid")).toBe("true");
     page.faults = [];
     page.update();
@@ -248,6 +257,14 @@ describe("switching the kind", () => {
     expect(valueAt(result, ["supports", 0])).toMatchObject({ kind: "line", name: "A", acts: "in tension" });
     expect(valueAt(result, ["supports", 0, "stiffness"])).toBeUndefined();
     expect(valueAt(result, ["supports", 0, "points"])).toHaveLength(2);
+  });
+
+  it("changes a circle into a polygon of four quarters that is the same circle", () => {
+    const data: Table = { plate: { outline: { kind: "circle", centre: ["1 m", "0 m"], radius: "2 m" } } };
+    const polygon = placed(data, ["plate", "outline"], schema.part("Polygon"));
+    expect(polygon.points).toEqual([["3 m", "0 m"], ["1 m", "2 m"], ["-1 m", "0 m"], ["1 m", "-2 m"]]);
+    const ring = ringOf(readGeometry({ o: polygon }, ["o"])!);
+    for (const [x, y] of ring) expect(Math.hypot(x - 1, y)).toBeCloseTo(2, 12);
   });
 
   it("changes the slab into a polygon on command only, with the corners it had", () => {

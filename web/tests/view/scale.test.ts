@@ -29,6 +29,9 @@ describe("round numbers", () => {
     expect(roundTicks(-0.31, 0.29, 6)).toEqual([-0.3, -0.2, -0.1, 0, 0.1, 0.2]);
     expect(tickTexts([-2.5, 0, 2.5])).toEqual(["−2.5", "0.0", "2.5"]);
     expect(tickTexts([0, 500, 1000])).toEqual(["0", "500", "1000"]);
+    expect(tickTexts([-0.6, -0.3, -1.1e-17, 0.3, 0.6])).toEqual(["−0.6", "−0.3", "0.0", "0.3", "0.6"]);
+    expect(tickTexts([0.1 + 0.2, 1e-17, 0.6])).toEqual(["0.3", "0.0", "0.6"]);
+    expect(tickTexts([0, 1e-17, 2e-4])).toEqual(["0", "0", "0.000200"]);
   });
 });
 

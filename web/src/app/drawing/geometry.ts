@@ -51,6 +51,9 @@ export function readSides(data: Json): Geometry | null {
   return x !== null && y !== null && x > 0 && y > 0 ? { type: "sides", at: ["plate"], x, y } : null;
 }
 
+/** Arcs become chords of at most this angle, so that they look round on the largest screen. */
+const CHORD_ANGLE = (2 * Math.PI) / 180;
+
 /** The curve of a geometry, arcs as chords; closed unless it is a point, a line or a segment. */
 export function ringOf(geometry: Geometry): Ring {
   switch (geometry.type) {
@@ -64,8 +67,8 @@ export function ringOf(geometry: Geometry): Ring {
         return [point, ...arc(point, next, geometry.bulges[n] ?? 0)];
       });
     case "circle":
-      return Array.from({ length: 72 }, (_, n): Point => {
-        const angle = (n / 72) * 2 * Math.PI;
+      return Array.from({ length: 180 }, (_, n): Point => {
+        const angle = n * CHORD_ANGLE;
         return [geometry.centre[0] + geometry.radius * Math.cos(angle), geometry.centre[1] + geometry.radius * Math.sin(angle)];
       });
     case "point":
@@ -97,7 +100,7 @@ function arc(from: Point, to: Point, bulge: number): Point[] {
   ];
   const start = Math.atan2(from[1] - centre[1], from[0] - centre[0]);
   const radius = Math.hypot(from[0] - centre[0], from[1] - centre[1]);
-  const steps = Math.max(2, Math.ceil(Math.abs(sweep) / 0.1));
+  const steps = Math.max(2, Math.ceil(Math.abs(sweep) / CHORD_ANGLE));
   return Array.from({ length: steps - 1 }, (_, n): Point => {
     const angle = start + (sweep * (n + 1)) / steps;
     return [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)];

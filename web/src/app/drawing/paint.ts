@@ -85,8 +85,9 @@ function nameOf(item: Item): string {
   return typeof item.table.name === "string" ? item.table.name : "";
 }
 
+/** A surface; lines have no such class, as a closed one would be filled, too. */
 function area(ring: readonly Pixel[]): SVGElement {
-  return path(ring, true);
+  return path(ring, true, "area");
 }
 
 /** A line through pixels. */
@@ -130,7 +131,7 @@ function column(camera: Camera, item: Item, ring: readonly Pixel[]): SVGElement[
 }
 
 function pointSupport([x, y]: Pixel, table: Table): SVGElement[] {
-  const triangle = path([[x, y], [x - 7, y + 12], [x + 7, y + 12]], true);
+  const triangle = area([[x, y], [x - 7, y + 12], [x + 7, y + 12]]);
   const elastic = table.stiffness !== undefined;
   const ground = elastic
     ? path([[x - 7, y + 15], [x - 3.5, y + 19], [x, y + 15], [x + 3.5, y + 19], [x + 7, y + 15]], false, "fine")

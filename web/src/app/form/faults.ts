@@ -26,5 +26,10 @@ export function faultsOfList(faults: readonly Fault[], path: Path): Fault[] {
 /** What is wrong, in one line below its field. */
 export function faultWords(fault: Fault): string {
   const mend = fault.mend ? ` — ${fault.mend}` : "";
-  return `Got ${fault.got}, expected ${fault.expected}${mend}.`;
+  return ended(`Got ${fault.got}, expected ${fault.expected}${mend}`);
+}
+
+/** A sentence with its mark at the end. */
+function ended(words: string): string {
+  return /[.?!]$/.test(words) ? words : `${words}.`;
 }

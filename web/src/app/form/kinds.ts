@@ -76,7 +76,7 @@ export function placed(data: Table, path: Path, part: Part, old: Table = {}): Ta
     case "Rectangle":
       return { kind: "rectangle", ...box };
     case "Polygon":
-      return { kind: "polygon", points: cornersFor(data, path, [x0, y0, x1, y1]).map(text) };
+      return { kind: "polygon", ...cornersFor(data, path, [x0, y0, x1, y1], text) };
     case "Circle":
       return { kind: "circle", centre: text([x, y]), radius: written(Math.min(x1 - x0, y1 - y0) / 2) };
     case "PatchLoad":
@@ -92,12 +92,13 @@ export function placed(data: Table, path: Path, part: Part, old: Table = {}): Ta
   return made;
 }
 
-/** The curve's own corners where it is a shape already, its arcs as chords. */
-function cornersFor(data: Table, path: Path, [x0, y0, x1, y1]: readonly [number, number, number, number]): readonly Point[] {
+/** Corners of a rectangle; of a circle the ends of its quarters, which stay arcs: the tangent of a quarter of each. */
+function cornersFor(data: Table, path: Path, [x0, y0, x1, y1]: readonly [number, number, number, number], text: (at: Point) => Json[]): Table {
   const geometry = path.length > 0 ? readGeometry(data, path) : null;
-  if (geometry?.type !== "circle") return [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
+  if (geometry?.type !== "circle") return { points: ([[x0, y0], [x1, y0], [x1, y1], [x0, y1]] as const).map(text) };
   const { centre: [x, y], radius } = geometry;
-  return Array.from({ length: 12 }, (_, n): Point => [x + radius * Math.cos((n * Math.PI) / 6), y + radius * Math.sin((n * Math.PI) / 6)]);
+  const ends = [[x + radius, y], [x, y + radius], [x - radius, y], [x, y - radius]] as const;
+  return { points: ends.map(text), bulges: ends.map(() => Math.tan(Math.PI / 8)) };
 }
 
 function boundsFor(data: Table, path: Path, old: Table): [number, number, number, number] {
