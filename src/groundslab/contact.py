@@ -129,11 +129,13 @@ def _solved(A: Symmetric, f: Array, b: Bearings, state: Integers, latest: Latest
 
 def _refined(s: _Solved, b: Bearings, latest: Latest) -> Contact:
     """Return a solution without the rounding of the factorisation."""
-    A, u = s.task.A, s.contact.u.copy()
+    A, u, before = s.task.A, s.contact.u.copy(), np.inf
     for _ in range(REFINEMENTS):
         left = s.load - A @ u
-        if np.abs((left - s.task.added * u)[~s.task.held]).max(initial=0.0) <= ROUNDED * np.abs(left).max(initial=0.0):
+        rest = np.abs((left - s.task.added * u)[~s.task.held]).max(initial=0.0)
+        if rest <= ROUNDED * np.abs(left).max(initial=0.0) or rest > before / 2:
             break
+        before = rest
         latest.improve(s.task, s.load, u, left, 1)
     left = s.load - A @ u
     state = s.contact.state
