@@ -154,7 +154,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     # what the ground and the supports push up on the plate, moments about the origin
     support = np.where(held[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
-    own = bearing.support >= 0
+    own = bearing.field != TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
     pushed = ground[:, 0].sum()
     up = np.column_stack([ground[:, 0], np.zeros((len(nodes), 2))])

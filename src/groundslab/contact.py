@@ -135,7 +135,7 @@ def solve(
         slack = SLACK * np.abs(u).max()
         after = np.where(b.both_ways, CLOSED, _next(b, state, b.driven(u), force, slack))
         wrong: Flags = after != state
-        touching = int((state != OPEN).sum())
+        touching = int(((state != OPEN) & (b.capacity > 0)).sum())
         history.append({"iteration": iteration, "closed": touching, "changed": int(wrong.sum())})
         report(iteration, touching, int(wrong.sum()))
         # close to a cycle, or to floating, decisions must not rest on what conjugate gradients leave over

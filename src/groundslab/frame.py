@@ -41,7 +41,7 @@ class Whole:
         for axis in (0, 1):
             if name in ODD[axis]:
                 found = found * self.odd[axis]
-        return found * self.shares if name == "area" else found
+        return found * self.shares if name in ("area", "contact_area") else found
 
     def by_element(self, name: str, field: Array) -> Array:
         """Return a field of elements of the whole (m,) from that of the meshed part."""

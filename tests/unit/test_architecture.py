@@ -61,7 +61,7 @@ FLOORS = [
         "traverse",
         "envelope",
     ],
-    ["subsoil", "layout", "loading", "bearing", "discretise"],
+    ["borders", "layout", "subsoil", "voids", "loading", "bearing", "discretise"],
     [
         "statics",
         "solution",

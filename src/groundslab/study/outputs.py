@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.errors import Fault, InputError
+from groundslab.readings import contact_share
 from groundslab.results import PLATE_FIELDS, Combined, Results
 
 if TYPE_CHECKING:
@@ -267,8 +268,7 @@ def _support_force(results: Results, output: Output) -> float | None:
 
 
 def _in_contact(results: Results, output: Output) -> float | None:  # noqa: ARG001
-    plate = results.plate
-    return float(plate.area[plate.in_contact].sum() / plate.area.sum())
+    return contact_share(results.plate)
 
 
 _FIGURE: dict[str, Callable[[Results, Output], float | None]] = {

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from groundslab import __version__
-from groundslab.readings import goes_below_zero, holds_line_force, require_finite
+from groundslab.readings import contact_share, goes_below_zero, holds_line_force, require_finite
 from groundslab.results import PLATE_FIELDS
 
 if TYPE_CHECKING:
@@ -239,7 +239,7 @@ def _settlement(results: Results) -> Section:
 def _contact(results: Results) -> Section:
     """Return how much of the plate rests on the ground, the largest gap and the pressures."""
     plate, unit = results.plate, _unit("pressure")
-    share = float(plate.area[plate.in_contact].sum() / plate.area.sum())
+    share = contact_share(plate)
     gap, place = extreme(plate.nodes, plate.gap, "largest")
     rows = [Row("share", "plate's area in contact", share, PERCENT)]
     rows.append(Row("largest_gap", "largest gap", gap, _unit("gap"), "g", place if gap > 0 else None))
