@@ -37,8 +37,7 @@ def ground_bearing(
     law, depth, area = contact.gaps(unknown[under, TOP]), found.first[under], found.at_first(found.area, under)
     capacity = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
     law = Bearings(law.at, law.sign, law.level, law.stiffness, capacity, law.both_ways)
-    none = np.zeros(len(under))
-    gaps = Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), none, depth, area)
+    gaps = Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), np.zeros(len(under)), depth)
     if not (found.steps and len(under)):
         return gaps
     assert isinstance(ground, Column)
@@ -54,7 +53,7 @@ def ground_bearing(
         capacity=limit * area,
         both_ways=np.zeros(len(node), dtype=bool),
     )
-    return joined(gaps, Bearing(law, node, np.full(len(node), W), np.full(len(node), -1), 0 * one, depth, area))
+    return joined(gaps, Bearing(law, node, np.full(len(node), W), np.full(len(node), -1), 0 * one, depth))
 
 
 def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
@@ -85,7 +84,7 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
         )
         length = np.zeros(len(nodes)) if isinstance(support, PointSupport) else share
         field, own = np.full(len(nodes), W), np.full(len(nodes), number)
-        parts.append(Bearing(law, nodes, field, own, length, 0 * nodes, 0 * one))
+        parts.append(Bearing(law, nodes, field, own, length, 0 * nodes))
     return _without_doubles(model, joined(*parts)) if parts else joined()
 
 
@@ -103,7 +102,6 @@ def joined(*parts: Bearing) -> Bearing:
         support=np.concatenate(each("support")),
         length=np.concatenate([np.zeros(0), *(part.length for part in parts)]),
         depth=np.concatenate(each("depth")),
-        area=np.concatenate([np.zeros(0), *(part.area for part in parts)]),
     )
 
 
@@ -112,7 +110,7 @@ def _elastic_turn(number: int, nodes: Integers, unknown: Integers, field: int, s
     nodes = nodes[unknown[nodes, field] >= 0]
     one, endless = np.ones(len(nodes)), np.full(len(nodes), np.inf)
     law = Bearings(unknown[nodes, field], -one, 0 * one, stiffness * one, endless, np.ones(len(nodes), dtype=bool))
-    return Bearing(law, nodes, np.full(len(nodes), field), np.full(len(nodes), number), 0 * one, 0 * nodes, 0 * one)
+    return Bearing(law, nodes, np.full(len(nodes), field), np.full(len(nodes), number), 0 * one, 0 * nodes)
 
 
 def _without_doubles(model: Model, b: Bearing) -> Bearing:
@@ -139,7 +137,7 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
         raise InputError(list(faults.values()))
     names = ("at", "sign", "level", "stiffness", "capacity", "both_ways")
     law = Bearings(*(getattr(b.law, name)[keep] for name in names))
-    return Bearing(law, b.node[keep], b.field[keep], b.support[keep], b.length[keep], b.depth[keep], b.area[keep])
+    return Bearing(law, b.node[keep], b.field[keep], b.support[keep], b.length[keep], b.depth[keep])
 
 
 def fixed_nodes(model: Model, plan: Layout) -> Integers:

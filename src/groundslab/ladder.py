@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from groundslab import forecast
 from groundslab.discretise import discretise
-from groundslab.frame import Frame, frame
+from groundslab.frame import Frame, depth_of_elements, frame
 from groundslab.ground import Column
 from groundslab.layout import Meshes
 from groundslab.linear import Latest, Solver
@@ -15,6 +17,9 @@ from groundslab.problem import System, stiffness, system
 from groundslab.solution import Solution
 from groundslab.subsoil import Factors
 from groundslab.symmetric import Symmetric
+
+#: Parts of a model on which the frame of its results depends.
+FRAMING = ("plate", "supports", "columns", "loads")
 
 
 @dataclass(slots=True)
@@ -36,11 +41,17 @@ class Level:
         return self.matrix[1]
 
     def frame(self, model: Model) -> Frame:
-        """Return the frame of a model's results, the same one for a model with the same plate, supports and loads."""
-        if self.framed is None or not all(
-            getattr(model, name) == getattr(self.framed[0], name) for name in ("plate", "supports", "columns", "loads")
+        """Return the frame of a model's results, the same one for a model with the same plate, supports and loads.
+
+        And with voids under the same elements.
+        """
+        problem = self.system.problem
+        if (
+            self.framed is None
+            or any(getattr(model, name) != getattr(self.framed[0], name) for name in FRAMING)
+            or not np.array_equal(depth_of_elements(problem), self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
         ):
-            self.framed = model, frame(model, self.system.problem)
+            self.framed = model, frame(model, problem)
         return self.framed[1]
 
     def beside(self) -> Level:

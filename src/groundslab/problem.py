@@ -54,7 +54,6 @@ class Bearing:
     support: Integers  # (c,): number of the support, -1 for the ground
     length: Array  # (c,) [m]: the share of a line support, 0 for all else
     depth: Integers  # (c,): at which of the depths the ground lies; 0 for supports
-    area: Array  # (c,) [m2]: of the ground, 0 for supports
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,12 +6,13 @@ import numpy as np
 
 from groundslab import patches
 from groundslab.assembly import scatter
-from groundslab.checks import apply, ground_forces, resistance
+from groundslab.checks import apply, resistance
+from groundslab.contact_fields import contact_fields
 from groundslab.frame import ODD, XI_TURNED, Frame
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
 from groundslab.model import Model
-from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, W, plate_settlement, surface_settlement
+from groundslab.problem import BETA_X, BETA_Y, Problem, W, plate_settlement, surface_settlement
 from groundslab.results import (
     Certificate,
     Constants,
@@ -23,7 +24,7 @@ from groundslab.results import (
     Step,
     SupportResult,
 )
-from groundslab.shape import Array, areas
+from groundslab.shape import Array
 from groundslab.solution import Solution
 from groundslab.vlasov import Soil
 
@@ -72,9 +73,9 @@ def increment(model: Model, solution: Solution, frame: Frame, share: float) -> I
 def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
     """Return plate, elements and ground of the whole, with their fields."""
     problem, plate, ground = solution.system.problem, frame.plate, frame.ground
-    fields = _plate_fields(solution, frame)
-    pressure = _in_elements(problem, _at_depths(solution)[0])
-    at_centres = _element_fields(model, problem, solution.U, frame, pressure)
+    contact, pressure = contact_fields(solution, frame)
+    fields = _plate_fields(solution, frame) | contact
+    at_centres = _element_fields(model, problem, solution.U, frame) | {"pressure": pressure}
     nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
     elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
     section = elements.pop("section").astype(np.int64)
@@ -121,70 +122,29 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
 
 
 def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
-    """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1."""
-    s, U = solution.system, solution.U
-    problem = s.problem
-    n, under = len(problem.mesh.nodes), problem.plate_nodes
+    """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1.
 
-    gap, closed, sunk, pressure = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
-    at_depths, touching = _at_depths(solution)
-    share = _in_elements(problem, touching)
-    closed[under], pressure[under] = (problem.depths.at_first(each, under) for each in (touching, at_depths))
-    if problem.tensionless:
-        own = np.flatnonzero(problem.bearing.field == TOP)
-        slip = solution.slip[own]
-        sunk[under] = np.where(closed[under] > 0, slip, 0.0)
-        gap[under] = np.where(closed[under] > 0, 0.0, U[under, TOP] + slip)
+    Without those of contact, see `contact_fields`.
+    """
+    s, U = solution.system, solution.U
     fields = {
         "settlement": plate_settlement(s, U),
         "rotation_x": U[:, BETA_X],
         "rotation_y": U[:, BETA_Y],
-        "gap": gap,
-        "penetration": sunk,
-        "pressure": pressure,
-        "in_contact": closed,
         "on_edge": frame.on_edge,
     }
     at_nodes = {name: field[frame.node] for name, field in fields.items()}
-    bears = share * frame.mean * areas(frame.mesh.xy)[:, None]
-    at_nodes |= {"area": frame.area, "contact_area": scatter(frame.mesh.elements, bears, len(frame.node))}
-    return {**at_nodes, **section_forces(problem, U, frame)}
+    return {**at_nodes, "area": frame.area, **section_forces(s.problem, U, frame)}
 
 
-def _at_depths(solution: Solution) -> tuple[Array, Array]:
-    """Return the pressure of what lies at each depth at each node, and 1.0 where it touches the plate (n, d)."""
-    s, problem = solution.system, solution.system.problem
-    pressure, touching = np.zeros(problem.depths.area.shape), np.zeros(problem.depths.area.shape)
-    under, b = problem.plate_nodes, problem.bearing
-    if problem.tensionless:
-        own = np.flatnonzero(b.support < 0)
-        at = b.node[own], b.depth[own]
-        pressure[at] = solution.contact.force[own] / b.area[own]
-        touching[at] = solution.contact.closed[own] & (b.law.capacity[own] > 0)
-    else:
-        pressure[under, 0] = ground_forces(s, solution.U, solution.column)[under, 1] / problem.depths.area[under, 0]
-        touching[under, 0] = 1.0
-    return pressure, touching
-
-
-def _in_elements(problem: Problem, values: Array) -> Array:
-    """Return what is known of each depth at each node (n, d), as each plate element has it at its nodes (mp, 9)."""
-    elements = problem.mesh.elements[problem.plate_elements]
-    parts = [share[:, None] * values[elements, depth] for depth, share in enumerate(problem.depths.share.T)]
-    found: Array = np.sum(parts, axis=0)
-    return found
-
-
-def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame, pressure: Array) -> dict[str, Array]:
+def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
     """Return the fields at the centres of the plate's elements (mp,), the number of the section as a float among them.
 
-    pressure (mp, 9) is that at the nodes of each element: the mean of an element's pressure is int N p dA over its
-    area, so that all of them together are the whole contact force.
+    Without the pressure.
     """
-    mean = np.einsum("ea,ea->e", frame.mean, pressure)
     thickness = np.array([t for _, _, t in materials(model)])[problem.section]
     forces = dict(zip(FORCES, centre_forces(problem, U, frame).T, strict=True))
-    return {"pressure": mean, **forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
+    return {**forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
 
 
 def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:

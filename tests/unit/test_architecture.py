@@ -66,6 +66,7 @@ FLOORS = [
         "statics",
         "solution",
         "forecast",
+        "contact_fields",
         "checks",
         "creases",
         "frame",
