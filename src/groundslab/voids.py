@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 
 from groundslab.assembly import scatter
-from groundslab.between import interpolated
+from groundslab.between import interpolate_smoothly
 from groundslab.borders import shares, void_rings
 from groundslab.errors import Fault, InputError
 from groundslab.ground import Column
 from groundslab.layout import Layout
 from groundslab.model import Model
+from groundslab.plan import Ring
 from groundslab.problem import MIDSIDES, Depths, nodal_areas
 from groundslab.shape import Array, Flags, Integers
 from groundslab.vlasov import Soil
@@ -19,38 +23,58 @@ from groundslab.vlasov import Soil
 LEAST_SHARE = 0.01
 
 
-def depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> Depths:
-    """Return how deep the ground lies under each plate element and node.
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """What voids take of the elements of a plate."""
+
+    drawn: Array  # (mp, v): share of each element in each void, where a deeper one does not lie over it
+    depth: Array  # (d,) [m], ascending: 0 first, infinite for cavities
+    of: Integers  # (v,): which depth each void has
+    share: Array  # (mp, d): share of each element that counts as lying at each depth
+
+
+def taken(model: Model, xy: Array, followed: Sequence[Ring], steps: bool) -> Taken:
+    """Return what voids take of the elements (mp, 9, 2) of a plate, their share or, unless ground steps, all or none.
 
     Ground without shear may step along the border of a void, so that an element can lie in a void in part. The surface
-    of ground with shear is continuous, and an element lies wholly in what takes the largest share of it. Raises
-    InputError for a void that is lost on the finest mesh.
+    of ground with shear is continuous, and an element lies wholly in what takes the largest share of it.
     """
-    voids = model.contact.voids
-    own = np.array([np.inf if void.depth is None else void.depth for void in voids])
+    own = np.array([np.inf if void.depth is None else void.depth for void in model.contact.voids])
     order = np.argsort(own, kind="stable")  # where voids overlap the deepest counts
     rings = [void_rings(model)[k] for k in order]
-    depth, of = np.unique([0.0, *own[order]], return_inverse=True)
-    mesh = plan.mesh
-    by_ring = shares(mesh.xy[plan.plate_elements], rings, plan.followed, max(model.plate.sides))
-    share = np.stack([by_ring[:, of == k].sum(axis=1) for k in range(len(depth))], axis=1)
-    steps = isinstance(ground, Column) and ground.surfaces == 1 and not ground.A1.any()
+    depth, of = np.unique([0.0, *own], return_inverse=True)
+    by_ring = shares(xy, rings, followed, max(model.plate.sides))
+    drawn = np.zeros((len(xy), len(own)))
+    drawn[:, order] = by_ring[:, 1:]
+    parts = np.column_stack([by_ring[:, 0], drawn])
+    share = np.stack([parts[:, of == k].sum(axis=1) for k in range(len(depth))], axis=1)
     if steps:
         share[share < LEAST_SHARE] = 0.0
         share /= share.sum(axis=1, keepdims=True)
     else:
-        last = share.shape[1] - 1
+        last = len(depth) - 1
         share = np.eye(last + 1)[last - np.argmax(share[:, ::-1], axis=1)]
-    lost = (by_ring.sum(axis=0) > 0) & ~((by_ring > 0) & (share[:, of] > 0)).any(axis=0)
-    if finest and lost[1:].any():
+    return Taken(drawn, depth, of[1:], share)
+
+
+def depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> Depths:
+    """Return how deep the ground lies under each plate element and node.
+
+    Raises InputError for a void that is lost on the finest mesh.
+    """
+    steps = isinstance(ground, Column) and ground.surfaces == 1 and not ground.A1.any()
+    found = taken(model, plan.mesh.xy[plan.plate_elements], plan.followed, steps)
+    there = found.drawn > 0
+    lost = there.any(axis=0) & ~(there & (found.share[:, found.of] > 0)).any(axis=0)
+    if finest and lost.any():
         mend = "make the elements smaller than the void"
         raise InputError(
             [
                 Fault(f"contact.voids[{k + 1}]", "a void between the nodes", "one that takes an element", mend)
-                for k in np.sort(order[lost[1:]])
+                for k in np.flatnonzero(lost)
             ]
         )
-    return _at_nodes(plan, depth, share, steps)
+    return _at_nodes(plan, found.depth, found.share, steps)
 
 
 def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:
@@ -81,7 +105,7 @@ def initial_gap(model: Model, plan: Layout) -> Array:
     gap[under] = model.contact.gap
     if model.contact.gaps:
         known = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
-        gap[under] += interpolated(known[:, :2], known[:, 2:], plan.mesh.nodes[under])[:, 0]
+        gap[under] += interpolate_smoothly(known[:, :2], known[:, 2], plan.mesh.nodes[under])
     return gap
 
 

@@ -67,6 +67,7 @@ FLOORS = [
         "solution",
         "forecast",
         "contact_fields",
+        "coverage",
         "checks",
         "creases",
         "frame",

@@ -544,12 +544,22 @@ def test_nodes_on_the_edge_of_a_void_bear(symmetry: str) -> None:
 
 
 def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
-    """Between two measured gaps the initial gap grows linearly, beyond them it stays; the uniform gap is added."""
+    """With two measured gaps the initial gap grows linearly, beyond them too; the uniform gap is added."""
     known = [GapPoint(x=-2.0, y=0.0, gap=1e-3), GapPoint(x=2.0, y=0.0, gap=5e-3)]
     problem = discretise(model(gap=2e-3, gaps=known, counts=(6, 4)))
     along = np.flatnonzero(np.abs(problem.mesh.nodes[:, 1]) < 1e-12)
     x = problem.mesh.nodes[along, 0]
-    np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + np.interp(x, [-2.0, 2.0], [1e-3, 5e-3]), atol=1e-12)
+    np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + 3e-3 + 1e-3 * x, atol=1e-12)
+
+
+def test_gaps_measured_on_a_plane_are_that_plane() -> None:
+    """A plate whose ground slopes away evenly settles onto the slope without bending: w = q / k + gap everywhere."""
+    plane = [(x, y, 1.8e-3 + 2e-4 * x + 1e-4 * y) for x in (-3.0, 3.0) for y in (-2.0, 2.0)]
+    known = [GapPoint(x=x, y=y, gap=gap) for x, y, gap in plane]
+    results = solve(model([UniformLoad(q=2e4)], gaps=known, ground=Winkler(k=2e7), counts=(12, 8)))
+    x, y = results.plate.nodes.T
+    np.testing.assert_allclose(results.plate.settlement, 1e-3 + 1.8e-3 + 2e-4 * x + 1e-4 * y, rtol=1e-6)
+    assert results.plate.settlement.max() == pytest.approx(3.6e-3, rel=1e-6)
 
 
 def test_a_rigid_plate_takes_up_a_measured_gap() -> None:

@@ -267,15 +267,11 @@ def _support_force(results: Results, output: Output) -> float | None:
     return found[0] if found else None
 
 
-def _in_contact(results: Results, output: Output) -> float | None:  # noqa: ARG001
-    return contact_share(results.plate)
-
-
 _FIGURE: dict[str, Callable[[Results, Output], float | None]] = {
     "load": lambda results, _: results.certificate.load,
     "reaction": lambda results, _: results.certificate.reaction,
     "settlement difference": lambda results, _: float(np.ptp(results.plate.settlement)),
-    "in contact": _in_contact,
+    "in contact": lambda results, _: contact_share(results.plate),
     "tilt": _tilt("tilt"),
     "tilt x": _tilt("tilt_x"),
     "tilt y": _tilt("tilt_y"),

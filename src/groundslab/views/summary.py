@@ -93,7 +93,7 @@ def summary(results: Results) -> list[Section]:
 
 def description(results: Results) -> list[Section]:
     """Return what was analysed, plate and ground."""
-    return [_plate(results), description_of_ground(results)]
+    return [_plate(results), description_of_ground(results), *_borders(results)]
 
 
 def figures(results: Results) -> list[Section]:
@@ -221,6 +221,27 @@ def description_of_ground(results: Results) -> Section:
         rows.append(Row("gamma", "decay of the mode", constants.gamma, None, "gamma"))
         rows.append(Row("gamma_iterations", "iterations for gamma", constants.gamma_iterations))
     return Section("ground", "Ground", tuple(rows))
+
+
+def _borders(results: Results) -> list[Section]:
+    """Return the soil zones and voids whose borders the mesh does not follow, if there are any."""
+    from groundslab.coverage import crossed_borders
+
+    rows = [
+        row
+        for each in crossed_borders(results)
+        for row in (
+            Row(f"{each.name}.drawn", f"{each.name} as drawn", each.drawn, AREA),
+            Row(f"{each.name}.meshed", f"{each.name} on the mesh", each.meshed, AREA),
+            Row(f"{each.name}.crossed", f"elements that lie in {each.name} in part", each.crossed, AREA),
+        )
+    ]
+    note = (
+        "An element that such a border crosses takes the mean of the ground in it, by area; of a void in ground with "
+        "shear it takes all or nothing. With mesh.size instead of mesh.counts, or smaller elements, the mesh follows "
+        "the borders."
+    )
+    return [Section("borders", "Borders across elements of the mesh", tuple(rows), (note,))] if rows else []
 
 
 def _settlement(results: Results) -> Section:
