@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import functools
 import re
+from bisect import bisect
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +15,11 @@ from groundslab.plan import FLAT, SAME_PLACE, Plan, Ring
 from groundslab.shape import Array, Flags
 from groundslab.unmeshable import TOO_CLOSE, faults
 
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+#: So many borders are followed at most: a line of a grid for each side of more would be no mesh for a plate.
+MOST_BORDERS = 200
 #: Eight nodes around an element, in their order.
 AROUND = np.array([0, 4, 1, 5, 2, 6, 3, 7])
 #: A share of an element that differs from none or all by less than this does so by rounding.
@@ -35,14 +42,16 @@ def with_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
 
     Borders are cut off where nothing is meshed. Those along x and y are moved onto lines of the plan, or of earlier
     borders, that are too close to leave a strip to mesh. A border is left out if it is finer than what can be meshed,
-    grazes another curve, or is oblique or curved where nothing but grids can be made: see `shares`.
+    grazes another curve, or is oblique or curved where nothing but grids can be made: see `shares`; so are those after
+    the first two hundred.
     """
     from groundslab import mesher
 
     kept: list[Ring] = []
     lines = _coordinates(plan)
     curved = not plan.rectilinear or mesher.available()
-    for ring in (part for each in rings for part in _clipped(each, plan)):
+    domain = plan.domain.polygon(FLAT * plan.extent)
+    for ring in (part for each in rings[:MOST_BORDERS] for part in _clipped(each, plan, domain)):
         own = _moved(ring, lines, TOO_CLOSE * plan.extent) if ring.rectilinear else ring
         if _coarse_enough(own, plan) and (curved or own.rectilinear):
             kept.append(own)
@@ -60,15 +69,15 @@ def _coordinates(plan: Plan) -> tuple[list[float], list[float]]:
     """Return x and y of all corners and points of a plan."""
     places = [point for ring in plan.rings().values() for point in ring.points]
     places += [*plan.points, *(point for line in plan.lines for point in line)]
-    return [x for x, _ in places], [y for _, y in places]
+    return sorted(x for x, _ in places), sorted(y for _, y in places)
 
 
-def _clipped(ring: Ring, plan: Plan) -> list[Ring]:
+def _clipped(ring: Ring, plan: Plan, domain: Polygon) -> list[Ring]:
     """Return the curves around what of a ring is meshed; one with arcs, or on a curved domain, as it is."""
     import shapely
 
     chord = FLAT * plan.extent
-    domain, own = plan.domain.polygon(chord), ring.polygon(chord)
+    own = ring.polygon(chord)
     if not own.is_valid or not own.boundary.intersects(domain.buffer(-2 * chord)):
         return []
     if not (ring.straight and plan.domain.straight) or domain.contains(own):
@@ -89,15 +98,16 @@ def _ring_around(part: object) -> Ring:
 
 
 def _moved(ring: Ring, lines: tuple[list[float], list[float]], near: float) -> Ring:
-    """Return a ring along x and y, moved onto lines that are no further off than `near` [m]; others become lines."""
+    """Return a ring along x and y, moved onto lines (ascending) nearer than `near` [m]; what is not becomes a line."""
     moved = []
     for place in ring.points:
         own = []
         for known, value in zip(lines, place, strict=True):
-            nearest = min(known, key=lambda line: abs(line - value))
+            after = bisect(known, value)
+            nearest = min(known[max(after - 1, 0) : after + 1], key=lambda line: abs(line - value))
             if abs(nearest - value) >= near:
                 nearest = value
-                known.append(value)
+                known.insert(after, value)
             own.append(nearest)
         moved.append((own[0], own[1]))
     return Ring(tuple(moved))

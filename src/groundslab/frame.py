@@ -145,7 +145,7 @@ def by_section(problem: Problem, creases: Integers, depth: Integers | None = Non
     if len(creases):
         key = key + n * len(problem.bending) * apart(elements, creases, n)
     if depth is not None and depth.any():
-        key = key + (key.max() + 1) * depth[:, None]
+        key = key + n * (key.max() // n + 1) * depth[:, None]
     keys, own = distinct(key)
     return Mesh(problem.mesh.nodes[keys % n], own), keys % n
 

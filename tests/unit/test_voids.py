@@ -10,6 +10,7 @@ import pytest
 from groundslab import InputError, Model, Results, solve, solve_combinations
 from groundslab.coverage import crossed_borders
 from groundslab.readings import contact_share
+from groundslab.shape import areas
 from groundslab.study.outputs import Output, figure_of
 from groundslab.tables import tables_of
 from groundslab.views import summary
@@ -73,6 +74,26 @@ def test_all_readers_give_the_same_contact() -> None:
     assert figure_of(output, combined, list(combined.results)) == pytest.approx(22 / 24)
     texts = [cell for table in tables_of(combined) for row in table.rows() for cell in row if isinstance(cell, float)]
     assert any(value == pytest.approx(100 * 22 / 24) for value in texts)
+
+
+@pytest.mark.parametrize("beyond", [{"kind": "none"}, {"kind": "margin", "width": 1.0}])
+def test_the_plate_of_the_results_is_whole(beyond: dict[str, Any]) -> None:
+    """With sections, ground beyond and voids at once, nodes that stand for several sides stay where they are."""
+    zone = {"shape": {"kind": "rectangle", "x": (-2.0, 0.5), "y": (-1.5, 1.5)}, "thickness": 0.6}
+    results = solve(
+        Model(
+            plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.4, "E": 3e10, "nu": 0.2, "zones": [zone]},
+            ground=SHEAR,
+            beyond=beyond,
+            contact={"voids": [CAVITY, {"x": (-1.0, 1.5), "y": (-0.5, 0.5), "depth": 1e-3}]},
+            loads=[{"kind": "uniform", "q": 2e4}],
+            mesh={"size": 0.5},
+        )
+    )
+    plate = results.plate
+    assert areas(plate.nodes[plate.elements]).sum() == pytest.approx(24.0, rel=1e-12)
+    assert plate.area.sum() == pytest.approx(24.0, rel=1e-12)
+    assert plate.pressure @ plate.area == pytest.approx(results.certificate.reaction, rel=1e-9)
 
 
 @pytest.mark.parametrize("ground", [SPRINGS, SHEAR])
