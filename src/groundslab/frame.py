@@ -78,7 +78,7 @@ class Frame:
 def frame(model: Model, problem: Problem) -> Frame:
     """Return the frame of the results of a model on one mesh."""
     supported = walls(model, problem)
-    depth = depth_of_elements(problem)
+    depth = problem.depths.most
     mesh, node = by_section(problem, supported, depth)
     smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
     matrices, kind = section_matrices(problem)
@@ -126,12 +126,6 @@ def whole(mesh: Mesh, symmetry: tuple[bool, bool]) -> Whole:
     x, y = (each[old] for each in odd)
     in_x, in_y = (each[order] for each in odd_elements)
     return Whole(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
-
-
-def depth_of_elements(problem: Problem) -> Integers:
-    """Return at which of the problem's depths the ground lies under most of each plate element (mp,)."""
-    depth: Integers = problem.depths.share.argmax(axis=1)
-    return depth
 
 
 def by_section(problem: Problem, creases: Integers, depth: Integers | None = None) -> tuple[Mesh, Integers]:

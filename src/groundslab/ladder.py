@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab import forecast
 from groundslab.discretise import discretise
-from groundslab.frame import Frame, depth_of_elements, frame
+from groundslab.frame import Frame, frame
 from groundslab.ground import Column
 from groundslab.layout import Meshes
 from groundslab.linear import Latest, Solver
@@ -49,7 +49,7 @@ class Level:
         if (
             self.framed is None
             or any(getattr(model, name) != getattr(self.framed[0], name) for name in FRAMING)
-            or not np.array_equal(depth_of_elements(problem), self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
+            or not np.array_equal(problem.depths.most, self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
         ):
             self.framed = model, frame(model, problem)
         return self.framed[1]

@@ -23,6 +23,8 @@ from groundslab.symmetric import Symmetric
 from groundslab.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
+#: Shares of an element's area that differ by less than this are equal.
+TIE = 1e-6
 #: The middles of an element's sides.
 MIDSIDES = slice(4, 8)
 
@@ -56,6 +58,12 @@ class Bearing:
     depth: Integers  # (c,): at which of the depths the ground lies; 0 for supports
 
 
+def largest_share(share: Array) -> Integers:
+    """Return which depth has the largest of the shares (m, d), of equal ones, but for rounding, the deepest."""
+    largest: Integers = np.argmax(share + TIE * np.arange(share.shape[1]), axis=1)
+    return largest
+
+
 @dataclass(frozen=True, slots=True)
 class Depths:
     """How deep the ground lies under the plate, by the parts of elements that voids take.
@@ -71,6 +79,11 @@ class Depths:
     masses: Array  # (k, 10): what counts of the mass matrix, and of each node's share of the area, on the diagonal
     mass: Integers  # (m,): which of these each element has
     steps: bool  # whether the ground is without shear
+
+    @property
+    def most(self) -> Integers:
+        """Return which depth takes most of each plate element (mp,)."""
+        return largest_share(self.share)
 
     def at_first(self, values: Array, nodes: Integers) -> Array:
         """Return from values (n, d) those of the least depth at some nodes (k,)."""

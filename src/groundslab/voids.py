@@ -15,7 +15,7 @@ from groundslab.ground import Column
 from groundslab.layout import Layout
 from groundslab.model import Model
 from groundslab.plan import Ring
-from groundslab.problem import MIDSIDES, Depths, nodal_areas
+from groundslab.problem import MIDSIDES, Depths, largest_share, nodal_areas
 from groundslab.shape import Array, Flags, Integers
 from groundslab.vlasov import Soil
 
@@ -52,8 +52,7 @@ def taken(model: Model, xy: Array, followed: Sequence[Ring], steps: bool) -> Tak
         share[share < LEAST_SHARE] = 0.0
         share /= share.sum(axis=1, keepdims=True)
     else:
-        last = len(depth) - 1
-        share = np.eye(last + 1)[last - np.argmax(share[:, ::-1], axis=1)]
+        share = np.eye(len(depth))[largest_share(share)]
     return Taken(drawn, depth, of[1:], share)
 
 

@@ -141,7 +141,8 @@ def test_what_a_grid_cannot_follow_is_said() -> None:
     # of 13 x 9 elements those in columns 9 and 10 of 8.67 to 10.83 and rows 2.25 to 6.75, by the larger part
     assert found.meshed == pytest.approx(2 * 5 * width * height)
     document = summary.to_json(results)
-    assert document["borders"]["contact.voids[1].meshed"]["value"] == pytest.approx(found.meshed)
+    assert document["plate"]["contact.voids[1].meshed"]["value"] == pytest.approx(found.meshed)
+    assert document["plate"]["notes"] == [summary.CROSSED]
     area = float(results.plate.area.sum() - results.plate.contact_area.sum())
     assert area == pytest.approx(found.meshed, abs=width * height)
 

@@ -45,6 +45,13 @@ SHEAR_STIFFNESS = Unit("MPa m", "Pa m", 1e-6)
 FORCE = Unit("kN", "N", 1e-3)
 PERCENT = Unit("%", "1", 1e2)
 
+#: What is said of borders that the mesh does not follow.
+CROSSED = (
+    "An element across the border of a soil zone or void takes the mean of the ground in it, by area; of a void in "
+    "ground with shear it takes all or nothing. With mesh.size instead of mesh.counts the mesh follows borders that "
+    "are not finer than a thousandth of the plan."
+)
+
 #: The SI unit behind each unit of display in PLATE_FIELDS.
 SI = {"mm": "m", "mrad": "rad", "kPa": "Pa", "kNm/m": "N m/m", "kN/m": "N/m"}
 
@@ -93,7 +100,7 @@ def summary(results: Results) -> list[Section]:
 
 def description(results: Results) -> list[Section]:
     """Return what was analysed, plate and ground."""
-    return [_plate(results), description_of_ground(results), *_borders(results)]
+    return [_plate(results), description_of_ground(results)]
 
 
 def figures(results: Results) -> list[Section]:
@@ -202,7 +209,8 @@ def _plate(results: Results) -> Section:
         Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
         Row("solver", "solver", results.solver),
     )
-    return Section("plate", "Plate", rows)
+    borders = _borders(results)
+    return Section("plate", "Plate", rows + borders, (CROSSED,) if borders else ())
 
 
 def description_of_ground(results: Results) -> Section:
@@ -223,25 +231,19 @@ def description_of_ground(results: Results) -> Section:
     return Section("ground", "Ground", tuple(rows))
 
 
-def _borders(results: Results) -> list[Section]:
-    """Return the soil zones and voids whose borders the mesh does not follow, if there are any."""
+def _borders(results: Results) -> tuple[Row, ...]:
+    """Return the areas of soil zones and voids whose borders the mesh does not follow."""
     from groundslab.coverage import crossed_borders
 
-    rows = [
+    return tuple(
         row
         for each in crossed_borders(results)
         for row in (
             Row(f"{each.name}.drawn", f"{each.name} as drawn", each.drawn, AREA),
             Row(f"{each.name}.meshed", f"{each.name} on the mesh", each.meshed, AREA),
-            Row(f"{each.name}.crossed", f"elements that lie in {each.name} in part", each.crossed, AREA),
+            Row(f"{each.name}.crossed", f"elements across the border of {each.name}", each.crossed, AREA),
         )
-    ]
-    note = (
-        "An element that such a border crosses takes the mean of the ground in it, by area; of a void in ground with "
-        "shear it takes all or nothing. With mesh.size instead of mesh.counts, or smaller elements, the mesh follows "
-        "the borders."
     )
-    return [Section("borders", "Borders across elements of the mesh", tuple(rows), (note,))] if rows else []
 
 
 def _settlement(results: Results) -> Section:
