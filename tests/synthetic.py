@@ -55,6 +55,7 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
     weights = np.ones(2 * n + 1)
     weights[1::2], weights[2:-1:2] = 4, 2
     area = np.outer(weights, weights).ravel()
+    area = area * LENGTH_X * LENGTH_Y / area.sum()
     plate = PlateResult(
         nodes=nodes,
         elements=elements,
@@ -71,7 +72,8 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         shear_y=-2e4 * y,
         in_contact=w >= 0,
         on_edge=on_edge if shear else np.zeros_like(on_edge),
-        area=area * LENGTH_X * LENGTH_Y / area.sum(),
+        area=area,
+        contact_area=area * (w >= 0),
     )
     scale = 2 if shear else 1
     ground_nodes, ground_elements = grid(scale * n, scale * n, scale * LENGTH_X, scale * LENGTH_Y)

@@ -20,6 +20,8 @@ from groundslab.soil import POSITIVE
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
+    from groundslab.plan import Ring
+
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
 ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
 
@@ -285,13 +287,19 @@ class Void(Part):
     ] = None
     shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
 
-    def drawn(self, chord: float) -> BaseGeometry:
-        """Return the area, arcs as chords at most so far off [m]."""
+    def ring(self) -> Ring:
+        """Return the curve around it."""
         if self.shape is not None:
-            return self.shape.ring().polygon(chord)
+            return self.shape.ring()
+        from groundslab.plan import rectangle
+
         assert self.x is not None
         assert self.y is not None
-        return _box(self.x, self.y)
+        return rectangle(*self.x, *self.y)
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the area, arcs as chords at most so far off [m]."""
+        return self.ring().polygon(chord)
 
 
 class Placed(Protocol):

@@ -9,81 +9,53 @@ import numpy as np
 
 from groundslab import bearings
 from groundslab.bearings import Bearings
-from groundslab.between import interpolated
 from groundslab.errors import Fault, InputError
+from groundslab.ground import Column
 from groundslab.layout import Layout
 from groundslab.mesh import SAME_PLACE, sides_along
-from groundslab.model import LineSupport, Model, PointSupport, SettlementLoad, Void
-from groundslab.problem import BETA_X, BETA_Y, TOP, Bearing, W, nodal_area
-from groundslab.shape import Array, Flags, Integers
+from groundslab.model import LineSupport, Model, PointSupport, SettlementLoad
+from groundslab.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
+from groundslab.shape import Array, Integers
+from groundslab.vlasov import Soil
+from groundslab.voids import bottoms
 
-#: Arcs of voids are replaced by chords at most this far off, relative to the plate.
-ARC_CHORD = 1e-6
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
 SIMPSON = np.array([1.0, 1.0, 4.0]) / 6
 
 
-def initial_gap(model: Model, plan: Layout, finest: bool) -> tuple[Array, Flags]:
-    """Return the initial gap at every node (n,) [m], zero beyond the plate, and at which nodes a cavity lies (n,)."""
-    gap, cavity = np.zeros(len(plan.mesh.nodes)), np.zeros(len(plan.mesh.nodes), dtype=bool)
-    under = plan.plate_nodes
-    gap[under] = model.contact.gap
-    extra = np.zeros(len(under))
-    faults: list[Fault] = []
-    for number, void in enumerate(model.contact.voids, start=1):
-        inside = _inside(void, model, plan.mesh.nodes[under])
-        if finest and not inside.any() and not _mirrored_away(void, plan.symmetry):
-            mend = "make the elements smaller than the void"
-            faults.append(Fault(f"contact.voids[{number}]", "a void between the nodes", "one that holds a node", mend))
-        if void.depth is None:
-            cavity[under[inside]] = True
-        else:
-            extra = np.where(inside, np.maximum(extra, void.depth), extra)
-    if faults:
-        raise InputError(faults)
-    gap[under] += extra
-    if model.contact.gaps:
-        known = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
-        gap[under] += interpolated(known[:, :2], known[:, 2:], plan.mesh.nodes[under])[:, 0]
-    return gap, cavity
-
-
-def _inside(void: Void, model: Model, places: Array) -> Flags:
-    """Return which places (p, 2) lie in a void or on its edge."""
-    near = SAME_PLACE * max(model.plate.sides)
-    if void.x is not None and void.y is not None:
-        x, y = places.T
-        inside: Flags = (x >= void.x[0] - near) & (x <= void.x[1] + near)
-        inside &= (y >= void.y[0] - near) & (y <= void.y[1] + near)
-        return inside
-    from shapely import intersects_xy
-
-    chord = ARC_CHORD * max(model.plate.sides)
-    drawn = void.drawn(chord).buffer(2 * chord)
-    return np.asarray(intersects_xy(drawn, places[:, 0], places[:, 1]), dtype=bool)
-
-
-def _mirrored_away(void: Void, symmetry: tuple[bool, bool]) -> bool:
-    """Return whether a void lies on the side of a mirror that is not meshed; its image is there."""
-    return any(
-        mirrored and extent is not None and extent[1] < 0
-        for mirrored, extent in zip(symmetry, (void.x, void.y), strict=True)
-    )
-
-
-def ground_bearing(model: Model, plan: Layout, unknown: Integers, gap: Array, cavity: Flags) -> Bearing:
+def ground_bearing(
+    model: Model, plan: Layout, unknown: Integers, found: Depths, ground: Soil | Column, gap: Array
+) -> Bearing:
     """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure; none if glued.
 
-    The largest force of a node is the limit pressure times its share of the area, and none over a cavity.
+    The largest force is the limit pressure times the area that bears, and none over a cavity. Where ground without
+    shear lies deeper beside a node than under it, what lies deeper is a spring on the plate's settlement, at the depth
+    below the gap (n,) [m].
     """
     under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
-    law = bearings.gaps(unknown[under, TOP], gap[under])
-    capacity = law.capacity
-    if model.contact.limit_pressure is not None:
-        capacity = model.contact.limit_pressure * nodal_area(plan.mesh, plan.plate_elements)[under]
-    capacity = np.where(cavity[under], 0.0, capacity)
+    limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
+    depth, area = found.first[under], found.at_first(found.area, under)
+    bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]
+    law = bearings.gaps(unknown[under, TOP], gap[under] + bottom)
+    capacity = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
     law = Bearings(law.at, law.sign, law.level, law.stiffness, capacity, law.both_ways)
-    return Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), np.zeros(len(under)))
+    gaps = Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), np.zeros(len(under)), depth)
+    if not (found.steps and len(under)):
+        return gaps
+    assert isinstance(ground, Column)
+    node, depth, stiffness, area = bottoms(plan, found, ground)
+    there = unknown[node, W] >= 0
+    node, depth, stiffness, area = (each[there] for each in (node, depth, stiffness, area))
+    one = np.ones(len(node))
+    law = Bearings(
+        at=unknown[node, W],
+        sign=-one,
+        level=gap[node] + found.depth[depth],
+        stiffness=stiffness,
+        capacity=limit * area,
+        both_ways=np.zeros(len(node), dtype=bool),
+    )
+    return joined(gaps, Bearing(law, node, np.full(len(node), W), np.full(len(node), -1), 0 * one, depth))
 
 
 def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
@@ -113,18 +85,26 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
             both_ways=np.full(len(nodes), support.acts == "both ways"),
         )
         length = np.zeros(len(nodes)) if isinstance(support, PointSupport) else share
-        parts.append(Bearing(law, nodes, np.full(len(nodes), W), np.full(len(nodes), number), length))
+        field, own = np.full(len(nodes), W), np.full(len(nodes), number)
+        parts.append(Bearing(law, nodes, field, own, length, 0 * nodes))
     return _without_doubles(model, joined(*parts)) if parts else joined()
 
 
 def joined(*parts: Bearing) -> Bearing:
     """Return several lists of bearings as one."""
     none = np.zeros(0, dtype=np.int64)
-    nodes, fields, supports = ([getattr(part, name) for part in parts] for name in ("node", "field", "support"))
-    law = bearings.joined(bearings.gaps(none, np.zeros(0)), *(part.law for part in parts))
-    length = np.concatenate([np.zeros(0), *(part.length for part in parts)])
-    node, field, support = (np.concatenate([none, *each]) for each in (nodes, fields, supports))
-    return Bearing(law, node, field, support, length)
+
+    def each(name: str) -> list[Integers]:
+        return [none, *(getattr(part, name) for part in parts)]
+
+    return Bearing(
+        law=bearings.joined(bearings.gaps(none, np.zeros(0)), *(part.law for part in parts)),
+        node=np.concatenate(each("node")),
+        field=np.concatenate(each("field")),
+        support=np.concatenate(each("support")),
+        length=np.concatenate([np.zeros(0), *(part.length for part in parts)]),
+        depth=np.concatenate(each("depth")),
+    )
 
 
 def _elastic_turn(number: int, nodes: Integers, unknown: Integers, field: int, stiffness: float) -> Bearing:
@@ -132,7 +112,7 @@ def _elastic_turn(number: int, nodes: Integers, unknown: Integers, field: int, s
     nodes = nodes[unknown[nodes, field] >= 0]
     one, endless = np.ones(len(nodes)), np.full(len(nodes), np.inf)
     law = Bearings(unknown[nodes, field], -one, 0 * one, stiffness * one, endless, np.ones(len(nodes), dtype=bool))
-    return Bearing(law, nodes, np.full(len(nodes), field), np.full(len(nodes), number), 0 * one)
+    return Bearing(law, nodes, np.full(len(nodes), field), np.full(len(nodes), number), 0 * one, 0 * nodes)
 
 
 def _without_doubles(model: Model, b: Bearing) -> Bearing:
@@ -159,7 +139,7 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
         raise InputError(list(faults.values()))
     names = ("at", "sign", "level", "stiffness", "capacity", "both_ways")
     law = Bearings(*(getattr(b.law, name)[keep] for name in names))
-    return Bearing(law, b.node[keep], b.field[keep], b.support[keep], b.length[keep])
+    return Bearing(law, b.node[keep], b.field[keep], b.support[keep], b.length[keep], b.depth[keep])
 
 
 def fixed_nodes(model: Model, plan: Layout) -> Integers:

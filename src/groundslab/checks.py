@@ -19,7 +19,6 @@ from groundslab.problem import (
     W,
     edge_lengths,
     fields_of,
-    nodal_area,
     planes,
     surface_settlement,
     tails,
@@ -185,7 +184,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     # what the supports push on the plate, moments about the origin
     support = np.where(held[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
-    own = bearing.support >= 0
+    own = bearing.field != TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
     pushed = ground[:, 0].sum()
     up = np.column_stack([ground[:, 0], np.zeros((len(nodes), 2))])
@@ -238,8 +237,8 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
         return 0.0, 0.0, 0.0
     ground = problem.bearing.support < 0
     scale = np.full(len(law), np.abs(c.force[~ground]).max(initial=0.0))
-    area = nodal_area(problem.mesh, problem.plate_elements)[problem.bearing.node[ground]]
-    scale[ground] = np.abs(area) * np.abs(c.force[ground] / area).max(initial=0.0)
+    area = problem.depths.area[problem.bearing.node[ground], problem.bearing.depth[ground]]
+    scale[ground] = area * np.abs(c.force[ground][area > 0] / area[area > 0]).max(initial=0.0)
     scale = np.maximum(scale, nothing)
     elastic = np.isfinite(law.stiffness)
     way = law.driven(c.u)

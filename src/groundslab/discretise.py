@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab import plate
 from groundslab.assembly import number
-from groundslab.bearing import fixed_nodes, ground_bearing, initial_gap, joined, support_bearing
+from groundslab.bearing import fixed_nodes, ground_bearing, joined, support_bearing
 from groundslab.errors import Fault, InputError
 from groundslab.layout import AXIS, OUTWARD, Layout, Meshes, layout
 from groundslab.loading import loadings, materials
@@ -16,6 +16,7 @@ from groundslab.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.shape import Flags, Integers
 from groundslab.slab import Plate
 from groundslab.subsoil import Factors, ground_under, grounds_of, surfaces_of
+from groundslab.voids import depths, initial_gap
 
 #: Places closer than this, relative to the plate, are the same.
 SAME_PLACE = 1e-9
@@ -37,7 +38,7 @@ def discretise(
     if what acts on it is the same. `factors` multiply constants of the ground from place to place.
     """
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
-    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {})
+    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
     cases = _known_cases(model, plan, element, present.shape[1], like) or loadings(
@@ -47,7 +48,8 @@ def discretise(
         fault = Fault("loads", "loads that are all zero", "at least one load that is not", "nothing would settle")
         raise InputError([fault])
     unknown = number(plan.rank, present)
-    gap, cavity = initial_gap(model, plan, coarsening == 0)
+    below = depths(model, plan, ground, coarsening == 0)
+    gap = initial_gap(model, plan)
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
@@ -63,8 +65,9 @@ def discretise(
         unknown=unknown,
         cases=cases,
         loading=sum(cases[1:], cases[0]),
-        initial_gap=gap,
-        bearing=joined(ground_bearing(model, plan, unknown, gap, cavity), support_bearing(model, plan, unknown)),
+        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.first],
+        depths=below,
+        bearing=joined(ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)),
         tensionless=model.contact.tensionless,
         edges=edges,
         corners=corners,

@@ -57,7 +57,8 @@ def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integer
     before, b = start.system.problem, problem.bearing
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
     state = np.full(len(b.law), CLOSED)
-    ground = np.flatnonzero(b.support < 0)  # none, or one at each node of the plate
+    ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
+    state[(b.support < 0) & (b.field != TOP)] = OPEN
     if len(ground):
         touching = between(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
         state[ground] = np.where(touching, CLOSED, OPEN)
@@ -117,7 +118,7 @@ def along_the_border(
 def _strip(problem: Problem, state: Integers, rings: int) -> Flags:
     """Return the nodes (n,) inside so many rings of elements around those in which the ground changes its state."""
     b, elements = problem.bearing, problem.mesh.elements
-    ground = np.flatnonzero(b.support < 0)
+    ground = np.flatnonzero(b.field == TOP)
     at = np.full(len(problem.mesh.nodes), -1, dtype=np.int8)
     at[b.node[ground]] = state[ground]
     each = at[elements]

@@ -41,7 +41,7 @@ class Whole:
         for axis in (0, 1):
             if name in ODD[axis]:
                 found = found * self.odd[axis]
-        return found * self.shares if name == "area" else found
+        return found * self.shares if name in ("area", "contact_area") else found
 
     def by_element(self, name: str, field: Array) -> Array:
         """Return a field of elements of the whole (m,) from that of the meshed part."""
@@ -56,14 +56,14 @@ class Whole:
 class Frame:
     """A mesh of the plate, with what recovers its section forces and makes the whole of it.
 
-    A node on the border of two sections, or along a line support, stands once for each side, so that nothing is
-    averaged across. Section forces are smooth in parts, which end at edges of loads, too.
+    A node on the border of two sections or of a void, or along a line support, stands once for each side, so that
+    nothing is averaged across. Section forces are smooth in parts, which end at edges of loads, too.
     """
 
     mesh: Mesh  # the meshed part of the plate by its sections
     node: Integers  # (k,): which node of the problem's mesh each of its nodes is
     area: Array  # (k,) [m2]: share of each
-    nodal_area: Array  # (n,) [m2]: of the nodes of the problem's mesh
+    depth: Integers  # (k,): at which of the problem's depths the ground lies under most of its elements' area
     on_edge: Array  # (n,): 1.0 at nodes on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none
     mean: Array  # (mp, 9): from nodal values to the mean over an element
     matrices: Array  # (kinds, 20, 27): from unknowns to section forces at 2 x 2 Gauss points
@@ -78,7 +78,8 @@ class Frame:
 def frame(model: Model, problem: Problem) -> Frame:
     """Return the frame of the results of a model on one mesh."""
     supported = walls(model, problem)
-    mesh, node = by_section(problem, supported)
+    depth = problem.depths.most
+    mesh, node = by_section(problem, supported, depth)
     smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
     matrices, kind = section_matrices(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
@@ -86,11 +87,13 @@ def frame(model: Model, problem: Problem) -> Frame:
         if problem.symmetry[axis]:
             parts, points, copied = _beyond_the_line(parts, points, axis)
             images.append((axis, copied))
+    at_nodes = np.empty(len(node), dtype=np.int64)
+    at_nodes[mesh.elements] = depth[:, None]
     return Frame(
         mesh=mesh,
         node=node,
         area=nodal_area(mesh, np.arange(len(mesh.elements))),
-        nodal_area=nodal_area(problem.mesh, problem.plate_elements),
+        depth=at_nodes,
         on_edge=_on_edge(problem),
         mean=_means(mesh),
         matrices=matrices,
@@ -125,15 +128,18 @@ def whole(mesh: Mesh, symmetry: tuple[bool, bool]) -> Whole:
     return Whole(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
 
 
-def by_section(problem: Problem, creases: Integers) -> tuple[Mesh, Integers]:
+def by_section(problem: Problem, creases: Integers, depth: Integers | None = None) -> tuple[Mesh, Integers]:
     """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was.
 
-    Nodes along creases (k, 3) stand once for each side, so that nothing is averaged across them.
+    Nodes along creases (k, 3) stand once for each side, so that nothing is averaged across them; so do those between
+    elements over ground at different depths (mp,).
     """
     elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
     key = elements + n * problem.section[:, None]
     if len(creases):
         key = key + n * len(problem.bending) * apart(elements, creases, n)
+    if depth is not None and depth.any():
+        key = key + n * (key.max() // n + 1) * depth[:, None]
     keys, own = distinct(key)
     return Mesh(problem.mesh.nodes[keys % n], own), keys % n
 

@@ -18,6 +18,21 @@ Values = float | Array
 
 
 @dataclass(frozen=True, slots=True)
+class Parts:
+    """Which columns lie under the elements of a mesh: p parts of elements, of each element at least one."""
+
+    element: Integers  # (p,), ascending
+    column: Integers  # (p,)
+    share: Array  # (p,): of the element's area
+
+    def mean(self, values: Array) -> Array:
+        """Return the mean (m, ...) over each element of what the columns have (c, ...)."""
+        weighted = self.share.reshape(-1, *(1,) * (values.ndim - 1)) * values[self.column]
+        means: Array = np.add.reduceat(weighted, np.flatnonzero(np.diff(self.element, prepend=-1)), axis=0)
+        return means
+
+
+@dataclass(frozen=True, slots=True)
 class Column:
     """The ground under one point of the plan: A0 [Pa/m] and A1 [Pa m], each (S, S), or (m, S, S) by element."""
 
@@ -37,6 +52,10 @@ class Column:
     def at(self, elements: Integers) -> Column:
         """Return the columns (e, S, S) of some elements (e,), or the one column that all have."""
         return Column(self.A0[elements], self.A1[elements]) if self.varies else self
+
+    def mixed(self, parts: Parts) -> Column:
+        """Return the mean column under each element of a mesh, of columns (c, S, S) under parts of them."""
+        return Column(parts.mean(self.A0), parts.mean(self.A1))
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from groundslab import forecast
 from groundslab.checks import moved_as_a_whole
 from groundslab.conditioning import NEARLY_RIGID, stiffness_ratio
@@ -19,6 +21,9 @@ from groundslab.solution import Solution
 from groundslab.statics import rigid_motions
 from groundslab.subsoil import Factors
 from groundslab.symmetric import Symmetric
+
+#: Parts of a model on which the frame of its results depends.
+FRAMING = ("plate", "supports", "columns", "loads")
 
 
 @dataclass(slots=True)
@@ -51,11 +56,17 @@ class Level:
         return self.rigid
 
     def frame(self, model: Model) -> Frame:
-        """Return the frame of a model's results, the same one for a model with the same plate, supports and loads."""
-        if self.framed is None or not all(
-            getattr(model, name) == getattr(self.framed[0], name) for name in ("plate", "supports", "columns", "loads")
+        """Return the frame of a model's results, the same one for a model with the same plate, supports and loads.
+
+        And with voids under the same elements.
+        """
+        problem = self.system.problem
+        if (
+            self.framed is None
+            or any(getattr(model, name) != getattr(self.framed[0], name) for name in FRAMING)
+            or not np.array_equal(problem.depths.most, self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
         ):
-            self.framed = model, frame(model, self.system.problem)
+            self.framed = model, frame(model, problem)
         return self.framed[1]
 
     def beside(self) -> Level:

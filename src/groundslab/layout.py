@@ -19,10 +19,11 @@ from groundslab.actions import (
     TemperatureLoad,
     UniformLoad,
 )
+from groundslab.borders import on_lines, void_rings, with_borders, zone_rings
 from groundslab.ground import Column, tail
 from groundslab.mesh import Mesh, elimination_order, grid, lines_beyond, sides_on_boundary
 from groundslab.model import SHORT_SIDE_ELEMENTS, Model, plan_of_plate
-from groundslab.plan import Plan, rectangle
+from groundslab.plan import Plan, Ring, rectangle
 from groundslab.shape import Integers, distinct
 from groundslab.vlasov import Soil
 
@@ -66,6 +67,7 @@ class Layout:
     symmetry: tuple[bool, bool]
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
+    followed: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
 
     @property
     def plate_nodes(self) -> Integers:
@@ -78,7 +80,7 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     symmetry = symmetries(model)
     width = margin * _width_beyond(model, grounds)
     source: Hashable
-    if model.plain:
+    if uniform(model, width):
         counts = _counts(model, symmetry, coarsening)
         source = model.plate.sides, symmetry, counts, model.beyond.sides if width else (), width
         mesh, section, rank = meshes.of(source, lambda: _plain_mesh(model, symmetry, counts, width))
@@ -87,7 +89,36 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
         mesh, section, rank = meshes.of((plan, size), lambda: _drawn_mesh(plan, size))
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
-    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis)
+    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, followed(model, width))
+
+
+def uniform(model: Model, width: float) -> bool:
+    """Return whether a plate's mesh is a grid of equal rectangles: one that is asked for, or on which all borders lie.
+
+    width [m] is that of the ground beyond.
+    """
+    if not model.plain:
+        return False
+    borders = void_rings(model) + zone_rings(model)
+    if model.mesh.counts is not None or not borders:
+        return True
+    (x, y), symmetry = model.plate.sides, symmetries(model)
+    nx, ny = (count * (1 + half) for count, half in zip(_counts(model, symmetry, 0), symmetry, strict=True))
+    lines = np.linspace(-x / 2, x / 2, nx + 1), np.linspace(-y / 2, y / 2, ny + 1)
+    x0, x1, y0, y1 = _reach(model, width)
+    return all(on_lines(ring, lines, ((x0, x1), (y0, y1))) for ring in borders)
+
+
+def followed(model: Model, width: float) -> tuple[Ring, ...]:
+    """Return the borders that a mesh which is no uniform grid follows; width [m] is that of the ground beyond."""
+    return () if uniform(model, width) else plan_of(model, width).borders
+
+
+def _reach(model: Model, width: float) -> tuple[float, float, float, float]:
+    """Return the rectangle x0, x1, y0, y1 around the plate and so wide a ground beyond it [m]."""
+    grow = {side: width if side in model.beyond.sides else 0.0 for side in OUTWARD}
+    x0, x1, y0, y1 = model.plate.bounds
+    return x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"]
 
 
 def coarsest(model: Model) -> int:
@@ -223,13 +254,20 @@ def _drawn_mesh(plan: Plan, size: float) -> tuple[Mesh, Integers]:
 
 
 def plan_of(model: Model, width: float) -> Plan:
-    """Return the plan of a model: zone i is section i; ground beyond fills the rectangle that is `width` [m] wider."""
-    beyond = None
-    if width:
-        grow = {side: width if side in model.beyond.sides else 0.0 for side in OUTWARD}
-        x0, x1, y0, y1 = model.plate.bounds
-        beyond = rectangle(x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"])
-    return plan_of_plate(model.plate, model.supports, beyond)
+    """Return the plan of what is meshed, with the borders of voids and soil zones that a mesh can follow.
+
+    Zone i of the plate is section i; ground beyond fills the rectangle that is `width` [m] wider. Of a symmetric plate
+    only the part beyond the lines of symmetry is meshed.
+    """
+    low = [0.0 if mirrored else -np.inf for mirrored in symmetries(model)]
+
+    def meshed(x0: float, x1: float, y0: float, y1: float) -> Ring:
+        return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
+
+    plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None)
+    if any(symmetries(model)):
+        plan = replace(plan, outline=meshed(*model.plate.bounds))
+    return with_borders(plan, void_rings(model) + zone_rings(model))
 
 
 def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:

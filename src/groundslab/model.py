@@ -174,7 +174,8 @@ class Contact(Part):
         tuple[Void, ...], Table("parts with a further gap, or none to reach; the deeper counts where they overlap")
     ] = ()
     gaps: Annotated[
-        tuple[GapPoint, ...], Table("measured gaps, further to gap, interpolated linearly with the distance between")
+        tuple[GapPoint, ...],
+        Table("measured gaps, further to gap, a smooth surface between them; a plane stays a plane"),
     ] = ()
     limit_pressure: Annotated[
         float | None,

@@ -189,7 +189,8 @@ class Plan:
     A zone is a ring and its section, a number from 1; section 0 is the rest of the plate. Where zones overlap, the last
     one counts; what reaches over the plate's edge is cut off. `beyond` is the outer edge of the meshed ground, which
     then lies under the openings too; without it nothing but the plate is meshed. Points and lines are places of
-    supports, columns and walls.
+    supports, columns and walls. Borders are further curves that the mesh follows wherever something is meshed: those of
+    soil zones and voids.
     """
 
     outline: Ring
@@ -198,13 +199,15 @@ class Plan:
     beyond: Ring | None = None
     points: tuple[Place, ...] = ()
     lines: tuple[tuple[Place, ...], ...] = ()
+    borders: tuple[Ring, ...] = ()
 
     def rings(self) -> dict[str, Ring]:
         """Return all rings by the names that faults give them."""
         named = {"plate.outline": self.outline}
         named |= {f"plate.openings[{i}]": ring for i, ring in enumerate(self.openings, start=1)}
         named |= {f"plate.zones[{i}]": ring for i, (ring, _) in enumerate(self.zones, start=1)}
-        return named | ({} if self.beyond is None else {"beyond": self.beyond})
+        named |= {} if self.beyond is None else {"beyond": self.beyond}
+        return named | {f"borders[{i}]": ring for i, ring in enumerate(self.borders, start=1)}
 
     def line_segments(self) -> list[Segment]:
         """Return the straight pieces of all lines."""
@@ -212,8 +215,9 @@ class Plan:
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Return the rectangle x0, y0, x1, y1 around all rings."""
-        places = np.concatenate([ring.flat(math.inf) for ring in self.rings().values()])
+        """Return the rectangle x0, y0, x1, y1 around all rings but the borders, which may reach far beyond."""
+        rings = (self.outline, *self.openings, *(ring for ring, _ in self.zones), *filter(None, [self.beyond]))
+        places = np.concatenate([ring.flat(math.inf) for ring in rings])
         low, high = places.min(axis=0), places.max(axis=0)
         return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
@@ -228,6 +232,11 @@ class Plan:
         """Return whether everything runs along x or y, so that a grid can be fitted to it."""
         lines = all(_along_an_axis(edge.start, edge.end) for edge in self.line_segments())
         return lines and all(ring.rectilinear for ring in self.rings().values())
+
+    @property
+    def domain(self) -> Ring:
+        """Return the outer edge of all that is meshed, openings in the plate left aside."""
+        return self.outline if self.beyond is None else self.beyond
 
     @property
     def area(self) -> float:

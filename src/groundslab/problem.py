@@ -23,6 +23,10 @@ from groundslab.symmetric import Symmetric
 from groundslab.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
+#: Shares of an element's area that differ by less than this are equal.
+TIE = 1e-6
+#: The middles of an element's sides.
+MIDSIDES = slice(4, 8)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,13 +51,47 @@ class Loading:
 
 @dataclass(frozen=True, slots=True)
 class Bearing:
-    """All that bears on single unknowns: first the ground, plate node by plate node; then the supports."""
+    """All that bears on single unknowns: first the gap of each plate node; then bottoms of voids; then the supports."""
 
     law: Bearings  # (c,); levels without settlements of the supports
     node: Integers  # (c,)
     field: Integers  # (c,): W, BETA_X, BETA_Y or TOP
     support: Integers  # (c,): number of the support, -1 for the ground
     length: Array  # (c,) [m]: the share of a line support, 0 for all else
+    depth: Integers  # (c,): at which of the depths the ground lies; 0 for supports
+
+
+def largest_share(share: Array) -> Integers:
+    """Return which depth has the largest of the shares (m, d), of equal ones, but for rounding, the deepest."""
+    largest: Integers = np.argmax(share + TIE * np.arange(share.shape[1]), axis=1)
+    return largest
+
+
+@dataclass(frozen=True, slots=True)
+class Depths:
+    """How deep the ground lies under the plate, by the parts of elements that voids take.
+
+    The gap of a node is that of the least depth among its elements. Ground without shear can lie deeper beside it: that
+    part bears by itself. Where it does, an element's mass matrix gives way to one that is diagonal.
+    """
+
+    depth: Array  # (d,) [m], ascending: 0 first, infinite for cavities
+    share: Array  # (mp, d): of the area of each plate element
+    first: Integers  # (n,): the least depth at each node
+    area: Array  # (n, d) [m2]: each node's share of the area in each depth
+    masses: Array  # (k, 10): what counts of the mass matrix, and of each node's share of the area, on the diagonal
+    mass: Integers  # (m,): which of these each element has
+    steps: bool  # whether the ground is without shear
+
+    @property
+    def most(self) -> Integers:
+        """Return which depth takes most of each plate element (mp,)."""
+        return largest_share(self.share)
+
+    def at_first(self, values: Array, nodes: Integers) -> Array:
+        """Return from values (n, d) those of the least depth at some nodes (k,)."""
+        own: Array = values[nodes, self.first[nodes]]
+        return own
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +112,7 @@ class Problem:
     cases: tuple[Loading, ...]  # the load cases by themselves
     loading: Loading  # what is to be solved for
     initial_gap: Array  # (n,) [m]
+    depths: Depths
     bearing: Bearing
     tensionless: bool
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
@@ -109,15 +148,20 @@ def bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
 
 def nodal_area(mesh: Mesh, elements: Integers) -> Array:
     """Return each node's share of the area of some elements, int N dA (n,) [m2]."""
+    return scatter(mesh.elements[elements], nodal_areas(mesh.xy[elements]), len(mesh.nodes))
+
+
+def nodal_areas(xy: Array) -> Array:
+    """Return the share int N dA of each node in the area of its element (m, 9) [m2]; xy (m, 9, 2)."""
     points, weights = gauss(3)
     N, dN = q9(points)
-    shares = (jacobian(dN, mesh.xy[elements])[2] * weights) @ N
-    return scatter(mesh.elements[elements], shares, len(mesh.nodes))
+    areas: Array = (jacobian(dN, xy)[2] * weights) @ N
+    return areas
 
 
 @dataclass(frozen=True, slots=True)
 class Blocks:
-    """Element matrices of the different kinds of elements (shape, section or none), and the kind of each element.
+    """Element matrices of the different kinds of elements (shape, section or none, voids), and the kind of each one.
 
     Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
     column; with a plate whose centre w hangs on its other nodes, T makes rows and columns of w from them.
@@ -145,18 +189,21 @@ class Blocks:
 
 def blocks(problem: Problem) -> Blocks:
     """Return the element matrices of a problem, each computed once for all elements of its kind."""
-    xy, sections = problem.mesh.xy, len(problem.bending)
+    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.masses
     shapes, shape = congruent(xy)
     section = np.full(len(xy), sections)  # none
     section[problem.plate_elements] = problem.section
-    kinds, kind = np.unique(shape * (sections + 1) + section, return_inverse=True)
+    kinds, kind = np.unique((shape * (sections + 1) + section) * len(masses) + problem.depths.mass, return_inverse=True)
+    kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
     xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
     under = np.flatnonzero(section < sections)
     K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
     section = section[under]
     K[under] = plate.stiffness(problem.element, xy[under], problem.bending[section], problem.shear[section])
     T[under] = problem.element.w_functions(xy[under])
-    return Blocks(kind, K, *mass_and_slope(xy), T)
+    mass, slope = mass_and_slope(xy)
+    on_diagonal = masses[:, 1:] * mass.sum(axis=2)
+    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T)
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +224,8 @@ def system(problem: Problem, like: System | None = None) -> System:
     same_plate = known.element is problem.element and all(
         np.array_equal(a, b)
         for a, b in (
-            (known.section, problem.section), (known.bending, problem.bending), (known.shear, problem.shear)
+            (known.section, problem.section), (known.bending, problem.bending), (known.shear, problem.shear),
+            (known.depths.mass, problem.depths.mass), (known.depths.masses, problem.depths.masses),
         )
     )  # fmt: skip
     return System(

@@ -39,6 +39,11 @@ def require_finite(results: Results) -> None:
                 )
 
 
+def contact_share(plate: PlateResult) -> float:
+    """Return the part of the plate's area that rests on the ground."""
+    return float(plate.contact_area.sum() / plate.area.sum())
+
+
 def holds_line_force(results: Results) -> bool:
     """Return whether the pressure at edge nodes also holds the edge line force of a ground with shear."""
     return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.on_edge.any())

@@ -6,7 +6,8 @@ import numpy as np
 
 from groundslab import patches
 from groundslab.assembly import scatter
-from groundslab.checks import apply, ground_forces, resistance
+from groundslab.checks import apply, resistance
+from groundslab.contact_fields import contact_fields
 from groundslab.frame import ODD, XI_TURNED, Frame
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
@@ -14,7 +15,6 @@ from groundslab.model import Model
 from groundslab.problem import (
     BETA_X,
     BETA_Y,
-    TOP,
     Problem,
     W,
     plate_settlement,
@@ -81,8 +81,9 @@ def increment(model: Model, solution: Solution, frame: Frame, share: float) -> I
 def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
     """Return plate, elements and ground of the whole, with their fields."""
     problem, plate, ground = solution.system.problem, frame.plate, frame.ground
-    fields = _plate_fields(solution, frame)
-    at_centres = _element_fields(model, problem, solution.U, frame, fields["pressure"])
+    contact, pressure = contact_fields(solution, frame)
+    fields = _plate_fields(solution, frame) | contact
+    at_centres = _element_fields(model, problem, solution.U, frame) | {"pressure": pressure}
     nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
     elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
     section = elements.pop("section").astype(np.int64)
@@ -129,45 +130,29 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
 
 
 def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
-    """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1."""
-    s, U = solution.system, solution.U
-    problem = s.problem
-    n, under = len(problem.mesh.nodes), problem.plate_nodes
+    """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1.
 
-    force, gap, closed, sunk = np.zeros(n), np.zeros(n), np.ones(n), np.zeros(n)
-    if problem.tensionless:
-        ground = np.flatnonzero(problem.bearing.support < 0)
-        force[under], closed[under] = solution.contact.force[ground], solution.contact.closed[ground]
-        sunk[under] = solution.slip[ground]
-        gap[under] = np.where(closed[under] > 0, 0.0, U[under, TOP] + problem.initial_gap[under] + sunk[under])
-    else:
-        force[under] = ground_forces(s, U, solution.column)[under, 1]
-    pressure = np.zeros(n)
-    pressure[under] = force[under] / frame.nodal_area[under]
+    Without those of contact, see `contact_fields`.
+    """
+    s, U = solution.system, solution.U
     fields = {
         "settlement": plate_settlement(s, U),
         "rotation_x": U[:, BETA_X],
         "rotation_y": U[:, BETA_Y],
-        "gap": gap,
-        "penetration": sunk,
-        "pressure": pressure,
-        "in_contact": closed,
         "on_edge": frame.on_edge,
     }
     at_nodes = {name: field[frame.node] for name, field in fields.items()}
-    return {**at_nodes, "area": frame.area, **section_forces(problem, U, frame)}
+    return {**at_nodes, "area": frame.area, **section_forces(s.problem, U, frame)}
 
 
-def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame, pressure: Array) -> dict[str, Array]:
+def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
     """Return the fields at the centres of the plate's elements (mp,), the number of the section as a float among them.
 
-    pressure (k,) is that at the nodes of the frame: the mean of an element's pressure is int N p dA over its area, so
-    that all of them together are the whole contact force.
+    Without the pressure.
     """
-    mean = np.einsum("ea,ea->e", frame.mean, pressure[frame.mesh.elements])
     thickness = np.array([t for _, _, t in materials(model)])[problem.section]
     forces = dict(zip(FORCES, centre_forces(problem, U, frame).T, strict=True))
-    return {"pressure": mean, **forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
+    return {**forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
 
 
 def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:

@@ -95,7 +95,8 @@ class PlateResult:
     shear_y: Array
     in_contact: Flags  # (n,)
     on_edge: Flags  # (n,): where the pressure also holds the edge line force of a ground with shear
-    area: Array  # (n,): each node's share of the plate's area
+    area: Array  # (n,) [m2]: each node's share of the plate's area
+    contact_area: Array  # (n,) [m2]: what of it rests on the ground; beside a void or a cavity only a part may
 
     @overload
     def value_at(self, field: str, x: float, y: float) -> float: ...

@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.bearings import Bearings, Contact
 from groundslab.ground import Column
-from groundslab.problem import System
+from groundslab.problem import TOP, System
 from groundslab.shape import Array
 
 
@@ -30,7 +30,7 @@ class Solution:
     def nodes_in(self, *states: int) -> Array:
         """Return -1.0 at the nodes where the ground is in one of some states (see contact), else 1.0, (n,)."""
         problem = self.system.problem
-        ground = problem.bearing.support < 0
+        ground = problem.bearing.field == TOP
         field = np.ones(len(problem.mesh.nodes))
         field[problem.bearing.node[ground & np.isin(self.contact.state, states)]] = -1.0
         return field

@@ -1,24 +1,26 @@
 """The described ground as the kernels know it: columns of constants, or soil whose constants follow from gamma.
 
 A table holds what describes the layers of a column, (L, 2): k0 and k1, or (L, 5): thickness, c0, c1, c2 and nu. Where
-the ground varies over the plan, by zones or between boreholes, each element has the column at its centre; (c, L, ...)
-are the tables of the c columns that differ.
+the ground varies over the plan, (c, L, ...) are the tables of the c columns that differ. Between boreholes each element
+has the column at its centre; of zones it has the mean of their constants by the share of its area in each, which is one
+of them where the mesh follows their borders.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from groundslab.between import interpolated
+from groundslab.borders import shares, zone_rings
 from groundslab.errors import Fault, InputError
-from groundslab.ground import Column, Layer, consistent_stack, interface_stack
+from groundslab.ground import Column, Layer, Parts, consistent_stack, interface_stack
 from groundslab.mesh import Mesh
-from groundslab.model import Borehole, InterfaceLayer, Layered, Model, Pasternak, SoilLayer, SoilZone, Vlasov, Winkler
-from groundslab.plan import at
+from groundslab.model import Borehole, InterfaceLayer, Layered, Model, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.plan import Ring, at
 from groundslab.shape import Array, Integers, areas
 from groundslab.soil import AnyGround
 from groundslab.vlasov import Soil
@@ -26,8 +28,6 @@ from groundslab.vlasov import Soil
 #: What a constant of the ground is multiplied with at places x and y (p,) [m], by the constant's name in the file, such
 #: as "ground.k0" or "ground.layers[1].E" (layers count from 1).
 Factors = Mapping[str, Callable[[Array, Array], Array]]
-#: Arcs of zones are followed by chords that are at most this far off, relative to the plate.
-ARC_CHORD = 1e-6
 #: A Poisson's ratio this close to zero is zero but for the rounding of its interpolation.
 ROUNDING = 1e-12
 
@@ -56,26 +56,27 @@ def varies(model: Model) -> bool:
 
 
 def ground_under(
-    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors
+    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors, followed: Sequence[Ring] = ()
 ) -> tuple[Soil | Column, tuple[Array, Array]]:
     """Return the ground under a mesh, by element where it varies, and k0 [Pa/m] and k1 [Pa m] of its layers, (L,) each.
 
+    followed are borders of zones that the mesh follows along arcs, see `borders.shares`.
     The latter are means over the plate's area; of soil, whose constants hang on gamma, there are none. Of a consistent
     stack they are Ec / h and G h of each sublayer, for the mean of its E.
     """
-    if not varies(model) and not factors:
-        tables, of = _table(model.ground, model)[None], np.zeros(len(mesh.elements), dtype=np.int64)
-    else:
-        tables, of = _columns_under(model, mesh, factors)
     none = np.zeros(0), np.zeros(0)
-    if len(tables) == 1:
+    if not varies(model) and not factors:
+        tables, parts = _table(model.ground, model)[None], None
+    else:
+        tables, parts = _columns_under(model, mesh, factors, followed)
+    if parts is None or len(tables) == 1:
         only = _made(model.ground, tables[0])
         return only, none if isinstance(only, Soil) else _constants(model.ground, tables[0])
-    found, share = _made(model.ground, tables), _share(of, len(tables), mesh, plate_elements)
+    found, share = _made(model.ground, tables), _share(parts, mesh, plate_elements)
     if isinstance(found, Soil):
-        return Soil(found.layers, found.way, found.as_printed, found.gamma, of, share), none
+        return Soil(found.layers, found.way, found.as_printed, found.gamma, parts, share), none
     k0, k1 = _constants(model.ground, tables)
-    return found.at(of), (share @ k0, share @ k1)
+    return found.mixed(parts), (share @ k0, share @ k1)
 
 
 def winkler_modulus(ground: Winkler, model: Model) -> float:
@@ -152,19 +153,22 @@ def _constants(ground: AnyGround, table: Array) -> tuple[Array, Array]:
     return np.stack(k0, axis=-1), np.stack(k1, axis=-1)
 
 
-def _columns_under(model: Model, mesh: Mesh, factors: Factors) -> tuple[Array, Integers]:
-    """Return the tables (c, L, ...) that differ under a mesh, and which of them each element has (m,)."""
-    centres = mesh.nodes[mesh.elements[:, 8]]
+def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed: Sequence[Ring]) -> tuple[Array, Parts]:
+    """Return the tables (c, L, ...) that differ under a mesh, and which part of each element's area has which."""
     tables = np.stack(_tables(model))
+    centres = mesh.nodes[mesh.elements[:, 8]]
     if model.boreholes:
-        by_element = _between_boreholes(model.boreholes, tables, centres)
+        element, part = np.arange(len(centres)), np.ones(len(centres))
+        listed = _between_boreholes(model.boreholes, tables, centres)
     else:
-        by_element = tables[_zone_at(model.soil_zones, centres, ARC_CHORD * max(model.plate.sides))]
+        share = shares(mesh.xy, zone_rings(model), followed, max(model.plate.sides))
+        element, zone = np.nonzero(share)
+        part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():
         layer, columns = _place_of(name, model)
-        by_element[:, layer, columns] *= np.broadcast_to(factor(*centres.T), len(centres))[:, None]
-    rows, of = np.unique(by_element.reshape(len(centres), -1), axis=0, return_inverse=True)
-    return rows.reshape(-1, *tables.shape[1:]), of.ravel()
+        listed[:, layer, columns] *= np.broadcast_to(factor(*centres.T), len(centres))[element, None]
+    rows, of = np.unique(listed.reshape(len(listed), -1), axis=0, return_inverse=True)
+    return rows.reshape(-1, *tables.shape[1:]), Parts(element, of.ravel(), part)
 
 
 def _place_of(name: str, model: Model) -> tuple[int, slice]:
@@ -183,21 +187,12 @@ def _place_of(name: str, model: Model) -> tuple[int, slice]:
     raise InputError([Fault(name, f"a ground of kind {ground.kind}", expected)])
 
 
-def _share(of: Integers, columns: int, mesh: Mesh, plate_elements: Integers) -> Array:
+def _share(parts: Parts, mesh: Mesh, plate_elements: Integers) -> Array:
     """Return the part of the plate's area on each column (c,)."""
-    area = areas(mesh.xy[plate_elements])
-    on_each: Array = np.bincount(of[plate_elements], weights=area, minlength=columns) / area.sum()
+    area = np.zeros(len(mesh.elements))
+    area[plate_elements] = areas(mesh.xy[plate_elements])
+    on_each: Array = np.bincount(parts.column, weights=area[parts.element] * parts.share) / area.sum()
     return on_each
-
-
-def _zone_at(zones: tuple[SoilZone, ...], places: Array, tolerance: float) -> Integers:
-    """Return at each place (p, 2) the number of the last zone that covers it, its border included; 0 if none does."""
-    import shapely
-
-    found = np.zeros(len(places), dtype=np.int64)
-    for number, zone in enumerate(zones, start=1):
-        found[shapely.intersects_xy(zone.shape.ring().polygon(tolerance), places[:, 0], places[:, 1])] = number
-    return found
 
 
 def _between_boreholes(holes: tuple[Borehole, ...], tables: Array, places: Array) -> Array:

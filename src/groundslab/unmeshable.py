@@ -40,7 +40,7 @@ def faults(plan: Plan) -> list[Fault]:
     found += _zone_faults(plan, flat)
     if not found:
         found += _place_faults(plan, flat)
-        found += _near_misses(plan, flat)
+        found += _near_misses(plan)
         found += _grazes(plan)
     return found
 
@@ -182,7 +182,7 @@ def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
             yield Fault(f"plate.lines[{i}]", got, "one on the plate", "end it at the edge")
 
 
-def _near_misses(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
+def _near_misses(plan: Plan) -> Iterator[Fault]:
     """Yield points, and corners of zones and lines, that lie beside an edge or point, neither on it nor clear of it."""
     import shapely
 
@@ -196,9 +196,12 @@ def _near_misses(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
     corners += [(f"plate.points[{i}]", p) for i, p in enumerate(plan.points, start=1)]
     names = np.array([name for name, _ in corners])
     places = np.array([place for _, place in corners])
-    # what of a zone lies outside the plate is cut off, and meets nothing
-    inside = shapely.intersects_xy(flat["plate.outline"].buffer(2 * FLAT * plan.extent), places[:, 0], places[:, 1])
-    counts = inside | ~np.char.startswith(names, "plate.zones")
+    # what of a zone lies outside the plate is cut off, and meets nothing; nor does a border where nothing is meshed
+    counts = np.ones(len(places), dtype=bool)
+    for kind, within in (("plate.zones", plan.outline), ("borders", plan.domain)):
+        own = np.char.startswith(names, kind)
+        reach = within.polygon(FLAT * plan.extent).buffer(2 * FLAT * plan.extent)
+        counts[own] = shapely.intersects_xy(reach, *places[own].T)
     near = TOO_CLOSE * plan.extent
     seen: set[tuple[str, str]] = set()
     for name, edge in edges:

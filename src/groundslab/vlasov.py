@@ -15,8 +15,8 @@ from typing import Literal
 import numpy as np
 
 from groundslab.errors import Fault, InputError
-from groundslab.ground import Column, Layer, Values, interface_stack, single
-from groundslab.shape import Array, Flags, Integers, lagrange
+from groundslab.ground import Column, Layer, Parts, Values, interface_stack, single
+from groundslab.shape import Array, Flags, lagrange
 
 #: 2 zeta(2n+2) / pi^(2n+2), n = 0, 1, ...: coth g / g - 1/g^2 is their alternating series in g^2.
 _COTH = np.array([
@@ -209,7 +209,7 @@ class Soil:
     way: Literal["sinh", "profile", "interface"]
     as_printed: bool = False
     gamma: float | None = None  # given; None if it is to be found from the settlement
-    of: Integers | None = None  # (m,): which column each element has; None if all have the one
+    parts: Parts | None = None  # which columns the elements have; None if all have the one
     share: Array | None = None  # (c,): the part of the plate's area on each column
 
     @property
@@ -241,7 +241,7 @@ class Soil:
         gammas = self.gammas(gamma)
         if self.way == "profile":
             decay2 = gammas**2 / (self.depth**2 * self._ratio)
-            if self.of is not None:
+            if self.parts is not None:
                 k0, k1 = profiles(self.layers, np.asarray(decay2))
                 return k0[:, None], k1[:, None]
             mode = profile(self.layers, float(decay2))
@@ -272,4 +272,4 @@ class Soil:
         """Return the column of the ground for a gamma, by element where the soil varies."""
         k0, k1 = self.layer_parameters(gamma)
         found = interface_stack(k0, k1) if self.way == "interface" else single(k0[..., 0], k1[..., 0])
-        return found if self.of is None else found.at(self.of)
+        return found if self.parts is None else found.mixed(self.parts)

@@ -101,7 +101,7 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
     rank = random.permutation(n)
     unknown = number(rank, problem.unknown[back] >= 0)
     where = np.argsort(turn)  # new number of each element
-    b = problem.bearing
+    b, below = problem.bearing, problem.depths
     law = replace(b.law, at=unknown[new[b.node], b.field])
     loading = replace(problem.loading, load=problem.loading.load[back])
     changed = replace(
@@ -114,6 +114,7 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
         cases=(loading,),
         loading=loading,
         initial_gap=problem.initial_gap[back],
+        depths=replace(below, first=below.first[back], area=below.area[back], mass=below.mass[turn]),
         bearing=replace(b, law=law, node=new[b.node]),
         edges=new[problem.edges],
         corners=new[problem.corners],

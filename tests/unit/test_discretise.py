@@ -373,15 +373,21 @@ def test_width_of_infinite_ground_is_a_decay_length() -> None:
 
 @pytest.mark.parametrize("order", [1, -1])
 def test_initial_gap_is_the_uniform_one_and_the_deepest_void(order: int) -> None:
-    """Voids add to the uniform gap; where two overlap the deeper one counts; no gap beyond the plate."""
+    """Voids add to the uniform gap; where two overlap the deeper one counts; no gap beyond the plate.
+
+    A node on the edge of a void has the least gap of what meets there.
+    """
     voids = [Void(depth=0.02, x=(-1, 2), y=(-1, 1)), Void(depth=0.05, x=(1, 3), y=(0, 2))][::order]
     problem = discretise(model(gap=0.01, voids=voids, beyond=Beyond(kind="margin", width=1.0), counts=(6, 4)))
     for (x, y), gap in zip(problem.mesh.nodes, problem.initial_gap, strict=True):
         wanted = 0.0
         if abs(x) <= 3 and abs(y) <= 2:
-            first = 0.02 if -1 <= x <= 2 and -1 <= y <= 1 else 0.0
-            second = 0.05 if 1 <= x <= 3 and 0 <= y <= 2 else 0.0
-            wanted = 0.01 + max(first, second)
+            around = [(x + i * 1e-6, y + j * 1e-6) for i in (-1, 1) for j in (-1, 1)]
+            wanted = 0.01 + min(
+                max(0.02 * (-1 <= u <= 2 and -1 <= v <= 1), 0.05 * (1 <= u <= 3 and 0 <= v <= 2))
+                for u, v in around
+                if abs(u) <= 3 and abs(v) <= 2
+            )
         assert gap == pytest.approx(wanted)
 
 
@@ -525,25 +531,35 @@ def test_a_point_load_on_a_line_of_symmetry_up_to_rounding(off: float) -> None:
 
 
 @pytest.mark.parametrize("symmetry", ["auto", "off"])
-def test_nodes_on_the_edge_of_a_void_lie_in_it(symmetry: str) -> None:
-    """Whether a node on the edge of a void counts does not hang on how its coordinate was rounded."""
-    for n in range(2, 32, 2):
-        for k in range(1, n):
-            edge = k * 3.0 / n
+def test_nodes_on_the_edge_of_a_void_bear(symmetry: str) -> None:
+    """Nodes on the edge of a void have the gap outside, however their coordinates and those of the void are rounded."""
+    for n in range(4, 34, 2):
+        for k in range(1, n // 2):
+            edge = k * 6.0 / n
             void = Void(depth=0.01, x=(-edge, edge), y=(-1, 1))
-            problem = discretise(model(voids=[void], counts=(n, 2), symmetry=symmetry))
+            problem = discretise(model(voids=[void], counts=(n, 4), symmetry=symmetry))
             x, y = np.abs(problem.mesh.nodes).T
-            inside = (x < edge + 1e-6) & (y < 1 + 1e-6)
+            inside = (x < edge - 1e-6) & (y < 1 - 1e-6)
             np.testing.assert_array_equal(problem.initial_gap > 0, inside)
 
 
 def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
-    """Between two measured gaps the initial gap grows linearly, beyond them it stays; the uniform gap is added."""
+    """With two measured gaps the initial gap grows linearly, beyond them too; the uniform gap is added."""
     known = [GapPoint(x=-2.0, y=0.0, gap=1e-3), GapPoint(x=2.0, y=0.0, gap=5e-3)]
     problem = discretise(model(gap=2e-3, gaps=known, counts=(6, 4)))
     along = np.flatnonzero(np.abs(problem.mesh.nodes[:, 1]) < 1e-12)
     x = problem.mesh.nodes[along, 0]
-    np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + np.interp(x, [-2.0, 2.0], [1e-3, 5e-3]), atol=1e-12)
+    np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + 3e-3 + 1e-3 * x, atol=1e-12)
+
+
+def test_gaps_measured_on_a_plane_are_that_plane() -> None:
+    """A plate whose ground slopes away evenly settles onto the slope without bending: w = q / k + gap everywhere."""
+    plane = [(x, y, 1.8e-3 + 2e-4 * x + 1e-4 * y) for x in (-3.0, 3.0) for y in (-2.0, 2.0)]
+    known = [GapPoint(x=x, y=y, gap=gap) for x, y, gap in plane]
+    results = solve(model([UniformLoad(q=2e4)], gaps=known, ground=Winkler(k=2e7), counts=(12, 8)))
+    x, y = results.plate.nodes.T
+    np.testing.assert_allclose(results.plate.settlement, 1e-3 + 1.8e-3 + 2e-4 * x + 1e-4 * y, rtol=1e-6)
+    assert results.plate.settlement.max() == pytest.approx(3.6e-3, rel=1e-6)
 
 
 def test_a_rigid_plate_takes_up_a_measured_gap() -> None:

@@ -104,19 +104,23 @@ def test_stacks_and_tails_of_many_columns_are_those_of_each() -> None:
             np.testing.assert_allclose(mine[i], wanted, rtol=1e-10)
 
 
-def test_last_zone_over_an_elements_centre_counts() -> None:
-    """Each element has the ground of the last zone that covers its centre, borders included, else that of [ground]."""
+def test_elements_across_a_border_have_the_mean_by_area() -> None:
+    """On a grid that is asked for, each element has the ground of every zone by the share of its area in it.
+
+    Where zones overlap the last one counts. The circle covers a quarter of pi of the element around its centre.
+    """
     zones = [
-        SoilZone(shape=box(-0.5, 50.0), ground=Winkler(k=2e7)),
-        SoilZone(shape=Circle(centre=(2.5, 1.5), radius=0.6), ground=Winkler(k=3e7)),
+        SoilZone(shape=box(-0.75, 50.0), ground=Winkler(k=2e7)),
+        SoilZone(shape=Circle(centre=(2.5, 1.5), radius=0.5), ground=Winkler(k=3e7)),
     ]
     found = ground(model(ground=Winkler(k=1e7), soil_zones=zones))
     assert isinstance(found, Column)
     k = found.A0[:, 0, 0].reshape(4, 6)
     wanted = np.full((4, 6), 1e7)
-    wanted[:, 2:] = 2e7  # centres at x = -0.5, on the border, and beyond
-    wanted[3, 5] = 3e7
-    np.testing.assert_array_equal(k, wanted)
+    wanted[:, 2] = 1.75e7
+    wanted[:, 3:] = 2e7
+    wanted[3, 5] = 2e7 + np.pi / 4 * 1e7
+    np.testing.assert_allclose(k, wanted, rtol=1e-5)
     assert not found.A1.any()
 
 
@@ -144,7 +148,8 @@ def test_layers_between_boreholes() -> None:
     plate = PLATE.replace(length_y=1e-6)
     found = ground(model(ground=Vlasov(layers=[SOFT]), boreholes=holes, plate=plate, mesh=Mesh(counts=(6, 1))))
     assert isinstance(found, Soil)
-    assert found.of is not None
+    assert found.parts is not None
+    np.testing.assert_array_equal(found.parts.share, 1.0)
     (layer,) = found.layers
     part = (np.arange(6) + 0.5) / 6
     for got, a, b in (
@@ -153,7 +158,7 @@ def test_layers_between_boreholes() -> None:
         (layer.moduli[0] + layer.moduli[1] + layer.moduli[2], 50e6, 90e6),
         (layer.nu, 0.4, 0.25),
     ):
-        np.testing.assert_allclose(np.asarray(got)[found.of], a + part * (b - a), rtol=1e-9)
+        np.testing.assert_allclose(np.asarray(got)[found.parts.column], a + part * (b - a), rtol=1e-9)
     np.testing.assert_allclose(found.share, 1 / 6)
 
 

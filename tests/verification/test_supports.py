@@ -208,7 +208,7 @@ def test_a_cavity_carries_nothing() -> None:
     """Over a cavity no pressure arises however far the plate settles, and the rest of the ground carries all."""
     void = {"shape": {"kind": "circle", "centre": (1.0, 0.5), "radius": 0.8}}
     plate = certified(solve(raft(contact={"voids": [void]}, mesh={"size": 0.2}))).plate
-    inside = np.hypot(*(plate.nodes - [1.0, 0.5]).T) < 0.8
+    inside = np.hypot(*(plate.nodes - [1.0, 0.5]).T) < 0.8 - 1e-9
     assert inside.sum() > 50
     assert not plate.pressure[inside].any()
     assert (plate.pressure * plate.area).sum() == pytest.approx(240e3, rel=1e-9)

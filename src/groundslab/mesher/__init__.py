@@ -10,7 +10,7 @@ from groundslab.errors import Fault, InputError
 from groundslab.mesher.cells import Cells
 from groundslab.mesher.grids import rectilinear
 from groundslab.mesher.jacobians import Quality, quality
-from groundslab.mesher.makers import Maker, choose, with_gmsh, with_netgen
+from groundslab.mesher.makers import Maker, available, choose, with_gmsh, with_netgen
 from groundslab.mesher.planmesh import PlanMesh, check, check_area, finished
 from groundslab.mesher.quads import all_quadrilaterals, mend, nine_nodes, smoothed, without_flat_corners
 from groundslab.mesher.sizes import doubling, sources
@@ -20,6 +20,7 @@ __all__ = [
     "Maker",
     "PlanMesh",
     "Quality",
+    "available",
     "choose",
     "mesh",
     "quality",

@@ -63,9 +63,12 @@ class Drawing:
         for ring, _ in plan.zones:
             zones += occ.intersect([(2, self.face(ring))], plate, removeObject=True, removeTool=False)[0]
         domain = plate if plan.beyond is None else [(2, self.face(plan.beyond))]
+        borders = []
+        for ring in plan.borders:
+            borders += occ.intersect([(2, self.face(ring))], domain, removeObject=True, removeTool=False)[0]
         lines = [(1, self.curve(edge, self.point(edge.start), self.point(edge.end))) for edge in plan.line_segments()]
         points = [(0, self.point(point)) for point in plan.points]
-        tools = [part for part in [outline, *openings, *zones, *lines, *points] if part not in domain]
+        tools = [part for part in [outline, *openings, *zones, *borders, *lines, *points] if part not in domain]
         self.faces = {tag for _, tag in domain}
         self.inside = set(self.faces)
         if tools:

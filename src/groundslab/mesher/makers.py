@@ -47,6 +47,11 @@ def choose() -> Maker:
     raise InputError([Fault("mesh", got, "Gmsh or Netgen to mesh it", mend)])
 
 
+def available() -> bool:
+    """Return whether any maker can be loaded, so that a mesh can follow oblique edges and arcs."""
+    return _obstacle(door.load) is None or _obstacle(front.load) is None
+
+
 def _obstacle(load: Callable[[], Any]) -> Exception | None:
     """Return what keeps a module from being loaded, if anything; Netgen refuses other Pythons with a RuntimeError."""
     try:

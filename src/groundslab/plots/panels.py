@@ -12,7 +12,7 @@ from groundslab.envelope import envelope
 from groundslab.plots.amounts import NOT_ABOVE, NOT_BELOW, Amount
 from groundslab.plots.marks import in_combination
 from groundslab.plots.scale import Scale, scale_of
-from groundslab.readings import contact_function, holds_line_force
+from groundslab.readings import contact_function, contact_share, holds_line_force
 from groundslab.tables.quantities import extreme, nodal, place
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ def view_of(amount: Amount, drawn: Drawn, several: bool) -> View:
         plate.elements,
         _counting(amount, results),
         contact_function(results),
-        float(plate.area[plate.in_contact].sum() / plate.area.sum()),
+        contact_share(plate),
         in_combination(results.factors),
         drawn.certified,
     )

@@ -264,7 +264,9 @@ def _lost(error: Exception | None) -> LostScheduler:
 
 def packages_of(setup: Setup) -> tuple[str, ...]:
     """Return the packages that must be the same everywhere for the rows of a study to be the same."""
-    return asked.MUST_AGREE if setup.model.plain else (*asked.MUST_AGREE, *asked.MESHERS)
+    model = setup.model
+    on_grids = model.plain and not model.soil_zones and not model.contact.voids
+    return asked.MUST_AGREE if on_grids else (*asked.MUST_AGREE, *asked.MESHERS)
 
 
 def _require_same_versions(client: Any, packages: tuple[str, ...]) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.errors import Fault, InputError
+from groundslab.readings import contact_share
 from groundslab.results import PLATE_FIELDS, Combined, Results
 
 if TYPE_CHECKING:
@@ -271,16 +272,11 @@ def _support_force(results: Results, output: Output) -> float | None:
     return found[0] if found else None
 
 
-def _in_contact(results: Results, output: Output) -> float | None:  # noqa: ARG001
-    plate = results.plate
-    return float(plate.area[plate.in_contact].sum() / plate.area.sum())
-
-
 _FIGURE: dict[str, Callable[[Results, Output], float | None]] = {
     "load": lambda results, _: results.certificate.load,
     "reaction": lambda results, _: results.certificate.reaction,
     "settlement difference": lambda results, _: float(np.ptp(results.plate.settlement)),
-    "in contact": _in_contact,
+    "in contact": lambda results, _: contact_share(results.plate),
     "tilt": _tilt("tilt"),
     "tilt x": _tilt("tilt_x"),
     "tilt y": _tilt("tilt_y"),

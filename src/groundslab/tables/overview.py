@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.loadcases import Combination
-from groundslab.readings import holds_line_force
+from groundslab.readings import contact_share, holds_line_force
 from groundslab.results import Combined, Results
 from groundslab.tables.quantities import extreme, nodal, place, ranged, solved
 from groundslab.tables.table import Cell, Table, table_of
@@ -63,7 +63,7 @@ def _figures(results: Results) -> list[Cell]:
         certificate.reaction / 1e3,
         float(plate.settlement.max() * 1e3),
         max(0.0, float(-plate.settlement.min() * 1e3)),
-        float(plate.area[plate.in_contact].sum() / plate.area.sum() * 100),
+        100 * contact_share(plate),
         inside,
         at_edge,
         worst,

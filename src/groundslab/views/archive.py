@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 3
+FORMAT = 4
 
 
 #: Letters of a library's reason that are told.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.errors import NotCertified, NotConverged
-from groundslab.readings import goes_below_zero
+from groundslab.readings import contact_share, goes_below_zero
 from groundslab.readings import require_finite as require_one_finite
 from groundslab.views import summary
 from groundslab.views.summary import Row, Section
@@ -75,7 +75,7 @@ def figures(results: Results) -> Figures:
         load=results.certificate.load,
         settlement=float(plate.settlement.max()),
         uplift=-low if goes_below_zero(plate.settlement) else 0.0,
-        contact=float(plate.area[plate.in_contact].sum() / plate.area.sum()),
+        contact=contact_share(plate),
         iterations=len(results.steps),
     )
 

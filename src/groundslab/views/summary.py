@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from groundslab import __version__
-from groundslab.readings import goes_below_zero, holds_line_force, require_finite
+from groundslab.readings import contact_share, goes_below_zero, holds_line_force, require_finite
 from groundslab.results import PLATE_FIELDS, alone
 
 if TYPE_CHECKING:
@@ -45,6 +45,13 @@ STIFFNESS = Unit("MPa/m", "Pa/m", 1e-6)
 SHEAR_STIFFNESS = Unit("MPa m", "Pa m", 1e-6)
 FORCE = Unit("kN", "N", 1e-3)
 PERCENT = Unit("%", "1", 1e2)
+
+#: What is said of borders that the mesh does not follow.
+CROSSED = (
+    "An element across the border of a soil zone or void takes the mean of the ground in it, by area; of a void in "
+    "ground with shear it takes all or nothing. With mesh.size instead of mesh.counts the mesh follows borders that "
+    "are not finer than a thousandth of the plan."
+)
 
 #: The SI unit behind each unit of display in PLATE_FIELDS.
 SI = {"mm": "m", "mrad": "rad", "kPa": "Pa", "kNm/m": "N m/m", "kN/m": "N/m"}
@@ -223,7 +230,8 @@ def _plate(results: Results) -> Section:
         Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
         Row("solver", "solver", results.solver),
     )
-    return Section("plate", "Plate", rows)
+    borders = _borders(results)
+    return Section("plate", "Plate", rows + borders, (CROSSED,) if borders else ())
 
 
 def description_of_ground(results: Results) -> Section:
@@ -244,6 +252,21 @@ def description_of_ground(results: Results) -> Section:
     return Section("ground", "Ground", tuple(rows))
 
 
+def _borders(results: Results) -> tuple[Row, ...]:
+    """Return the areas of soil zones and voids whose borders the mesh does not follow."""
+    from groundslab.coverage import crossed_borders
+
+    return tuple(
+        row
+        for each in crossed_borders(results)
+        for row in (
+            Row(f"{each.name}.drawn", f"{each.name} as drawn", each.drawn, AREA),
+            Row(f"{each.name}.meshed", f"{each.name} on the mesh", each.meshed, AREA),
+            Row(f"{each.name}.crossed", f"elements across the border of {each.name}", each.crossed, AREA),
+        )
+    )
+
+
 def _settlement(results: Results) -> Section:
     """Return the largest and the smallest settlement; a smallest one below zero is called uplift."""
     plate, unit = results.plate, _unit("settlement")
@@ -260,7 +283,7 @@ def _settlement(results: Results) -> Section:
 def _contact(results: Results) -> Section:
     """Return how much of the plate rests on the ground, the largest gap and the pressures."""
     plate, unit = results.plate, _unit("pressure")
-    share = float(plate.area[plate.in_contact].sum() / plate.area.sum())
+    share = contact_share(plate)
     gap, place = extreme(plate.nodes, plate.gap, "largest")
     rows = [Row("share", "plate's area in contact", share, PERCENT)]
     rows.append(Row("largest_gap", "largest gap", gap, _unit("gap"), "g", place if gap > 0 else None))

@@ -39,6 +39,7 @@ def plate_mesh(results: Results) -> meshio.Mesh:
     data["in contact"] = plate.in_contact.astype(np.int8)
     data["edge node"] = plate.on_edge.astype(np.int8)
     data["area of the node [m2]"] = plate.area
+    data["area of the node in contact [m2]"] = plate.contact_area
     cells = {cell_name(name): getattr(results.elements, name) * about.scale for name, about in ELEMENT_FIELDS.items()}
     return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
 
