@@ -382,8 +382,13 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
 
 
 def _margin_effect(margins: Sequence[Ladder], combination: str, factors: Array) -> float:
-    """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively."""
+    """Return by how much a wider margin of infinite ground changes the settlement anywhere, over the largest one.
+
+    Both meshes are the same on the plate, where their nodes have the same numbers.
+    """
     unheard = list[Step]()
-    found = [_nested(ladder, combination, factors, unheard.append)[-1] for ladder in margins]
-    largest = [np.abs(solution.U[:, W]).max() for solution in found]
-    return float(abs(largest[1] - largest[0]) / max(largest)) if any(largest) else 0.0
+    narrow, wide = (_nested(ladder, combination, factors, unheard.append)[-1] for ladder in margins)
+    under = narrow.system.problem.plate_nodes
+    before, after = narrow.U[under, W], wide.U[under, W]
+    largest = max(np.abs(before).max(), np.abs(after).max())
+    return float(np.abs(after - before).max() / largest) if largest else 0.0

@@ -47,18 +47,28 @@ class SingularMatrix(GroundslabError):
 
 
 class NotCertified(GroundslabError):
-    """A result does not fulfil the equations; ``results`` holds it all the same, to be looked at, not to be used."""
+    """A result fails its certificate; ``results`` holds it all the same, to be looked at, not to be used."""
 
     def __init__(self, results: Any) -> None:
         self.results = results
         super().__init__(results)
 
     def __str__(self) -> str:
-        """Return which figures of the certificate are too large."""
+        """Return which figures of the certificate are too large, and what to do about the ground beyond."""
         certificate = self.results.certificate
-        figures = certificate.must_vanish().items()
-        large = [f"{name} {value:.1e}" for name, value in figures if not value <= certificate.TOLERANCE]
-        return f"the result does not fulfil the equations: {', '.join(large)}; it must not be used"
+        large = certificate.too_large()
+        margin = large.pop("margin_effect", None)
+        said = []
+        if large:
+            figures = ", ".join(f"{name} {value:.1e}" for name, value in large.items())
+            said.append(f"the result does not fulfil the equations: {figures}")
+        if margin is not None:
+            said.append(
+                f"the meshed ground beyond the plate is too narrow or too coarse: with more of it settlements change "
+                f"by {margin:.2g} of the largest one, at most {certificate.MARGIN_TOLERANCE:g} is allowed; make "
+                "beyond.width larger or mesh.size smaller"
+            )
+        return f"{'; '.join(said)}; it must not be used"
 
 
 @dataclass(eq=False)

@@ -202,6 +202,10 @@ class Plan:
         named |= {f"plate.zones[{i}]": ring for i, (ring, _) in enumerate(self.zones, start=1)}
         return named | ({} if self.beyond is None else {"beyond": self.beyond})
 
+    def edges_on_ground(self) -> tuple[Ring, ...]:
+        """Return the plate's outline and its openings if ground is meshed beyond them, else nothing."""
+        return () if self.beyond is None else (self.outline, *self.openings)
+
     def line_segments(self) -> list[Segment]:
         """Return the straight pieces of all lines."""
         return [Segment(a, b) for line in self.lines for a, b in pairwise(line)]

@@ -102,7 +102,7 @@ class TestSummary:
 
     def test_every_figure_that_must_vanish_has_words(self) -> None:
         """The certificate is shown in full."""
-        assert set(summary.CERTIFICATE_WORDS) == set(synthetic.CERTIFICATE.must_vanish())
+        assert set(summary.CERTIFICATE_WORDS) == set(synthetic.CERTIFICATE.limits())
 
     @pytest.mark.parametrize("part", ["plate", "ground", "certificate", "constants"])
     @pytest.mark.parametrize("bad", [np.nan, np.inf])

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from groundslab.plots.wish import Drawn, Wish
     from groundslab.results import Array, Flags, Integers, Results
 
-NOT_CERTIFIED = "NOT CERTIFIED: the result does not fulfil the equations and must not be used"
+NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
 
 
 @dataclass(frozen=True, slots=True)

@@ -81,8 +81,8 @@ FIGURES: dict[str, Kept] = {
         Kept("k0", "pressure per length", "stiffness of a layer against compression that the analysis ended with"),
         Kept("k1", "pressure times length", "stiffness of a layer against shear"),
         Kept("gamma", "", "decay of the mode over the depth; none if the ground has no such mode"),
-        Kept("margin effect", "", "change of the largest settlement when the margin of infinite ground is doubled; "
-             "none if the ground is not infinite"),
+        Kept("margin effect", "number", "largest change of the settlement when the margin of infinite ground is wider, "
+         "over the largest settlement; none if the ground is not infinite"),
     )
 }  # fmt: skip
 

@@ -33,7 +33,10 @@ def combinations(combined: Combined) -> Table:
         else:
             why = " ".join(str(combined.refused[each.name]).split())
             rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 4)])
-    notes = ["The figures of the certificate are ratios; a result counts if none is above 1e-6."]
+    notes = [
+        "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
+        "0.01."
+    ]
     if any(holds_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("combinations", "Combinations", heads, rows, notes)
@@ -57,7 +60,8 @@ def _figures(results: Results) -> list[Cell]:
     edge = plate.on_edge if holds_line_force(results) else np.zeros_like(plate.on_edge)
     inside = float(plate.pressure[~edge].max() / 1e3) if (~edge).any() else None
     at_edge = float(plate.pressure[edge].max() / 1e3) if edge.any() else None
-    which, worst = max(certificate.must_vanish().items(), key=lambda figure: figure[1])
+    limits = certificate.limits()
+    which, worst = max(certificate.limited().items(), key=lambda figure: figure[1] / limits[figure[0]])
     return [
         certificate.load / 1e3,
         certificate.reaction / 1e3,

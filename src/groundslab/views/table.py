@@ -38,7 +38,7 @@ def print_summary(results: Results, console: Console) -> None:
     if results.certificate.holds:
         console.print(Text("The result fulfils the equations.", style="bold green"))
     else:
-        console.print(Text("FAILED: the result does not fulfil the equations; do not use it.", style="bold red"))
+        console.print(Text("FAILED: the certificate does not hold; do not use the result.", style="bold red"))
 
 
 def print_overview(combined: Combined, console: Console) -> None:
