@@ -308,6 +308,9 @@ def _equilibrium(
             level.places = forecast.places(start.system.problem, s.problem)
         state, expected = forecast.from_coarser(start, s.problem, level.places)
 
+    # what it was started from may have had a limit where there is none now
+    state = np.where((state == contact.YIELDING) & np.isinf(law.capacity), contact.CLOSED, state)
+
     def solved(column: Column, gamma: float | None) -> tuple[Array, Contact]:
         def told(iteration: int, in_contact: int, changed: int) -> None:
             report(Step(s.pattern.size, 1, gamma, iteration, in_contact, changed, finest))

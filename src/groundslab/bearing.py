@@ -74,7 +74,8 @@ def _mirrored_away(void: Void, symmetry: tuple[bool, bool]) -> bool:
 def ground_bearing(model: Model, plan: Layout, unknown: Integers, cavity: Flags) -> Bearing:
     """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure; none if glued.
 
-    The largest force of a node is the limit pressure times its share of the area, and none over a cavity.
+    The largest force of a node is the limit pressure times its share of the area, and none over a cavity. Along edges
+    of ground that carries shear it holds for the balance of the whole only: see problem.bearings.
     """
     under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
     law = contact.gaps(unknown[under, TOP])

@@ -15,7 +15,7 @@ from groundslab.model import Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.shape import Flags, Integers
 from groundslab.slab import Plate
-from groundslab.subsoil import Factors, ground_under, grounds_of, surfaces_of
+from groundslab.subsoil import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 
 #: Places closer than this, relative to the plate, are the same.
 SAME_PLACE = 1e-9
@@ -66,6 +66,9 @@ def discretise(
         initial_gap=gap,
         bearing=joined(ground_bearing(model, plan, unknown, cavity), support_bearing(model, plan, unknown)),
         tensionless=model.contact.tensionless,
+        limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
+        plate_edges=plan.plate_edges,
+        shear_at_edges=carries_shear(ground),
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,

@@ -9,7 +9,8 @@ import numpy as np
 from groundslab import patches, plate
 from groundslab.assembly import congruent
 from groundslab.creases import apart, loaded, walls
-from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
+from groundslab.edge_forces import EdgeSides, edge_lengths, edge_sides
+from groundslab.mesh import Mesh, mirror, row_by_row
 from groundslab.model import Model
 from groundslab.patches import Patches
 from groundslab.problem import Problem, nodal_area
@@ -20,6 +21,8 @@ ODD = (
     {"rotation_x", "shear_x", "moment_xy"},
     {"rotation_y", "shear_y", "moment_xy"},
 )
+#: Fields that are a node's share of a whole, of which each side of a mirror has a part.
+SHARED = {"area", "edge_length"}
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
 XI_TURNED = np.array([2, 3, 0, 1])
 
@@ -41,7 +44,7 @@ class Whole:
         for axis in (0, 1):
             if name in ODD[axis]:
                 found = found * self.odd[axis]
-        return found * self.shares if name == "area" else found
+        return found * self.shares if name in SHARED else found
 
     def by_element(self, name: str, field: Array) -> Array:
         """Return a field of elements of the whole (m,) from that of the meshed part."""
@@ -64,7 +67,9 @@ class Frame:
     node: Integers  # (k,): which node of the problem's mesh each of its nodes is
     area: Array  # (k,) [m2]: share of each
     nodal_area: Array  # (n,) [m2]: of the nodes of the problem's mesh
-    on_edge: Array  # (n,): 1.0 at nodes on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none
+    edges: EdgeSides  # along the plate's edge, openings' edges too
+    edge_length: Array  # (k,) [m]: share of the edge's length of each node
+    nodal_edge_length: Array  # (n,) [m]: of the nodes of the problem's mesh
     mean: Array  # (mp, 9): from nodal values to the mean over an element
     matrices: Array  # (kinds, 20, 27): from unknowns to section forces at 2 x 2 Gauss points
     kind: Integers  # (mp,): which of them an element has
@@ -81,6 +86,7 @@ def frame(model: Model, problem: Problem) -> Frame:
     mesh, node = by_section(problem, supported)
     smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
     matrices, kind = section_matrices(problem)
+    edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
     for axis in (0, 1):
         if problem.symmetry[axis]:
@@ -91,7 +97,9 @@ def frame(model: Model, problem: Problem) -> Frame:
         node=node,
         area=nodal_area(mesh, np.arange(len(mesh.elements))),
         nodal_area=nodal_area(problem.mesh, problem.plate_elements),
-        on_edge=_on_edge(problem),
+        edges=edges,
+        edge_length=edge_lengths(edges, mesh.elements, len(mesh.nodes)),
+        nodal_edge_length=edge_lengths(edges, problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)),
         mean=_means(mesh),
         matrices=matrices,
         kind=kind,
@@ -155,18 +163,6 @@ def _means(mesh: Mesh) -> Array:
     share = jacobian(dN, mesh.xy)[2] * weights
     means: Array = share @ N / share.sum(axis=1, keepdims=True)
     return means
-
-
-def _on_edge(problem: Problem) -> Array:
-    """Return 1.0 at the nodes (n,) on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none."""
-    nodes = problem.mesh.nodes
-    sides = sides_on_boundary(problem.mesh.elements[problem.plate_elements])
-    for axis in (0, 1):
-        if problem.symmetry[axis]:
-            sides = sides[(nodes[sides, axis] != 0.0).any(axis=1)]
-    edge = np.zeros(len(nodes))
-    edge[sides] = 1.0
-    return edge
 
 
 def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array, Flags]:

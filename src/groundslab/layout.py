@@ -72,6 +72,15 @@ class Layout:
     outer_axis: Integers  # (s,): the axis across each of them
 
     @property
+    def plate_edges(self) -> Integers:
+        """Return the sides (b, 3: end, end, middle) of the plate's edge, openings' too; lines of symmetry are none."""
+        sides = sides_on_boundary(self.mesh.elements[self.plate_elements])
+        for axis in (0, 1):
+            if self.symmetry[axis]:
+                sides = sides[(self.mesh.nodes[sides, axis] != 0.0).any(axis=1)]
+        return sides
+
+    @property
     def plate_nodes(self) -> Integers:
         """Return the nodes of the plate, ascending."""
         return distinct(self.mesh.elements[self.plate_elements])[0]

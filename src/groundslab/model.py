@@ -171,7 +171,13 @@ class Contact(Part):
     ] = ()
     limit_pressure: Annotated[
         float | None,
-        Quantity("pressure", "p_max", "pressure at which the ground yields; no limit by default", POSITIVE),
+        Quantity(
+            "pressure",
+            "p_max",
+            "pressure at which the ground yields, no limit by default; line forces along the plate's "
+            "edges are none, but loads may not exceed this pressure over all of the plate",
+            POSITIVE,
+        ),
     ] = None
 
 

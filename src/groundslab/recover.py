@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from groundslab import patches
 from groundslab.assembly import scatter
 from groundslab.checks import apply, ground_forces, resistance
+from groundslab.edge_forces import ground_shear, parted, pressed
 from groundslab.frame import ODD, XI_TURNED, Frame
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
@@ -77,10 +80,10 @@ def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult,
     nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
     elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
     section = elements.pop("section").astype(np.int64)
-    in_contact, on_edge = (nodal.pop(name) > 0 for name in ("in_contact", "on_edge"))
+    in_contact = nodal.pop("in_contact") > 0
     surfaces = surface_settlement(solution.system, solution.U)
     return (
-        PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, on_edge=on_edge, **nodal),
+        PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, **nodal),
         ElementResult(section=section, **elements),
         GroundResult(ground.mesh.nodes, ground.mesh.elements, surfaces[:, ground.node]),
     )
@@ -133,8 +136,7 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
         gap[under] = np.where(closed[under] > 0, 0.0, U[under, TOP] + sunk[under])
     else:
         force[under] = ground_forces(s, U, solution.column)[under, 1]
-    pressure = np.zeros(n)
-    pressure[under] = force[under] / frame.nodal_area[under]
+    pressure, line_force = _pressures(solution, frame, force)
     fields = {
         "settlement": plate_settlement(s, U),
         "rotation_x": U[:, BETA_X],
@@ -143,10 +145,33 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
         "penetration": sunk,
         "pressure": pressure,
         "in_contact": closed,
-        "on_edge": frame.on_edge,
+        "line_force": line_force,
     }
     at_nodes = {name: field[frame.node] for name, field in fields.items()}
-    return {**at_nodes, "area": frame.area, **section_forces(problem, U, frame)}
+    at_nodes["line_force"] = np.where(frame.edge_length > 0, at_nodes["line_force"], 0.0)
+    shares = {"area": frame.area, "edge_length": frame.edge_length}
+    return {**at_nodes, **shares, **section_forces(problem, U, frame)}
+
+
+def _pressures(solution: Solution, frame: Frame, force: Array) -> tuple[Array, Array]:
+    """Return pressure (n,) [Pa] and edge line force (n,) [N/m] that together are the nodal contact forces (n,) [N]."""
+    s, problem = solution.system, solution.system.problem
+    pressure, line_force, under = np.zeros(len(force)), np.zeros(len(force)), problem.plate_nodes
+    pressure[under] = force[under] / frame.nodal_area[under]
+    on_edge = np.flatnonzero(frame.nodal_edge_length)
+    if problem.shear_at_edges and len(on_edge):
+        at_points = ground_shear(s, solution.U, solution.column)
+        shear = _at_nodes(frame, at_points, ("shear_x", "shear_y"), (np.ones(2),))
+        share = pressed(s, solution.U, solution.column, frame.edges, shear)
+        pressure[on_edge], line_force[on_edge] = parted(
+            force[on_edge],
+            share[on_edge],
+            frame.nodal_area[on_edge],
+            frame.nodal_edge_length[on_edge],
+            problem.limit_pressure,
+            problem.tensionless,
+        )
+    return pressure, line_force
 
 
 def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame, pressure: Array) -> dict[str, Array]:
@@ -189,14 +214,23 @@ def section_forces(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]
     From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992) in the parts of the
     mesh in which they are smooth, whose nodes stand apart; nodes that are one in the mesh take the mean.
     """
-    values, mesh = gauss_forces(problem, U, frame), frame.mesh
-    for axis, copied in frame.images:
-        sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in FORCES])
-        values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
-    at_nodes = patches.nodal(frame.patches, values, SIZES)[frame.smooth]
+    mesh = frame.mesh
+    at_nodes = _at_nodes(frame, gauss_forces(problem, U, frame), FORCES, SIZES)
     n = len(mesh.nodes)
     meeting = np.bincount(mesh.elements.ravel(), minlength=n)
     return {name: scatter(mesh.elements, at_nodes[..., i], n) / meeting for i, name in enumerate(FORCES)}
+
+
+def _at_nodes(frame: Frame, values: Array, names: Sequence[str], sizes: Sequence[Array]) -> Array:
+    """Return values at the nodes of the plate's elements (mp, 9, k) from those at their 2 x 2 Gauss points (mp, 4, k).
+
+    The names (k,) tell which of them change sign in a mirror; sizes are as in patches.nodal.
+    """
+    for axis, copied in frame.images:
+        sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in names])
+        values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
+    at_nodes: Array = patches.nodal(frame.patches, values, sizes)[frame.smooth]
+    return at_nodes
 
 
 def _constants(solution: Solution) -> Constants:

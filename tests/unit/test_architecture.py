@@ -68,6 +68,7 @@ FLOORS = [
         "forecast",
         "checks",
         "creases",
+        "edge_forces",
         "frame",
         "recover",
         "ladder",

@@ -143,7 +143,7 @@ def _demand(results: Results, punched: _Punched | str, force: float) -> list[Cel
     if isinstance(punched, str) or force <= 0:
         return [None] * len(_PUNCHING)
     others = inside.under(results, punched.others)
-    pressure = float(punched.area @ results.plate.pressure)
+    pressure = float(punched.area @ (results.plate.contact_force / results.plate.area))
     V_Ed = force + others - pressure
     v_Ed = V_Ed / (punched.u * punched.d)
     return [punched.d * 1e3, V_Ed / 1e3, punched.u, v_Ed / 1e6, pressure / 1e3, others / 1e3]

@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.loadcases import Combination
-from groundslab.readings import holds_line_force
+from groundslab.readings import has_line_force
 from groundslab.results import Combined, Results
 from groundslab.tables.quantities import extreme, nodal, place, ranged, solved
 from groundslab.tables.table import Cell, Table, table_of
 from groundslab.tilt import tilt
 
 EDGE_NOTE = (
-    "The ground's shear gathers in a line force along the plate's edge. At edge nodes the pressure also holds this "
-    "force, spread over the node's area; it grows as the mesh is refined."
+    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
+    "grows slowly as the mesh is refined."
 )
 
 
@@ -22,7 +22,7 @@ def combinations(combined: Combined) -> Table:
     heads = [
         ("combination", ""), ("limit state", ""), ("loads", ""), ("outcome", ""),
         ("sum of loads", "kN"), ("reaction", "kN"), ("largest settlement", "mm"), ("largest uplift", "mm"),
-        ("area in contact", "%"), ("largest pressure", "kPa"), ("largest pressure at edge nodes", "kPa"),
+        ("area in contact", "%"), ("largest pressure", "kPa"), ("largest edge line force", "kN/m"),
         ("worst figure of the certificate", ""), ("which figure", ""),
     ]  # fmt: skip
     rows = []
@@ -37,7 +37,7 @@ def combinations(combined: Combined) -> Table:
         "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
         "0.01."
     ]
-    if any(holds_line_force(each) for each in combined.results.values()):
+    if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("combinations", "Combinations", heads, rows, notes)
 
@@ -57,9 +57,8 @@ def factors(combined: Combined, combination: Combination) -> str:
 def _figures(results: Results) -> list[Cell]:
     """Return the figures of one combination, in the order of the table."""
     plate, certificate = results.plate, results.certificate
-    edge = plate.on_edge if holds_line_force(results) else np.zeros_like(plate.on_edge)
-    inside = float(plate.pressure[~edge].max() / 1e3) if (~edge).any() else None
-    at_edge = float(plate.pressure[edge].max() / 1e3) if edge.any() else None
+    on_edge = plate.edge_length > 0
+    line_force = float(plate.line_force[on_edge].max() / 1e3) if has_line_force(results) else None
     limits = certificate.limits()
     which, worst = max(certificate.limited().items(), key=lambda figure: figure[1] / limits[figure[0]])
     return [
@@ -68,8 +67,8 @@ def _figures(results: Results) -> list[Cell]:
         float(plate.settlement.max() * 1e3),
         max(0.0, float(-plate.settlement.min() * 1e3)),
         float(plate.area[plate.in_contact].sum() / plate.area.sum() * 100),
-        inside,
-        at_edge,
+        float(plate.pressure.max() / 1e3),
+        line_force,
         worst,
         which,
     ]
@@ -95,7 +94,7 @@ def extremes(combined: Combined) -> Table:
         "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",
         "Under a point load without a footprint, moments and shear forces grow as the mesh is refined.",
     ]
-    if any(holds_line_force(each) for each in combined.results.values()):
+    if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("extremes", "Extremes of each combination", heads, rows, notes)
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 3
+FORMAT = 4
 
 
 #: Arrays that all states have in common.
