@@ -161,7 +161,7 @@ def _pressures(solution: Solution, frame: Frame, force: Array) -> tuple[Array, A
     on_edge = np.flatnonzero(frame.nodal_edge_length)
     if problem.shear_at_edges and len(on_edge):
         at_points = ground_shear(s, solution.U, solution.column)
-        shear = _at_nodes(frame, at_points, ("shear_x", "shear_y"), (np.ones(2),))
+        shear = _at_nodes(frame, at_points, ("shear_x", "shear_y"), ())  # smooth, and linear in U
         share = pressed(s, solution.U, solution.column, frame.edges, shear)
         pressure[on_edge], line_force[on_edge] = parted(
             force[on_edge],
