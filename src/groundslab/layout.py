@@ -93,9 +93,8 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     as many lengths over which the ground dies out, with further rows of elements; the rest of the mesh stays as it is.
     """
     symmetry = symmetries(model)
-    width, decay = _width_beyond(model, grounds), _longest_decay(model, grounds)
-    size = _edge_size(model, grounds, coarsening)
-    wider = (margin - 1) * max(width, decay) if width else 0.0
+    width, size = _width_beyond(model, grounds), _edge_size(model, grounds, coarsening)
+    wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
     source: Hashable
     make: Callable[[], tuple[Mesh, Integers]]
     if model.plain:
