@@ -24,7 +24,9 @@ def plate_of(mesh: Mesh, **formulas: Formula) -> PlateResult:
         values[name] = none + (formula(x, y) if callable(formula) else formula)
     on = np.zeros(len(x), dtype=bool)
     area = nodal_area(mesh, np.arange(len(mesh.elements)))
-    return PlateResult(mesh.nodes, mesh.elements, in_contact=~on, on_edge=on, area=area, contact_area=area, **values)
+    return PlateResult(
+        mesh.nodes, mesh.elements, in_contact=~on, area=area, contact_area=area, edge_length=none, **values
+    )
 
 
 def crooked(nx: int = 5, ny: int = 4, length_x: float = 6.0, length_y: float = 4.0, seed: int = 1) -> Mesh:

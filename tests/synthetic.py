@@ -44,18 +44,21 @@ def grid(nx: int, ny: int, length_x: float, length_y: float) -> tuple[np.ndarray
 def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: Any) -> Results:
     """Return made-up results on n by n elements: a bowl that lifts at its corners, or a flat settlement.
 
-    With ``shear`` the ground has k1 and reaches beyond the plate, and the pressure holds an edge line force.
+    With ``shear`` the ground has k1 and reaches beyond the plate, and there is a line force along its edges in contact.
     """
     nodes, elements = grid(n, n, LENGTH_X, LENGTH_Y)
     x, y = nodes.T
     r2 = (x**2 + y**2) / (LENGTH_X**2 / 4 + LENGTH_Y**2 / 4)
     w = 0.028 * (1 - 2 * r2) if lifts else 0.028 * (1 - 0.5 * r2)
     on_edge = (np.abs(x) > LENGTH_X / 2 - 1e-9) | (np.abs(y) > LENGTH_Y / 2 - 1e-9)
-    line = np.where(on_edge & (w > 0), 5e5, 0.0) if shear else 0.0
+    line = np.where(on_edge & (w > 0), 5e5, 0.0) if shear else np.zeros_like(w)
     weights = np.ones(2 * n + 1)
     weights[1::2], weights[2:-1:2] = 4, 2
     area = np.outer(weights, weights).ravel()
     area = area * LENGTH_X * LENGTH_Y / area.sum()
+    steps = weights / weights.sum()
+    along_x = (np.abs(y) > LENGTH_Y / 2 - 1e-9) * np.tile(steps, 2 * n + 1) * LENGTH_X
+    along_y = (np.abs(x) > LENGTH_X / 2 - 1e-9) * np.repeat(steps, 2 * n + 1) * LENGTH_Y
     plate = PlateResult(
         nodes=nodes,
         elements=elements,
@@ -64,14 +67,15 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         rotation_y=-0.01 * y,
         gap=np.maximum(-w, 0.0),
         penetration=np.zeros_like(w),
-        pressure=K0 * np.maximum(w, 0.0) + line,
+        pressure=K0 * np.maximum(w, 0.0),
+        line_force=line,
         moment_x=1e5 * (1 - 4 * (x / LENGTH_X) ** 2),
         moment_y=8e4 * (1 - 4 * (y / LENGTH_Y) ** 2) - 1e4,
         moment_xy=2e3 * x * y,
         shear_x=-3e4 * x,
         shear_y=-2e4 * y,
         in_contact=w >= 0,
-        on_edge=on_edge if shear else np.zeros_like(on_edge),
+        edge_length=along_x + along_y,
         area=area,
         contact_area=area * (w >= 0),
     )

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from groundslab import contact, forecast, linear
-from groundslab.bearings import CLOSED, Contact, slipped
+from groundslab.bearings import CLOSED, YIELDING, Contact, slipped
 from groundslab.checks import certificate, decay_squared, worst
 from groundslab.conditioning import require_digits
 from groundslab.errors import (
@@ -342,6 +342,9 @@ def _equilibrium(
             level.places = forecast.places(start.system.problem, s.problem)
         state, expected = forecast.from_coarser(start, s.problem, level.places)
 
+    # what it was started from may have had a limit where there is none now
+    state = np.where((state == YIELDING) & np.isinf(law.capacity), CLOSED, state)
+
     def solved(column: Column, gamma: float | None) -> tuple[Array, Contact]:
         def told(iteration: int, in_contact: int, changed: int) -> None:
             report(Step(s.pattern.size, 1, gamma, iteration, in_contact, changed, finest))
@@ -418,8 +421,13 @@ def _slope(history: list[tuple[float, float]], otherwise: float) -> float:
 
 
 def _margin_effect(margins: Sequence[Ladder], combination: str, factors: Array) -> float:
-    """Return by how much doubling the meshed margin of infinite ground changes the largest settlement, relatively."""
+    """Return by how much a wider margin of infinite ground changes the settlement anywhere, over the largest one.
+
+    Both meshes are the same on the plate, where their nodes have the same numbers.
+    """
     unheard = list[Step]()
-    found = [_nested(ladder, combination, factors, unheard.append)[-1] for ladder in margins]
-    largest = [np.abs(solution.U[:, W]).max() for solution in found]
-    return float(abs(largest[1] - largest[0]) / max(largest)) if any(largest) else 0.0
+    narrow, wide = (_nested(ladder, combination, factors, unheard.append)[-1] for ladder in margins)
+    under = narrow.system.problem.plate_nodes
+    before, after = narrow.U[under, W], wide.U[under, W]
+    largest = max(np.abs(before).max(), np.abs(after).max())
+    return float(np.abs(after - before).max() / largest) if largest else 0.0

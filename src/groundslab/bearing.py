@@ -28,9 +28,10 @@ def ground_bearing(
 ) -> Bearing:
     """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure; none if glued.
 
-    The largest force is the limit pressure times the area that bears, and none over a cavity. Where ground without
-    shear lies deeper beside a node than under it, what lies deeper is a spring on the plate's settlement, at the depth
-    below the gap (n,) [m].
+    The largest force is the limit pressure times the area that bears, and none over a cavity. Along edges of ground
+    that carries shear it holds for the balance of the whole only: see problem.bearings. Where ground without shear lies
+    deeper beside a node than under it, what lies deeper is a spring on the plate's settlement, at the depth below the
+    gap (n,) [m].
     """
     under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
     limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure

@@ -213,7 +213,7 @@ def _solve(options: argparse.Namespace) -> int:
     if results is combined:
         _tell_refused(combined)
     else:
-        say("error: the result does not fulfil the equations (see its certificate); do not use it")
+        say(f"error: {next(iter(combined.refused.values()))}")
     return NO_RESULT
 
 

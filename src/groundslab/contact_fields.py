@@ -6,6 +6,7 @@ import numpy as np
 
 from groundslab.assembly import scatter
 from groundslab.checks import ground_forces
+from groundslab.edge_forces import ground_shear, parted, pressed
 from groundslab.frame import Frame
 from groundslab.problem import MIDSIDES, TOP, plate_settlement
 from groundslab.shape import Array, areas
@@ -15,11 +16,11 @@ from groundslab.solution import Solution
 def contact_fields(solution: Solution, frame: Frame) -> tuple[dict[str, Array], Array]:
     """Return fields at the nodes of a frame (k,), whether they touch as 1 or 0, and each element's mean pressure (mp,).
 
-    A node's pressure is the contact force on its own elements over their share of area, so that all nodes together, and
-    all elements together, carry the whole contact force.
+    A node's pressure is the contact force on its own elements over their share of area, less the line force along the
+    plate's edge, so that all nodes together, and all elements together, carry the whole contact force beside that.
     """
     problem, elements = solution.system.problem, frame.mesh.elements
-    pressure, touching, gap, sunk = _at_depths(solution)
+    pressure, touching, gap, sunk, line_force = _at_depths(solution, frame)
     of = problem.mesh.elements[problem.plate_elements]
     share = frame.mean * areas(frame.mesh.xy)[:, None]
 
@@ -40,11 +41,12 @@ def contact_fields(solution: Solution, frame: Frame) -> tuple[dict[str, Array], 
         "pressure": at_nodes,
         "in_contact": in_contact.astype(np.float64),
         "contact_area": bears,
+        "line_force": np.where(frame.edge_length > 0, line_force[frame.node], 0.0),
     }, np.einsum("ea,ea->e", frame.mean, at_elements)
 
 
-def _at_depths(solution: Solution) -> tuple[Array, Array, Array, Array]:
-    """Return what lies at each depth at each node of the plate, arrays (n, d).
+def _at_depths(solution: Solution, frame: Frame) -> tuple[Array, Array, Array, Array, Array]:
+    """Return what lies at each depth at each node of the plate, arrays (n, d), and the edge line force (n,) [N/m].
 
     The pressure that it carries, 1.0 where it touches the plate, the gap above it and how far the plate has sunk into
     it. A cavity has no bottom: its gap is that above the level of the ground around it, if there is any.
@@ -56,7 +58,7 @@ def _at_depths(solution: Solution) -> tuple[Array, Array, Array, Array]:
     if not problem.tensionless:
         pressure[under, 0] = ground_forces(s, U, solution.column)[under, 1] / below.area[under, 0]
         touching[under, 0] = 1.0
-        return pressure, touching, gap, sunk
+        return pressure, touching, gap, sunk, _line_force(solution, frame, pressure)
     ground = np.flatnonzero(b.support < 0)
     at = b.node[ground], b.depth[ground]
     pressure[at] = solution.contact.force[ground] / below.area[at]
@@ -78,4 +80,30 @@ def _at_depths(solution: Solution) -> tuple[Array, Array, Array, Array]:
         alone[under] = opened - depth[first]
     gap[under] = np.maximum(alone[under, None] + depth, 0.0)
     gap[under, first] = opened
-    return pressure, touching, gap, sunk
+    return pressure, touching, gap, sunk, _line_force(solution, frame, pressure)
+
+
+def _line_force(solution: Solution, frame: Frame, pressure: Array) -> Array:
+    """Return the line force along the plate's edge (n,) [N/m], and take it off the pressure (n, d) [Pa] in place.
+
+    pressure holds it at first, spread over the area of each node of the edge. Ground without shear has none.
+    """
+    s, problem = solution.system, solution.system.problem
+    line_force = np.zeros(len(pressure))
+    edge = np.flatnonzero(frame.nodal_edge_length)
+    if not problem.shear_at_edges or not len(edge):
+        return line_force
+    at_points = ground_shear(s, solution.U, solution.column)
+    shear = frame.at_nodes(at_points, ("shear_x", "shear_y"), ())  # smooth, and linear in U
+    share = pressed(s, solution.U, solution.column, frame.edges, shear)
+    at = edge, problem.depths.first[edge]
+    area = problem.depths.area[at]
+    pressure[at], line_force[edge] = parted(
+        pressure[at] * area,
+        share[edge],
+        area,
+        frame.nodal_edge_length[edge],
+        problem.limit_pressure,
+        problem.tensionless,
+    )
+    return line_force

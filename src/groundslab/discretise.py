@@ -15,7 +15,7 @@ from groundslab.model import Model
 from groundslab.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.shape import Flags, Integers
 from groundslab.slab import Plate
-from groundslab.subsoil import Factors, ground_under, grounds_of, surfaces_of
+from groundslab.subsoil import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.voids import depths, initial_gap
 
 #: Places closer than this, relative to the plate, are the same.
@@ -69,6 +69,9 @@ def discretise(
         depths=below,
         bearing=joined(ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)),
         tensionless=model.contact.tensionless,
+        limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
+        plate_edges=plan.plate_edges,
+        shear_at_edges=carries_shear(ground),
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,

@@ -55,7 +55,7 @@ class SingularMatrix(GroundslabError):
 
 
 class NotCertified(GroundslabError):
-    """A result does not fulfil the equations; ``results`` holds it all the same, to be looked at, not to be used."""
+    """A result fails its certificate; ``results`` holds it all the same, to be looked at, not to be used."""
 
     ROUNDING = (
         "rounding is what is left over where stiffnesses differ by ten digits and more: bring thickness and E of the "
@@ -67,12 +67,23 @@ class NotCertified(GroundslabError):
         super().__init__(results)
 
     def __str__(self) -> str:
-        """Return which figures of the certificate are too large."""
+        """Return which figures of the certificate are too large, and what to do about the ground beyond."""
         certificate = self.results.certificate
-        large = {name: value for name, value in certificate.must_vanish().items() if not value <= certificate.TOLERANCE}
-        figures = ", ".join(f"{name} {value:.1e}" for name, value in large.items())
-        line = f"the result does not fulfil the equations: {figures}; it must not be used"
-        return f"{line}; {self.ROUNDING}" if large.keys() <= {"residual", "force_balance", "moment_balance"} else line
+        large = certificate.too_large()
+        margin = large.pop("margin_effect", None)
+        said = []
+        if large:
+            figures = ", ".join(f"{name} {value:.1e}" for name, value in large.items())
+            said.append(f"the result does not fulfil the equations: {figures}")
+            if large.keys() <= {"residual", "force_balance", "moment_balance"}:
+                said.append(self.ROUNDING)
+        if margin is not None:
+            said.append(
+                f"the meshed ground beyond the plate is too narrow or too coarse: with more of it settlements change "
+                f"by {margin:.2g} of the largest one, at most {certificate.MARGIN_TOLERANCE:g} is allowed; make "
+                "beyond.width larger or mesh.size smaller"
+            )
+        return f"{'; '.join(said)}; it must not be used"
 
 
 @dataclass(eq=False)

@@ -15,7 +15,7 @@ from groundslab.bearings import CLOSED, LAWS, OPEN, YIELDING, Bearings
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.linear import Latest, Solver
 from groundslab.mesh import Whereabouts, between, interpolated, whereabouts
-from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, System, W, plate_settlement, surface_settlement
+from groundslab.problem import BETA_X, BETA_Y, TOP, Problem, System, W, on_lines, plate_settlement, surface_settlement
 from groundslab.shape import Array, Flags, Integers
 from groundslab.solution import Solution
 from groundslab.symmetric import Symmetric
@@ -64,7 +64,8 @@ def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integer
         state[ground] = np.where(touching, CLOSED, OPEN)
         if (start.contact.state == YIELDING).any():
             yielding = between(coarse, start.nodes_in(YIELDING), at.on_plate) <= CLOSED_AT
-            state[ground[yielding & np.isfinite(b.law.capacity[ground])]] = YIELDING
+            limited = np.isfinite(b.law.capacity[ground]) & ~on_lines(problem)[ground]
+            state[ground[yielding & limited]] = YIELDING
     for support in np.unique(b.support[b.support >= 0]):
         new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.bearing))
         if len(new) and len(old):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,8 @@ import numpy as np
 from groundslab import patches, plate
 from groundslab.assembly import congruent
 from groundslab.creases import apart, loaded, walls
-from groundslab.mesh import Mesh, mirror, row_by_row, sides_on_boundary
+from groundslab.edge_forces import EdgeSides, edge_lengths, edge_sides
+from groundslab.mesh import Mesh, mirror, row_by_row
 from groundslab.model import Model
 from groundslab.patches import Patches
 from groundslab.problem import Problem, nodal_area
@@ -20,6 +22,8 @@ ODD = (
     {"rotation_x", "shear_x", "moment_xy"},
     {"rotation_y", "shear_y", "moment_xy"},
 )
+#: Fields that are a node's share of a whole, of which each side of a mirror has a part.
+SHARED = {"area", "contact_area", "edge_length"}
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
 XI_TURNED = np.array([2, 3, 0, 1])
 
@@ -41,7 +45,7 @@ class Whole:
         for axis in (0, 1):
             if name in ODD[axis]:
                 found = found * self.odd[axis]
-        return found * self.shares if name in ("area", "contact_area") else found
+        return found * self.shares if name in SHARED else found
 
     def by_element(self, name: str, field: Array) -> Array:
         """Return a field of elements of the whole (m,) from that of the meshed part."""
@@ -64,7 +68,9 @@ class Frame:
     node: Integers  # (k,): which node of the problem's mesh each of its nodes is
     area: Array  # (k,) [m2]: share of each
     depth: Integers  # (k,): at which of the problem's depths the ground lies under most of its elements' area
-    on_edge: Array  # (n,): 1.0 at nodes on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none
+    edges: EdgeSides  # along the plate's edge, openings' edges too
+    edge_length: Array  # (k,) [m]: share of the edge's length of each node
+    nodal_edge_length: Array  # (n,) [m]: of the nodes of the problem's mesh
     mean: Array  # (mp, 9): from nodal values to the mean over an element
     matrices: Array  # (kinds, 20, 27): from unknowns to section forces at 2 x 2 Gauss points
     kind: Integers  # (mp,): which of them an element has
@@ -74,6 +80,18 @@ class Frame:
     plate: Whole
     ground: Whole
 
+    def at_nodes(self, values: Array, names: Sequence[str], sizes: Sequence[Array]) -> Array:
+        """Return values at the nodes of the plate's elements (mp, 9, k) from those at their 2 x 2 Gauss points.
+
+        The values (mp, 4, k) are called by names (k,), which tell which of them change sign in a mirror; sizes are
+        as in patches.nodal.
+        """
+        for axis, copied in self.images:
+            sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in names])
+            values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
+        at_nodes: Array = patches.nodal(self.patches, values, sizes)[self.smooth]
+        return at_nodes
+
 
 def frame(model: Model, problem: Problem) -> Frame:
     """Return the frame of the results of a model on one mesh."""
@@ -82,6 +100,7 @@ def frame(model: Model, problem: Problem) -> Frame:
     mesh, node = by_section(problem, supported, depth)
     smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
     matrices, kind = section_matrices(problem)
+    edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
     for axis in (0, 1):
         if problem.symmetry[axis]:
@@ -94,7 +113,9 @@ def frame(model: Model, problem: Problem) -> Frame:
         node=node,
         area=nodal_area(mesh, np.arange(len(mesh.elements))),
         depth=at_nodes,
-        on_edge=_on_edge(problem),
+        edges=edges,
+        edge_length=edge_lengths(edges, mesh.elements, len(mesh.nodes)),
+        nodal_edge_length=edge_lengths(edges, problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)),
         mean=_means(mesh),
         matrices=matrices,
         kind=kind,
@@ -161,18 +182,6 @@ def _means(mesh: Mesh) -> Array:
     share = jacobian(dN, mesh.xy)[2] * weights
     means: Array = share @ N / share.sum(axis=1, keepdims=True)
     return means
-
-
-def _on_edge(problem: Problem) -> Array:
-    """Return 1.0 at the nodes (n,) on the plate's edge, openings' edges too, else 0.0; lines of symmetry are none."""
-    nodes = problem.mesh.nodes
-    sides = sides_on_boundary(problem.mesh.elements[problem.plate_elements])
-    for axis in (0, 1):
-        if problem.symmetry[axis]:
-            sides = sides[(nodes[sides, axis] != 0.0).any(axis=1)]
-    edge = np.zeros(len(nodes))
-    edge[sides] = 1.0
-    return edge
 
 
 def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array, Flags]:

@@ -227,3 +227,15 @@ def tail(column: Column) -> Tail:
     inner = np.linalg.solve(L, np.linalg.solve(L, column.A0).swapaxes(-1, -2))
     a2, V = np.linalg.eigh((inner + inner.swapaxes(-1, -2)) / 2)
     return Tail(np.linalg.solve(L.swapaxes(-1, -2), V), (L @ V).swapaxes(-1, -2), np.sqrt(a2))
+
+
+def edge_decay(column: Column) -> float:
+    """Return the length [m] over which the ground's surface dies out beyond an edge that presses it down.
+
+    It is sqrt(k1/k0) for one surface. Of several, which are taken to settle along the edge as they do under a load
+    everywhere, the modes count by their share in the edge's force: 1/L is the mean of their decays a, each weighed by
+    the square of its amplitude.
+    """
+    t = tail(column)
+    amplitudes = t.share @ np.linalg.solve(column.A0, np.eye(column.surfaces)[0])
+    return float(amplitudes @ amplitudes / (amplitudes @ (t.decay * amplitudes)))

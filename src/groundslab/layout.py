@@ -20,17 +20,21 @@ from groundslab.actions import (
     UniformLoad,
 )
 from groundslab.borders import on_lines, void_rings, with_borders, zone_rings
-from groundslab.ground import Column, tail
-from groundslab.mesh import Mesh, elimination_order, grid, lines_beyond, sides_on_boundary
+from groundslab.ground import Column, edge_decay, tail
+from groundslab.mesh import GRADING, Mesh, elimination_order, extruded, graded, graded_towards, grid, sides_on_boundary
 from groundslab.model import SHORT_SIDE_ELEMENTS, Model, plan_of_plate
 from groundslab.plan import Plan, Ring, rectangle
-from groundslab.shape import Integers, distinct
+from groundslab.shape import Array, Integers, distinct
 from groundslab.vlasov import Soil
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
 COARSEST = 3
 #: Of an infinite ground, this many decay lengths are meshed before the tails begin.
 MESHED_DECAYS = 1.0
+#: Elements at an edge with ground beyond are at most this share of the length over which the ground dies out there...
+EDGE_SHARE = 0.5
+#: ... but not smaller than this share of the largest ones: then the force along the edge is next to nothing.
+EDGE_LEAST = 1 / 16
 AXIS = {"left": 0, "right": 0, "bottom": 1, "top": 1}
 OUTWARD = {"left": -1, "right": 1, "bottom": -1, "top": 1}
 
@@ -70,23 +74,58 @@ class Layout:
     followed: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
 
     @property
+    def plate_edges(self) -> Integers:
+        """Return the sides (b, 3: end, end, middle) of the plate's edge, openings' too; lines of symmetry are none."""
+        sides = sides_on_boundary(self.mesh.elements[self.plate_elements])
+        for axis in (0, 1):
+            if self.symmetry[axis]:
+                sides = sides[(self.mesh.nodes[sides, axis] != 0.0).any(axis=1)]
+        return sides
+
+    @property
     def plate_nodes(self) -> Integers:
         """Return the nodes of the plate, ascending."""
         return distinct(self.mesh.elements[self.plate_elements])[0]
 
 
 def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: float, meshes: Meshes) -> Layout:
-    """Return the layout of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond."""
+    """Return the layout of a model; `coarsening` halves the counts so many times.
+
+    With a `margin` above 1 the meshed strip of ground beyond is made wider by (margin - 1) times its width, at least by
+    as many lengths over which the ground dies out, with further rows of elements; the rest of the mesh stays as it is.
+    """
     symmetry = symmetries(model)
-    width = margin * _width_beyond(model, grounds)
+    width, size = _width_beyond(model, grounds), _edge_size(model, grounds, coarsening)
+    wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
     source: Hashable
+    make: Callable[[], tuple[Mesh, Integers]]
     if uniform(model, width):
         counts = _counts(model, symmetry, coarsening)
-        source = model.plate.sides, symmetry, counts, model.beyond.sides if width else (), width
-        mesh, section, rank = meshes.of(source, lambda: _plain_mesh(model, symmetry, counts, width))
+        source = (
+            model.plate.sides,
+            symmetry,
+            counts,
+            model.mesh.counts,
+            model.beyond.sides if width else (),
+            width,
+            size,
+        )
+
+        def make() -> tuple[Mesh, Integers]:
+            return _plain_mesh(model, symmetry, counts, width, size)
+
     else:
-        plan, size = plan_of(model, width), _size(model) * 2**coarsening
-        mesh, section, rank = meshes.of((plan, size), lambda: _drawn_mesh(plan, size))
+        plan, largest = plan_of(model, width), _size(model) * 2**coarsening
+        source = plan, largest, size
+
+        def make() -> tuple[Mesh, Integers]:
+            return _drawn_mesh(plan, largest, size)
+
+    found = meshes.of(source, make)
+    if wider:
+        narrow = found
+        found = meshes.of((source, wider), lambda: _widened(model, symmetry, narrow, wider))
+    mesh, section, rank = found
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
     return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, followed(model, width))
@@ -102,6 +141,8 @@ def uniform(model: Model, width: float) -> bool:
     borders = void_rings(model) + zone_rings(model)
     if model.mesh.counts is not None or not borders:
         return True
+    if width:  # its lines come closer towards the plate's edges
+        return False
     (x, y), symmetry = model.plate.sides, symmetries(model)
     nx, ny = (count * (1 + half) for count, half in zip(_counts(model, symmetry, 0), symmetry, strict=True))
     lines = np.linspace(-x / 2, x / 2, nx + 1), np.linspace(-y / 2, y / 2, ny + 1)
@@ -215,29 +256,92 @@ def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
+    return MESHED_DECAYS * _longest_decay(model, grounds)
+
+
+def _columns(grounds: list[Soil | Column]) -> list[Column]:
+    """Return the columns of grounds that carry shear, with a usual mode where it is not known yet."""
     columns = [ground if isinstance(ground, Column) else ground.column(ground.gamma or 1.0) for ground in grounds]
-    longest = max(1 / float(tail(column).decay.min()) for column in columns)
-    return MESHED_DECAYS * min(longest, 2 * max(model.plate.sides))
+    return [column for column in columns if np.linalg.eigvalsh(column.A1).min() > 0]
+
+
+def _longest_decay(model: Model, grounds: list[Soil | Column]) -> float:
+    """Return the longest length over which a mode of the ground dies out [m], at most twice the plate's longer side."""
+    longest = max((1 / float(tail(column).decay.min()) for column in _columns(grounds)), default=0.0)
+    return min(longest, 2 * max(model.plate.sides))
+
+
+def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> float:
+    """Return the largest size of elements at the plate's edges with ground beyond, beside them on the plate too [m]."""
+    largest = _size(model)
+    if model.mesh.counts is not None:
+        largest = max(length / count for length, count in zip(model.plate.sides, model.mesh.counts, strict=True))
+    if model.beyond.kind != "none":
+        wanted = [EDGE_SHARE * edge_decay(column) for column in _columns(grounds)]
+        largest = min(largest, max(min(wanted, default=largest), EDGE_LEAST * largest))
+    return largest * 2.0**coarsening
 
 
 def _plain_mesh(
-    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], width: float
+    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], width: float, edge_size: float
 ) -> tuple[Mesh, Integers]:
     """Return the grid of a plain rectangle and its ground beyond, and each element's section, -1 beyond."""
     lines, inside = [], []
     for axis, (length, count) in enumerate(zip(model.plate.sides, counts, strict=True)):
-        low = 0.0 if symmetry[axis] else -length / 2
-        own = np.linspace(low, length / 2, count + 1)
-        first = (length / 2 - low) / count
-        before, after = np.zeros(0), np.zeros(0)
-        for side in model.beyond.sides if width else ():
-            if AXIS[side] == axis and OUTWARD[side] > 0:
-                after = lines_beyond(length / 2, width, first, length / 2)
-            elif AXIS[side] == axis and not symmetry[axis]:
-                before = lines_beyond(-length / 2, -width, first, length / 2)[::-1]
+        low, high = 0.0 if symmetry[axis] else -length / 2, length / 2
+        size = (high - low) / count
+        reached = {OUTWARD[side] for side in model.beyond.sides if width and AXIS[side] == axis}
+        reached -= {-1} if symmetry[axis] else set()
+        own = np.linspace(low, high, count + 1)
+        if reached and model.mesh.counts is None:
+            own = _towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
+        beyond = _distances_beyond(width, min(size, edge_size), size, length / 2) if reached else np.zeros(0)
+        before = -length / 2 - beyond[::-1] if -1 in reached else np.zeros(0)
+        after = length / 2 + beyond if 1 in reached else np.zeros(0)
         lines.append(np.concatenate([before, own, after]))
-        inside.append(np.repeat([False, True, False], [len(before), count, len(after)]))
+        inside.append(np.repeat([False, True, False], [len(before), len(own) - 1, len(after)]))
     return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)
+
+
+def _towards_edges(low: float, high: float, size: float, edges: Array, edge_size: float) -> Array:
+    """Return lines from low to high [m], at most `size` apart, which come as close as `edge_size` at the edges (e,)."""
+    limit = graded_towards(edges, edge_size)
+
+    def wanted(x: Array) -> Array:
+        return np.minimum(size, limit(x))
+
+    return np.append(low, graded(wanted, low, high))
+
+
+def _distances_beyond(width: float, first: float, size: float, scale: float) -> Array:
+    """Return the distances of lines from the edge that they follow, up to the last one at `width` [m].
+
+    Intervals are at most `first` long at the edge and grow as fast as elements may, but at the distance d they are at
+    most size * (1 + d / scale). There are two at least.
+    """
+
+    def limit(d: Array) -> Array:
+        most: Array = np.minimum(first + GRADING * d, size * (1 + d / scale))
+        return np.minimum(most, width / 2)
+
+    return graded(limit, 0.0, width)
+
+
+def _widened(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: float) -> tuple[Mesh, Integers]:
+    """Return a mesh whose ground beyond the plate is so much wider [m], by further rows of elements, and its sections.
+
+    The rows continue the growth of the elements that the mesh ends with.
+    """
+    mesh, section, _ = narrow
+    for side in model.beyond.sides:
+        axis, outward = AXIS[side], OUTWARD[side]
+        if symmetry[axis] and outward < 0:
+            continue
+        across = outward * mesh.xy[:, :, axis]
+        outermost = across.max(axis=1) == across.max()
+        last = float(np.ptp(across[outermost], axis=1).max())
+        mesh = extruded(mesh, axis, outward, _distances_beyond(wider, last, np.inf, 1.0))
+    return mesh, np.concatenate([section, np.full(len(mesh.elements) - len(section), -1)])
 
 
 def _size(model: Model) -> float:
@@ -245,11 +349,11 @@ def _size(model: Model) -> float:
     return model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
 
 
-def _drawn_mesh(plan: Plan, size: float) -> tuple[Mesh, Integers]:
+def _drawn_mesh(plan: Plan, size: float, edge_size: float) -> tuple[Mesh, Integers]:
     """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
     from groundslab import mesher
 
-    found = mesher.mesh(plan, size)
+    found = mesher.mesh(plan, size, edge_size=edge_size)
     return Mesh(found.nodes, found.elements), found.section
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.shape import COLUMN, ROW, Array, Integers, parallelograms, q9
+from groundslab.shape import COLUMN, ROW, Array, Integers, distinct, parallelograms, q9
 
 if TYPE_CHECKING:
     from shapely import STRtree
@@ -23,6 +24,9 @@ GRID = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
 NEAR = 1e-9
 #: Places closer than this, relative to the mesh, are the same.
 SAME_PLACE = 1e-9
+
+#: Elements may grow by this much of the distance from what asks for smaller ones.
+GRADING = 0.35
 
 Place = tuple[float, float]
 
@@ -57,17 +61,74 @@ def with_midpoints(x: Array) -> Array:
     return out
 
 
-def lines_beyond(start: float, width: float, first: float, scale: float) -> Array:
-    """Return lines from start outwards over a signed width [m], the start left out.
+def graded_towards(edges: Array, size: float) -> Callable[[Array], Array]:
+    """Return a function from coordinates (p,) to the largest size (p,) [m] of elements that grow from the edges (e,).
 
-    At a distance d the intervals are about first * (1 + d / scale) long, so that halving `first` halves them all.
+    At the edges they have the given size [m]; without edges there is no limit.
     """
-    reach = np.log1p(abs(width) / scale)
-    n = max(2, int(np.ceil(reach * scale / first)))
-    distance = scale * np.expm1(reach * np.arange(1, n + 1) / n)
-    distance[-1] = abs(width)
-    lines: Array = start + np.sign(width) * distance
+
+    def limit(x: Array) -> Array:
+        distance = np.abs(x[:, None] - edges).min(axis=1, initial=np.inf)
+        sizes: Array = size + GRADING * distance
+        return sizes
+
+    return limit
+
+
+def graded(size: Callable[[Array], Array], low: float, high: float) -> Array:
+    """Return lines that divide low .. high [m] into intervals of at most size(x) [m], low left out."""
+    x = _samples(low, high)
+    wanted = size(x)
+    if np.ptp(wanted) <= 1e-9 * wanted[0]:
+        return np.linspace(low, high, math.ceil((high - low) / wanted[0] - 1e-6) + 1)[1:]
+    sums = _sum(1 / wanted, x)
+    n = max(1, math.ceil(sums[-1] - 1e-6))
+    lines: Array = np.interp(sums[-1] * np.arange(1, n + 1) / n, sums, x)
+    lines[-1] = high
     return lines
+
+
+def intervals(size: Callable[[Array], Array], low: float, high: float) -> float:
+    """Return how many intervals of the length size(x) [m] fit between low and high [m], as a fraction."""
+    x = _samples(low, high)
+    return float(_sum(1 / size(x), x)[-1])
+
+
+def _samples(low: float, high: float) -> Array:
+    """Return places between two lines, closer near both."""
+    return low + (high - low) * (1 - np.cos(np.linspace(0, math.pi, 2001))) / 2
+
+
+def _sum(density: Array, x: Array) -> Array:
+    """Return the integral of a density up to each of the places x."""
+    return np.concatenate([[0.0], np.cumsum(np.diff(x) * (density[1:] + density[:-1]) / 2)])
+
+
+def extruded(mesh: Mesh, axis: int, outward: int, distances: Array) -> Mesh:
+    """Return the mesh with rows of elements added along its outermost straight edge across an axis.
+
+    The rows end at the distances [m], ascending, from that edge to the side `outward` (1 or -1) of the axis. The mesh's
+    own nodes and elements come first and keep their numbers.
+    """
+    sides, n = sides_on_boundary(mesh.elements), len(mesh.nodes)
+    coordinate = outward * mesh.nodes[:, axis]
+    sides = sides[(coordinate[sides] == coordinate.max()).all(axis=1)]
+    along, row = distinct(sides)
+    offsets = with_midpoints(np.concatenate([[0.0], distances]))[1:]
+    shift = np.zeros((len(offsets), 1, 2))
+    shift[:, 0, axis] = outward * offsets
+    # number of each node of the edge in row k of nodes, the edge itself being row 0
+    number = np.vstack([along, n + np.arange(len(offsets) * len(along)).reshape(len(offsets), -1)])
+    end, start, middle = row.T  # the old elements lie to the left from end to start, the new ones to the right
+    elements = [
+        np.column_stack([
+            low[start], low[end], high[end], high[start], low[middle], between[end], high[middle], between[start],
+            between[middle],
+        ])
+        for low, between, high in zip(number[:-1:2], number[1::2], number[2::2], strict=True)
+    ]  # fmt: skip
+    nodes = (mesh.nodes[along] + shift).reshape(-1, 2)
+    return Mesh(np.vstack([mesh.nodes, nodes]), np.vstack([mesh.elements, *elements]))
 
 
 def bounding_boxes(mesh: Mesh, reach: float = NEAR) -> STRtree:

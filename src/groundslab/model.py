@@ -126,7 +126,8 @@ class Beyond(Part):
         Quantity(
             "length",
             "b",
-            "width of the meshed strip; needed for a margin, chosen by default if infinite",
+            "width of the meshed strip; needed for a margin; if infinite, by default the length over which the ground "
+            "dies out, and one whose widening changes settlements by more than 1 % is refused",
             POSITIVE,
         ),
     ] = None
@@ -179,7 +180,13 @@ class Contact(Part):
     ] = ()
     limit_pressure: Annotated[
         float | None,
-        Quantity("pressure", "p_max", "pressure at which the ground yields; no limit by default", POSITIVE),
+        Quantity(
+            "pressure",
+            "p_max",
+            "pressure at which the ground yields, no limit by default; line forces along the plate's "
+            "edges are none, but loads may not exceed this pressure over all of the plate",
+            POSITIVE,
+        ),
     ] = None
 
 
@@ -193,7 +200,10 @@ class Mesh(Part):
 
     checks: ClassVar[tuple[Check, ...]] = (_one_size,)
 
-    size: Annotated[float | None, Quantity("length", "h", "largest side of an element", POSITIVE)] = None
+    size: Annotated[
+        float | None,
+        Quantity("length", "h", "largest side of an element; smaller at edges where needed", POSITIVE),
+    ] = None
     counts: Annotated[tuple[int, int] | None, Several(Whole(""), "n_x, n_y", "elements over the whole plate", 2)] = None
     symmetry: Annotated[
         Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")

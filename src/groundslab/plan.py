@@ -209,6 +209,10 @@ class Plan:
         named |= {} if self.beyond is None else {"beyond": self.beyond}
         return named | {f"borders[{i}]": ring for i, ring in enumerate(self.borders, start=1)}
 
+    def edges_on_ground(self) -> tuple[Ring, ...]:
+        """Return the plate's outline and its openings if ground is meshed beyond them, else nothing."""
+        return () if self.beyond is None else (self.outline, *self.openings)
+
     def line_segments(self) -> list[Segment]:
         """Return the straight pieces of all lines."""
         return [Segment(a, b) for line in self.lines for a, b in pairwise(line)]

@@ -18,7 +18,7 @@ from groundslab.assembly import Pattern, congruent, scatter
 from groundslab.bearings import Bearings
 from groundslab.ground import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
 from groundslab.mesh import Mesh
-from groundslab.shape import Array, Integers, gauss, jacobian, q9
+from groundslab.shape import Array, Flags, Integers, gauss, jacobian, q9
 from groundslab.symmetric import Symmetric
 from groundslab.vlasov import Soil
 
@@ -115,6 +115,9 @@ class Problem:
     depths: Depths
     bearing: Bearing
     tensionless: bool
+    limit_pressure: float  # [Pa]; infinite if there is none
+    plate_edges: Integers  # (b, 3): sides of the plate's edge, openings' too; the plate lies to the left
+    shear_at_edges: bool  # whether the ground carries shear, so that a line force acts along them, too
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
@@ -139,11 +142,25 @@ class Problem:
 
 
 def bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
-    """Return what bears under a share of the loading, having slipped (c,) [m] at its capacity before."""
+    """Return what bears under a share of the loading, having slipped (c,) [m] at its capacity before.
+
+    Along the plate's edge the limit of the ground's pressure does not limit the line force.
+    """
     law, support = problem.bearing.law, problem.bearing.support
     settled = np.append(problem.loading.settlement, 0.0)[support]  # none for the ground, whose support is -1
     settled = np.where(problem.bearing.field == W, factor * settled, 0.0)
-    return replace(law, level=law.level + settled - law.sign * slip)
+    capacity = np.where(on_lines(problem) & (law.capacity > 0), np.inf, law.capacity)
+    return replace(law, level=law.level + settled - law.sign * slip, capacity=capacity)
+
+
+def on_lines(problem: Problem) -> Flags:
+    """Return which bearings (c,) are those of ground that carries shear at nodes on the plate's edge."""
+    if not problem.shear_at_edges:
+        return np.zeros(len(problem.bearing.law), dtype=bool)
+    on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)
+    on_edge[problem.plate_edges] = True
+    found: Flags = (problem.bearing.support < 0) & on_edge[problem.bearing.node]
+    return found
 
 
 def nodal_area(mesh: Mesh, elements: Integers) -> Array:

@@ -109,8 +109,8 @@ def demand(
     """Return the demand of punching by a column's force [N] at a distance [m] from it, 2 d unless given.
 
     d is the effective depth [m], `distributed` the other loads on the slab inside [Pa], its own weight for example.
-    V_Ed is the reduced force of (6.4.4 (2)): the loads inside less all of the contact pressure inside. At edges of a
-    ground with shear the pressure holds the ground's line force, which counts as spread over half an element.
+    V_Ed is the reduced force of (6.4.4 (2)): the loads inside less all of the ground's force inside. A line force
+    along the edge counts with it, spread over half an element.
 
     Where a perimeter ends at a free edge, the twisting moment that must vanish there gives large shear forces over
     about the plate's thickness. The largest one is that of the mesh, then, and grows as the mesh is refined.
@@ -126,7 +126,7 @@ def demand(
     line = perimeter(plate, column, reach, OPENING_REACH * d)
     mesh = Mesh(plate.nodes, plate.elements)
     shares = loads.over_polygon(mesh, np.arange(len(mesh.elements)), line.inside)
-    pressure = float((shares * plate.pressure[mesh.elements]).sum())
+    pressure = float((shares * (plate.contact_force / plate.area)[mesh.elements]).sum())
     V_Ed = force + distributed * line.inside.area - pressure
     shear, largest = _shear(plate, line)
     return Punching(

@@ -1,4 +1,4 @@
-"""What several readers ask of results: are they finite, where does the plate lift, what does the pressure hold."""
+"""What several readers ask of results: are they finite, where does the plate lift, is there a line force."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ def contact_share(plate: PlateResult) -> float:
     return float(plate.contact_area.sum() / plate.area.sum())
 
 
-def holds_line_force(results: Results) -> bool:
-    """Return whether the pressure at edge nodes also holds the edge line force of a ground with shear."""
-    return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.on_edge.any())
+def has_line_force(results: Results) -> bool:
+    """Return whether the ground acts by a line force, too, along the plate's edge: it does if it carries shear."""
+    return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.edge_length.any())
 
 
 def goes_below_zero(values: Array) -> bool:

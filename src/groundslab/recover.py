@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab import patches
 from groundslab.assembly import scatter
 from groundslab.checks import apply, resistance
 from groundslab.contact_fields import contact_fields
-from groundslab.frame import ODD, XI_TURNED, Frame
+from groundslab.frame import Frame
 from groundslab.loadcases import Combination
 from groundslab.loading import materials
 from groundslab.model import Model
@@ -87,10 +86,10 @@ def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult,
     nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
     elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
     section = elements.pop("section").astype(np.int64)
-    in_contact, on_edge = (nodal.pop(name) > 0 for name in ("in_contact", "on_edge"))
+    in_contact = nodal.pop("in_contact") > 0
     surfaces = surface_settlement(solution.system, solution.U)
     return (
-        PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, on_edge=on_edge, **nodal),
+        PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, **nodal),
         ElementResult(section=section, **elements),
         GroundResult(ground.mesh.nodes, ground.mesh.elements, surfaces[:, ground.node]),
     )
@@ -139,10 +138,10 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
         "settlement": plate_settlement(s, U),
         "rotation_x": U[:, BETA_X],
         "rotation_y": U[:, BETA_Y],
-        "on_edge": frame.on_edge,
     }
     at_nodes = {name: field[frame.node] for name, field in fields.items()}
-    return {**at_nodes, "area": frame.area, **section_forces(s.problem, U, frame)}
+    shares = {"area": frame.area, "edge_length": frame.edge_length}
+    return {**at_nodes, **shares, **section_forces(s.problem, U, frame)}
 
 
 def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
@@ -184,11 +183,8 @@ def section_forces(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]
     From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992) in the parts of the
     mesh in which they are smooth, whose nodes stand apart; nodes that are one in the mesh take the mean.
     """
-    values, mesh = gauss_forces(problem, U, frame), frame.mesh
-    for axis, copied in frame.images:
-        sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in FORCES])
-        values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
-    at_nodes = patches.nodal(frame.patches, values, SIZES)[frame.smooth]
+    mesh = frame.mesh
+    at_nodes = frame.at_nodes(gauss_forces(problem, U, frame), FORCES, SIZES)
     n = len(mesh.nodes)
     meeting = np.bincount(mesh.elements.ravel(), minlength=n)
     return {name: scatter(mesh.elements, at_nodes[..., i], n) / meeting for i, name in enumerate(FORCES)}

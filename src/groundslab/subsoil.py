@@ -95,6 +95,11 @@ def surfaces_of(ground: Soil | Column) -> int:
     return len(ground.layers) if ground.way == "interface" else 1
 
 
+def carries_shear(ground: Soil | Column) -> bool:
+    """Return whether the top surface of the ground carries shear anywhere."""
+    return not isinstance(ground, Column) or bool(ground.A1[..., 0, :].any())
+
+
 def _table(ground: AnyGround, model: Model) -> Array:
     """Return the table of a described ground."""
     if isinstance(ground, Winkler):

@@ -147,7 +147,7 @@ def test_equilibrium_holds_and_is_what_the_fields_say(
     p = result.plate
     assert (p.area > 0).all()
     if edges == Edges():
-        force = p.pressure * p.area
+        force = p.contact_force
         wanted = np.zeros(3)
         for load in loads:
             if isinstance(load, PointLoad):
@@ -174,7 +174,7 @@ def test_superposition_when_glued(ground: Any, first: list[Any], second: list[An
     a, b, both = (
         solve(model(ground, loads, contact=LINEAR, beyond=around)) for loads in (first, second, first + second)
     )
-    for field in ("settlement", "rotation_x", "pressure"):
+    for field in ("settlement", "rotation_x", "pressure", "line_force"):
         assert_same(getattr(a.plate, field) + getattr(b.plate, field), getattr(both.plate, field))
     for field in ("moment_x", "moment_xy", "shear_y"):
         assert_same(getattr(a.elements, field) + getattr(b.elements, field), getattr(both.elements, field))
@@ -309,7 +309,7 @@ def test_symmetry_on_equals_symmetry_off(
     there[one.elements] = np.take_along_axis(other.elements, apart.argmin(axis=2), axis=1)
     np.testing.assert_allclose(on.plate.nodes, off.plate.nodes[there], atol=1e-12)
     np.testing.assert_array_equal(on.plate.in_contact, off.plate.in_contact[there])
-    np.testing.assert_array_equal(on.plate.on_edge, off.plate.on_edge[there])
+    np.testing.assert_allclose(on.plate.edge_length, off.plate.edge_length[there], rtol=1e-12)
     for field in (
         "settlement", "rotation_x", "rotation_y", "gap", "pressure",
         "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y", "area",
@@ -433,7 +433,10 @@ def test_compression_everywhere_makes_tensionless_equal_to_glued(ground: Any, P:
     assert glued.plate.pressure.min() > 0
     assert free.plate.in_contact.all()
     assert_same(free.plate.settlement, glued.plate.settlement)
-    assert_same(free.plate.pressure, glued.plate.pressure, 1e-6)
+    # a glued plate's line force may pull at the edge where the node's force pushes
+    assert_same(free.plate.contact_force, glued.plate.contact_force, 1e-6)
+    pushes = glued.plate.line_force >= 0
+    assert_same(free.plate.pressure[pushes], glued.plate.pressure[pushes], 1e-6)
     np.testing.assert_allclose(free.plate.moment_x, glued.plate.moment_x, atol=1e-7 * 2e5 * LX**2)
 
 
@@ -565,13 +568,11 @@ def test_vlasov_with_gamma_given_is_pasternak(loads: list[Any], gamma: float) ->
 @few(6)
 def test_iterated_gamma_is_a_fixed_point(ground: Any, loads: list[Any]) -> None:
     """Given back as a number, the gamma that the iteration found leads to the same plate."""
-    found = solve(model(ground, loads, beyond=Beyond(kind="infinite", width=3.0)))
+    # elements so small that the ground's decay, which a given gamma changes, asks for no smaller ones
+    keys = {"beyond": Beyond(kind="infinite", width=3.0), "mesh": Mesh(counts=(24, 16))}
+    found = solve(model(ground, loads, **keys))
     assert found.constants.gamma_iterations >= 1
-    again = solve(
-        model(
-            ground.model_copy(update={"gamma": found.constants.gamma}), loads, beyond=Beyond(kind="infinite", width=3.0)
-        )
-    )
+    again = solve(model(ground.model_copy(update={"gamma": found.constants.gamma}), loads, **keys))
     assert_same(found.plate.settlement, again.plate.settlement, 1e-9)
 
 

@@ -75,6 +75,7 @@ FLOORS = [
         "coverage",
         "checks",
         "creases",
+        "edge_forces",
         "frame",
         "recover",
         "ladder",

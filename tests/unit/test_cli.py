@@ -126,7 +126,7 @@ class TestSolve:
         assert cli.main(["solve", str(case)]) == 1
         out, err = capsys.readouterr()
         assert "FAILED" in out
-        assert "do not use" in err
+        assert "it must not be used" in err
         assert json.loads((case.parent / "raft-results" / "summary.json").read_text())["certified"] is False
 
     @pytest.mark.parametrize(

@@ -9,20 +9,24 @@ from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import splu
 
 from groundslab.mesh import (
+    GRADING,
     Mesh,
     between,
     elimination_order,
+    extruded,
+    graded,
+    graded_towards,
     grid,
     interpolated,
-    lines_beyond,
     locate,
     mirror,
     place_in,
+    row_by_row,
     sides_on_boundary,
     whereabouts,
     with_midpoints,
 )
-from groundslab.shape import q9
+from groundslab.shape import areas, q9
 
 X = np.array([-2.0, -1.5, 0.3, 1.0, 4.0])
 Y = np.array([0.0, 0.7, 1.0, 2.5])
@@ -58,30 +62,53 @@ def test_with_midpoints() -> None:
     np.testing.assert_array_equal(with_midpoints(np.array([0.0, 1.0, 4.0])), [0, 0.5, 1, 2.5, 4])
 
 
-@pytest.mark.parametrize("width", [0.1, 1.0, 7.3, 400.0])
+@pytest.mark.parametrize("high", [0.1, 1.0, 7.3, 400.0])
 @pytest.mark.parametrize("scale", [0.8, 5.0])
-@pytest.mark.parametrize("sign", [1, -1])
-def test_lines_beyond_reach_exactly_and_grow(width: float, scale: float, sign: int) -> None:
-    """The lines end at start + width, go one way, and at a distance d are about first (1 + d / scale) apart."""
-    first = 0.25
-    lines = np.concatenate([[3.0], lines_beyond(3.0, sign * width, first, scale)])
-    distance = (lines - 3.0) * sign
-    steps = np.diff(distance)
-    assert distance[-1] == pytest.approx(width, rel=1e-14)
+def test_graded_lines_follow_the_wanted_size(high: float, scale: float) -> None:
+    """The lines end exactly where they should, ascend, and are as far apart as wanted, not much less if many."""
+    lines = np.concatenate([[0.0], graded(lambda d: 0.25 * (1 + d / scale), 0.0, high)])
+    steps = np.diff(lines)
+    assert lines[-1] == high
     assert (steps > 0).all()
-    assert len(steps) >= 2
-    wanted = first * (1 + (distance[1:] + distance[:-1]) / 2 / scale)
-    assert (steps <= wanted * (1 + 1e-9)).all()
+    wanted = 0.25 * (1 + (lines[1:] + lines[:-1]) / 2 / scale)
+    assert (steps <= wanted * (1 + 1e-5)).all()
     if len(steps) > 10:
         assert (steps >= 0.85 * wanted).all()
 
 
-def test_lines_beyond_are_halved_with_the_first() -> None:
-    """Asking for half the first interval puts a line into each of the old ones: meshes refine outside too."""
-    coarse = lines_beyond(0.0, np.e**2 - 1, 0.25, 1.0)
-    fine = lines_beyond(0.0, np.e**2 - 1, 0.125, 1.0)
+def test_graded_lines_are_halved_with_the_size() -> None:
+    """Half the size puts a line into each of the old intervals: graded meshes refine alike."""
+    coarse = graded(lambda d: 0.25 * (1 + d), 0.0, 6.0)
+    fine = graded(lambda d: 0.125 * (1 + d), 0.0, 6.0)
     assert len(fine) == 2 * len(coarse)
-    np.testing.assert_allclose(fine[1::2], coarse, rtol=1e-12)
+    np.testing.assert_allclose(fine[1::2], coarse, rtol=1e-4)
+
+
+def test_sizes_grow_from_edges() -> None:
+    """At an edge elements have its size, a distance away more by GRADING times the distance; no edge sets no limit."""
+    limit = graded_towards(np.array([-2.0, 3.0]), 0.1)
+    np.testing.assert_allclose(limit(np.array([-2.0, 0.0, 2.0, 4.0])), 0.1 + GRADING * np.array([0, 2, 1, 1]))
+    assert np.isinf(graded_towards(np.zeros(0), 0.1)(np.array([1.0]))).all()
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize("outward", [1, -1])
+def test_extruded_meshes_add_rows_of_rectangles(axis: int, outward: int) -> None:
+    """A grid extruded across a side is the grid with the further lines; its own nodes and elements come first."""
+    mesh = grid(X, Y)
+    bigger = extruded(mesh, axis, outward, np.array([0.5, 1.5]))
+    np.testing.assert_array_equal(bigger.nodes[: len(mesh.nodes)], mesh.nodes)
+    np.testing.assert_array_equal(bigger.elements[: len(mesh.elements)], mesh.elements)
+    lines = [X, Y]
+    end = lines[axis][-1 if outward > 0 else 0]
+    lines[axis] = np.sort(np.concatenate([lines[axis], end + outward * np.array([0.5, 1.5])]))
+    wanted = grid(*lines)
+    one, other = row_by_row(bigger)[0], row_by_row(wanted)[0]
+    np.testing.assert_allclose(one.nodes, other.nodes, rtol=0, atol=1e-14)
+    assert (areas(bigger.xy) > 0).all()
+    # each element has the same nodes, wherever its first corner is
+    np.testing.assert_array_equal(np.sort(one.elements, axis=1), np.sort(other.elements, axis=1))
+    np.testing.assert_allclose(bigger.xy[:, 4], (bigger.xy[:, 0] + bigger.xy[:, 1]) / 2, atol=1e-14)
 
 
 def crooked(seed: int = 3) -> Mesh:

@@ -92,7 +92,7 @@ class TestWish:
         assert '"settlemnt", expected' in told.replace("got ", "")
         assert 'did you mean "settlement"?' in told
         assert 'did you mean "NUL"?' in told
-        assert all(name in told for name in AMOUNTS)
+        assert all(name in told for name in amounts.KNOWN)
 
     @pytest.mark.parametrize(
         ("wrong", "where"),
@@ -194,15 +194,6 @@ class TestScale:
         colours, norm = found.colours()
         assert sum(colours(norm(-80.0))[:3]) > sum(colours(norm(0.0))[:3])
 
-    def test_what_is_left_out_lies_above_the_scale(self) -> None:
-        """The scale ends at the largest value inside, and what is larger has a colour of its own."""
-        values = np.array([0.0, 3.0, 7.3, 50.0])
-        found = scale.scale_of([values], signed=False, inside=[values[:3]])
-        assert found.above
-        assert found.levels[-1] == 7.3
-        assert np.allclose(found.of(values)[3], mpl.colors.to_rgba(scale.OVER))
-        assert not scale.scale_of([values[:3]], signed=False, inside=[values[:3]]).above
-
     @pytest.mark.parametrize("value", [0.0, 3.0, -2.0])
     def test_a_constant_has_a_scale(self, value: float) -> None:
         """One value alone lies within levels that rise."""
@@ -224,9 +215,9 @@ class TestPlan:
 
     def test_each_amount_has_a_panel_with_units(self) -> None:
         """All that can be drawn is drawn: axes in metres, bars with symbol and unit, titles with the meaning."""
-        figure = groundslab.plot(synthetic.results(3), *AMOUNTS)
+        figure = groundslab.plot(synthetic.results(3), *amounts.KNOWN)
         boxes = panels(figure)
-        assert len(boxes) == len(AMOUNTS)
+        assert len(boxes) == len(amounts.KNOWN)
         for axes, amount in zip(boxes, amounts.KNOWN.values(), strict=True):
             assert (axes.get_xlabel(), axes.get_ylabel()) == ("x [m]", "y [m]")
             assert axes.get_aspect() == 1.0
@@ -237,8 +228,8 @@ class TestPlan:
     def test_bars_cover_the_values_that_are_drawn(self) -> None:
         """The colour bar's range holds the amount's values in its unit of display."""
         results = synthetic.results(3)
-        figure = groundslab.plot(results, *AMOUNTS)
-        for axes, name in zip(panels(figure), AMOUNTS, strict=True):
+        figure = groundslab.plot(results, *amounts.KNOWN)
+        for axes, name in zip(panels(figure), amounts.KNOWN, strict=True):
             low, high = axes.child_axes[0].get_ylim()
             values = nodal(results, name)
             assert low <= values.min() + 1e-9 * abs(values).max()
@@ -291,12 +282,12 @@ class TestPlan:
         assert len(places) > 50
         assert np.abs(1 - 2 * (places**2).sum(axis=1) / 36).max() < 0.01
 
-    def test_edge_nodes_with_a_line_force_lie_above_the_scale(self) -> None:
-        """They neither stretch the scale nor are told as the largest pressure, and the legend says so."""
-        results = synthetic.results(4, shear=True)
-        figure = groundslab.plot(results, "p")
-        assert "above the scale (edge line force)" in entries(figure)
-        assert "largest inside 560 kPa at (0, 0) m" in words(figure)
+    def test_the_pressure_tells_of_the_edge_line_force(self) -> None:
+        """The line force neither stretches the scale nor is a pressure; its largest is told in words."""
+        told = words(groundslab.plot(synthetic.results(4, shear=True), "p"))
+        assert "largest 560 kPa at (0, 0) m" in told
+        assert "edge line force up to 500 kN/m at" in told
+        assert "line force" not in words(groundslab.plot(synthetic.results(4), "p"))
 
     def test_what_lies_on_the_plate_is_drawn(self) -> None:
         """Opening, zone with its thickness, void, columns with names, supports, held edges and loads are all there."""
@@ -388,7 +379,7 @@ class TestPlan:
         nodes, elements = synthetic.grid(2, 2, 10, 10 * ratio)
         flat = synthetic.results(model=model)
         results = replace(flat, plate=replace(flat.plate, nodes=nodes, elements=elements))
-        names = list(AMOUNTS)[: columns * rows]
+        names = list(amounts.KNOWN)[: columns * rows]
         with styled():
             (figure,) = plan.pages(wish_of(alone(results), names, None, None, None, None))
         width, height = figure.get_size_inches() * 25.4
@@ -536,7 +527,7 @@ class TestLines:
             name: getattr(results.plate, name)[apart].ravel()
             for name in (
                 "settlement", "rotation_x", "rotation_y", "gap", "penetration", "pressure", "moment_x", "moment_y",
-                "moment_xy", "shear_x", "shear_y", "in_contact", "on_edge", "area",
+                "moment_xy", "shear_x", "shear_y", "in_contact", "line_force", "area", "edge_length",
             )
         }  # fmt: skip
         plate = replace(results.plate, nodes=nodes, elements=np.arange(18).reshape(2, 9), **fields)
@@ -822,7 +813,7 @@ class TestPicture:
         assert f"{number(share)} % of the plate in contact" in told
         found = entries(figure)
         assert ("contact boundary" in found) == lifts
-        assert any("edge line force" in entry for entry in found) == shear
+        assert ("edge line force" in told) == shear
         assert {"loaded area", "load on the whole plate", "point load"} <= found
 
     def test_colours_part_at_zero_only_with_uplift(self) -> None:
@@ -942,7 +933,7 @@ class TestCommand:
         with pytest.raises(SystemExit):
             cli.main(["plot", "--help"])
         told = capsys.readouterr().out
-        assert all(name in told for name in (*AMOUNTS, "plan", "deformed", "lines", "soil", "convergence"))
+        assert all(name in told for name in (*amounts.KNOWN, "plan", "deformed", "lines", "soil", "convergence"))
 
 
 def test_plots_wait_for_matplotlib() -> None:

@@ -144,12 +144,11 @@ class TestScene:
         plate = results.plate
         assert np.array_equal(values_of(scene, scene.head["mesh"]["elements"]), plate.elements)
         assert np.array_equal(values_of(scene, scene.head["mesh"]["section"]), results.elements.section)
-        assert scene.head["edge_force"]
         assert values_of(scene, scene.head["mesh"]["nodes"]) == pytest.approx(plate.nodes, rel=1e-7)
         found = fields(scene, 1)
         told = {field["name"]: field for field in scene.head["fields"]}
         assert list(found) == list(told)
-        assert set(told) == set(PLATE_FIELDS) - {"rotation_x", "rotation_y", "penetration"} | {"contact"}
+        assert set(told) == set(PLATE_FIELDS) - {"rotation_x", "rotation_y", "penetration", "line_force"} | {"contact"}
         for name in set(found) - {"contact"}:
             exact = getattr(plate, name) * PLATE_FIELDS[name].scale
             assert np.abs(found[name] - exact).max() <= np.ptp(exact) / LEVELS * 0.5000001, name
@@ -159,15 +158,12 @@ class TestScene:
         assert np.array_equal(found["contact"] < 0, plate.in_contact)
         assert found["contact"] == pytest.approx(contact_function(results), abs=np.abs(found["contact"]).max() / LEVELS)
 
-    def test_edge_nodes_do_not_hide_the_pressure_inside(self) -> None:
-        """Where edge nodes also hold a line force, the extremes of all others stand beside; else they do not."""
-        inside = scene_of(store.alone(synthetic.results(4, shear=True))).head["combinations"][0]["extremes"]["pressure"]
-        assert inside["inside"]["max"] == pytest.approx([synthetic.K0 * 0.028 / 1e3, 0, 0])
-        assert inside["max"][0] > 0
-        head = scene_of(store.alone(synthetic.results(4))).head
-        plain = head["combinations"][0]["extremes"]["pressure"]
-        assert not head["edge_force"]
-        assert set(plain) == {"min", "max"}
+    def test_the_edge_line_force_has_extremes_where_there_is_one(self) -> None:
+        """They are those along the edge, beside those of the pressure, which knows nothing of them."""
+        found = scene_of(store.alone(synthetic.results(4, shear=True))).head["combinations"][0]["extremes"]
+        assert found["pressure"]["max"] == pytest.approx([synthetic.K0 * 0.028 / 1e3, 0, 0])
+        assert found["line_force"]["max"][0] == 500
+        assert "line_force" not in scene_of(store.alone(synthetic.results(4))).head["combinations"][0]["extremes"]
 
     def test_signs(self) -> None:
         """Moments are always signed; settlements and pressures only where one of them is negative."""

@@ -90,7 +90,7 @@ def test_combinations() -> None:
     assert most["largest uplift"] == pytest.approx(28)
     assert most["area in contact"] == pytest.approx(100 * 104 / 144)
     assert most["largest pressure"] == pytest.approx(560)
-    assert most["largest pressure at edge nodes"] is None
+    assert most["largest edge line force"] is None
     assert (most["worst figure of the certificate"], most["which figure"]) == (1e-11, "ground_balance")
     assert lifted["outcome"] == "refused: nothing holds the plate down"
     assert all(value is None for key, value in lifted.items() if key not in list(lifted)[:4])
@@ -111,17 +111,18 @@ def test_no_uplift() -> None:
 
 
 def test_edge_line_force_stands_apart() -> None:
-    """On ground with shear, edge nodes' pressure holds the line force: 560 kPa inside, 500 more at edges in contact."""
+    """On ground with shear, the line force of 500 kN/m at edges in contact stands beside 560 kPa of pressure."""
     of = combined(described(ground={"kind": "pasternak", "k0": 20e6, "k1": 30e6}), shear=True)
     most = row(table("combinations", of), combination="most")
     assert most["largest pressure"] == pytest.approx(560)
-    # the edge's middles above and below the centre, r2 = 0.36
-    assert most["largest pressure at edge nodes"] == pytest.approx(500 + 560 * (1 - 0.72))
+    assert most["largest edge line force"] == pytest.approx(500)
     for name, key in (("extremes", "combination"), ("envelope", "limit state")):
         here = {key: {"combination": "most", "limit state": "ultimate"}[key]}
-        assert row(table(name, of), quantity="pressure p", **here)["greatest"] == pytest.approx(656.8)
-        inner = row(table(name, of), quantity="pressure p, edge nodes left out", **here)
-        assert inner["greatest"] == pytest.approx(560)
+        assert row(table(name, of), quantity="pressure p", **here)["greatest"] == pytest.approx(560)
+        along = row(table(name, of), quantity="line force f", **here)
+        assert (along["unit"], along["greatest"]) == ("kN/m", pytest.approx(500))
+        # the least along the edge: none at the corners, which have lifted
+        assert along["least"] == 0
 
 
 def test_extremes_and_their_places() -> None:
@@ -132,7 +133,7 @@ def test_extremes_and_their_places() -> None:
     assert (one["x of the greatest"], one["y of the greatest"]) == (0, 0)
     assert (one["x of the least"], one["y of the least"]) == (4.8, 0)
     assert set(found["combination"]) == {"most", "least", "in use"}
-    assert len(found) == 3 * len(AMOUNTS)
+    assert len(found) == 3 * (len(AMOUNTS) - 1)  # no line force on springs
 
 
 def test_envelope_keeps_limit_states_apart() -> None:

@@ -56,7 +56,7 @@ def beside(result: Results, axis: int, place: float) -> tuple[float, float]:
     plate = result.plate
     lever = plate.nodes[:, axis] - place
     share = np.where(np.abs(lever) < 1e-9, 0.5, (lever > 0).astype(float))
-    force = plate.pressure * plate.area * share
+    force = plate.contact_force * share
     low, high = max((X, Y)[axis][0], place), (X, Y)[axis][1]
     load = Q * np.diff((X, Y)[1 - axis])[0] * max(high - low, 0)
     return load - force.sum(), float(force @ lever) - load * ((low + high) / 2 - place)

@@ -13,7 +13,7 @@ from groundslab.mesher.jacobians import Quality, quality
 from groundslab.mesher.makers import Maker, available, choose, with_gmsh, with_netgen
 from groundslab.mesher.planmesh import PlanMesh, check, check_area, finished
 from groundslab.mesher.quads import all_quadrilaterals, mend, nine_nodes, smoothed, without_flat_corners
-from groundslab.mesher.sizes import doubling, sources
+from groundslab.mesher.sizes import along_edges, both, doubling, sources
 from groundslab.plan import Plan, sections
 
 __all__ = [
@@ -37,25 +37,41 @@ ENOUGH = 0.35
 CLEARLY = 0.05
 
 
-def mesh(plan: Plan, size: float, beyond_growth: float | None = None, maker: Maker | None = None) -> PlanMesh:
+def mesh(
+    plan: Plan,
+    size: float,
+    beyond_growth: float | None = None,
+    maker: Maker | None = None,
+    edge_size: float | None = None,
+) -> PlanMesh:
     """Return a mesh with sides of at most about `size` [m], smaller where the plan asks for it.
 
     On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
-    the plate's longer side). Where a grid does not fit, `maker` makes the cells (default: what `choose` returns).
+    the plate's longer side). Along the plate's edges on this ground, on both sides, they are at most `edge_size` [m]
+    (default: `size`). Where a grid does not fit, `maker` makes the cells (default: what `choose` returns).
     """
-    return (
-        rectilinear(plan, size, beyond_growth) if plan.rectilinear else unstructured(plan, size, beyond_growth, maker)
-    )
+    if plan.rectilinear:
+        return rectilinear(plan, size, beyond_growth, edge_size)
+    return unstructured(plan, size, beyond_growth, maker, edge_size)
 
 
-def unstructured(plan: Plan, size: float, beyond_growth: float | None = None, maker: Maker | None = None) -> PlanMesh:
+def unstructured(
+    plan: Plan,
+    size: float,
+    beyond_growth: float | None = None,
+    maker: Maker | None = None,
+    edge_size: float | None = None,
+) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)
     scale = doubling(plan, beyond_growth)
     make = choose() if maker is None else maker
     best = None
     refused = InputError([Fault("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
-    for cells in make(plan, size, sources(plan, size), scale):
+    smaller = sources(plan, size)
+    if edge_size is not None and edge_size < size * (1 - 1e-9):
+        smaller = both(smaller, along_edges(plan, edge_size))
+    for cells in make(plan, size, smaller, scale):
         try:
             result = _quadrilaterals(plan, cells)
         except InputError as error:

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from groundslab.mesh import GRADING
 from groundslab.mesher.cells import Cells, Drawn, onto
-from groundslab.mesher.sizes import GRADING, Sources, along
+from groundslab.mesher.sizes import Sources, along
 from groundslab.plan import FLAT, Place, Plan, Ring, Segment
 from groundslab.shape import Array, Integers
 

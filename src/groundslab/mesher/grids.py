@@ -9,9 +9,9 @@ from itertools import pairwise
 import numpy as np
 
 from groundslab.errors import Fault, InputError
-from groundslab.mesh import grid
+from groundslab.mesh import GRADING, graded, graded_towards, grid, intervals
 from groundslab.mesher.planmesh import MOST_ELEMENTS, PlanMesh, check, finished, too_many
-from groundslab.mesher.sizes import GRADING, doubling
+from groundslab.mesher.sizes import doubling
 from groundslab.plan import NOTHING, Plan, sections
 from groundslab.shape import Array
 
@@ -19,7 +19,9 @@ from groundslab.shape import Array
 SIMILAR = 1.5
 
 
-def rectilinear(plan: Plan, size: float, beyond_growth: float | None = None) -> PlanMesh:
+def rectilinear(
+    plan: Plan, size: float, beyond_growth: float | None = None, edge_size: float | None = None
+) -> PlanMesh:
     """Return a grid with lines through all corners and points of a plan in which everything runs along x or y."""
     check(plan, size)
     if not plan.rectilinear:
@@ -34,7 +36,9 @@ def rectilinear(plan: Plan, size: float, beyond_growth: float | None = None) -> 
         breaks = _apart(np.concatenate([corners[:, axis], others[:, axis]]), plan.extent)
         low, high = domain[:, axis].min(), domain[:, axis].max()
         plate = outline[:, axis].min(), outline[:, axis].max()
-        lines.append(_divide(breaks[(breaks >= low) & (breaks <= high)], size, plate, scale))
+        edges = [np.array(ring.points)[:, axis] for ring in plan.edges_on_ground()]
+        limit = graded_towards(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size)
+        lines.append(_divide(breaks[(breaks >= low) & (breaks <= high)], size, plate, scale, limit))
     x, y = lines
     if (len(x) - 1) * (len(y) - 1) > 4 * MOST_ELEMENTS:
         raise InputError([too_many()])
@@ -51,61 +55,37 @@ def _apart(values: Array, extent: float) -> Array:
     return different
 
 
-def _divide(breaks: Array, size: float, plate: tuple[float, float], scale: float) -> Array:
+def _divide(
+    breaks: Array, size: float, plate: tuple[float, float], scale: float, limit: Callable[[Array], Array]
+) -> Array:
     """Return lines through all breaks, at most `size` apart, further where d / scale says so at d from the plate.
+
+    Nowhere are they further apart than `limit` says.
 
     Each interval is divided evenly at first; then those beside shorter ones are graded towards these.
     """
 
     def wanted(x: Array) -> Array:
         beyond: Array = np.maximum(0.0, np.maximum(plate[0] - x, x - plate[1]))
-        return size * (1 + beyond / scale)
+        return np.minimum(size * (1 + beyond / scale), limit(x))
 
-    intervals = list(pairwise(breaks.tolist()))
+    spans = list(pairwise(breaks.tolist()))
     even = []
-    for low, high in intervals:
-        count = _count(wanted, low, high)
+    for low, high in spans:
+        count = intervals(wanted, low, high)
         even.append(count / math.ceil(count - 1e-9))
     lows, highs = breaks[:-1], breaks[1:]
     at_low, at_high = np.array(even) * wanted(lows), np.array(even) * wanted(highs)
     lines = [breaks[:1]]
-    for i, (low, high) in enumerate(intervals):
+    for i, (low, high) in enumerate(spans):
 
-        def graded(x: Array, i: int = i) -> Array:
+        def wanted_here(x: Array, i: int = i) -> Array:
             own = even[i] * wanted(x)
-            for k in range(len(intervals)):
+            for k in range(len(spans)):
                 if k != i:
                     near, side = (highs[k], at_high[k]) if k < i else (lows[k], at_low[k])
                     own = np.minimum(own, SIMILAR * side + GRADING * np.abs(x - near))
             return own
 
-        lines.append(_lines(graded, low, high))
+        lines.append(graded(wanted_here, low, high))
     return np.concatenate(lines)
-
-
-def _samples(low: float, high: float) -> Array:
-    """Return places between two lines, closer near both."""
-    return low + (high - low) * (1 - np.cos(np.linspace(0, math.pi, 2001))) / 2
-
-
-def _sum(size: Callable[[Array], Array], x: Array) -> Array:
-    """Return how many intervals of the wanted size lie before each of the places x."""
-    density = 1 / size(x)
-    return np.concatenate([[0.0], np.cumsum(np.diff(x) * (density[1:] + density[:-1]) / 2)])
-
-
-def _count(size: Callable[[Array], Array], low: float, high: float) -> float:
-    return float(_sum(size, _samples(low, high))[-1])
-
-
-def _lines(size: Callable[[Array], Array], low: float, high: float) -> Array:
-    """Return the lines that divide low .. high by a wanted size, low left out."""
-    x = _samples(low, high)
-    wanted = size(x)
-    if np.ptp(wanted) <= 1e-9 * wanted[0]:
-        return np.linspace(low, high, math.ceil((high - low) / wanted[0] - 1e-6) + 1)[1:]
-    sums = _sum(size, x)
-    n = max(1, math.ceil(sums[-1] - 1e-6))
-    lines: Array = np.interp(sums[-1] * np.arange(1, n + 1) / n, sums, x)
-    lines[-1] = high
-    return lines

@@ -8,11 +8,10 @@ from collections.abc import Callable
 import numpy as np
 
 from groundslab.errors import Fault, InputError
+from groundslab.mesh import GRADING
 from groundslab.plan import FLAT, Plan, Ring, Segment
 from groundslab.shape import Array
 
-#: Elements may grow by this much of the distance from what asks for smaller ones.
-GRADING = 0.35
 #: An element's side turns by no more than this on an arc [rad].
 TURN = math.pi / 8
 #: Longest row of places at which an edge can ask for smaller elements.
@@ -51,6 +50,18 @@ def sources(plan: Plan, size: float) -> Sources:
             where = edges[i].at(np.linspace(0, 1, n))
             ask(where, edges[j].distance(where) / 2)
     return np.concatenate(places), np.concatenate(sizes)
+
+
+def along_edges(plan: Plan, size: float) -> Sources:
+    """Return places along the plate's edges on ground that reaches beyond them, which want elements of a size [m]."""
+    rings = plan.edges_on_ground()
+    places = np.concatenate([np.zeros((0, 2)), *(along(ring, size) for ring in rings)])
+    return places, np.full(len(places), size)
+
+
+def both(one: Sources, other: Sources) -> Sources:
+    """Return the places of two sources together."""
+    return np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1]])
 
 
 def along(ring: Ring, spacing: float) -> Array:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from groundslab.errors import Fault, InputError
 from groundslab.findings import listed, quote, suggestion
 from groundslab.plots.style import symbol
-from groundslab.results import PLATE_FIELDS
+from groundslab.results import LINE_FORCE, PLATE_FIELDS
 from groundslab.tables.quantities import AMOUNTS
 
 DESIGN = "design moment of Wood and Armer for {} bars along {}"
@@ -58,9 +58,10 @@ def _amount(name: str) -> Amount:
     return Amount(name, sign, about.unit, about.scale, meaning)
 
 
-KNOWN = {name: _amount(name) for name in AMOUNTS}
+#: A force along the edge is no field over the plate; plans of the pressure tell its largest.
+KNOWN = {name: _amount(name) for name in AMOUNTS if name != LINE_FORCE}
 #: Symbols serve as names too.
-SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items()}
+SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
 
 
 def chosen(names: Sequence[str]) -> tuple[Amount, ...]:

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.plots.scale import OVER
-from groundslab.plots.style import INK, SMALL, number
+from groundslab.plots.style import INK, SMALL
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -44,11 +43,9 @@ def fill(axes: Axes, triangles: Triangulation, values: Array, scale: Scale) -> N
     levels = scale.levels
     # what lies on the last level, or by rounding below the first one, would leave a hole
     little = 1e-9 * (levels[-1] - levels[0])
-    shown = np.clip(values, levels[0], np.inf if scale.above else levels[-1] - little)
+    shown = np.clip(values, levels[0], levels[-1] - little)
     many = len(triangles.triangles) > len(TRIANGLES) * MOST_ELEMENTS
-    drawn = axes.tricontourf(
-        triangles, shown, levels=levels, cmap=colours, norm=norm, extend="max" if scale.above else "neither", zorder=0.5
-    )
+    drawn = axes.tricontourf(triangles, shown, levels=levels, cmap=colours, norm=norm, zorder=0.5)
     drawn.set_rasterized(many)
     between = levels[(levels > values.min()) & (levels < values.max())]
     if len(between):
@@ -68,20 +65,11 @@ def bar(axes: Axes, scale: Scale, label: str, place: tuple[float, float, float, 
     figure = axes.get_figure(root=True)
     assert figure is not None
     bands = ListedColormap(scale.of((levels[:-1] + levels[1:]) / 2).tolist())
-    drawn = ScalarMappable(BoundaryNorm(levels, bands.N), bands.with_extremes(over=OVER) if scale.above else bands)
+    drawn = ScalarMappable(BoundaryNorm(levels, bands.N), bands)
     every = max(1, int(np.ceil(len(levels) * LABEL / height)))
     first = int(np.argmin(np.abs(levels))) % every
     ticks = levels[first::every]
-    if scale.above:
-        room = LABEL * 0.8 * (levels[-1] - levels[0]) / height
-        ticks = np.append(ticks[ticks < levels[-1] - room], levels[-1])
     box = axes.inset_axes(place)
-    box_bar = figure.colorbar(
-        drawn, cax=box, label=label, ticks=ticks, extend="max" if scale.above else "neither",
-        extendfrac=0.06, spacing="proportional",
-    )  # fmt: skip
+    box_bar = figure.colorbar(drawn, cax=box, label=label, ticks=ticks, spacing="proportional")
     box_bar.outline.set_linewidth(0.5)
-    if scale.above:
-        # the last label is no round number; the others need not have its decimals
-        box_bar.ax.yaxis.set_major_formatter(lambda value, _: number(value))
     box.tick_params(labelsize=SMALL, width=0.5, length=2)

@@ -24,15 +24,16 @@ class Words(NamedTuple):
 
 def head_of(view: View, width: float, *, tell: bool) -> list[Words]:
     """Return the lines above a plan: of what it is if that is to be told, what it shows, its extremes, the contact."""
-    inside = "" if view.counts.all() else " inside"
     uplift = view.amount.name == "settlement" and goes_below_zero(view.values)
     told = []
     for word, value, where, whose in extremes_of(view):
-        called, shown = ("uplift", -value) if uplift and word == "smallest" else (f"{word}{inside}", value)
+        called, shown = ("uplift", -value) if uplift and word == "smallest" else (word, value)
         governs = f" ({free(whose, 40)})" if whose else ""
         told.append(f"{called} {number(shown)} {view.amount.unit} at {at(where)}{governs}")
     if not told:
         told.append("zero everywhere")
+    if view.line_force is not None:
+        told.append(f"edge line force up to {number(view.line_force[0])} kN/m at {at(view.line_force[1])}")
     if view.amount.name in ("pressure", "gap") and view.share is not None:
         told.append(f"{number(100 * view.share)} % of the plate in contact")
     title = view.amount.meaning[0].upper() + view.amount.meaning[1:]

@@ -12,15 +12,16 @@ from groundslab.envelope import envelope
 from groundslab.plots.amounts import NOT_ABOVE, NOT_BELOW, Amount
 from groundslab.plots.marks import in_combination
 from groundslab.plots.scale import Scale, scale_of
-from groundslab.readings import contact_function, contact_share, holds_line_force
+from groundslab.readings import contact_function, contact_share, has_line_force
+from groundslab.results import LINE_FORCE, PLATE_FIELDS
 from groundslab.tables.quantities import extreme, nodal, place
 
 if TYPE_CHECKING:
     from groundslab.actions import AnyLoad
     from groundslab.plots.wish import Drawn, Wish
-    from groundslab.results import Array, Flags, Integers, Results
+    from groundslab.results import Array, Integers, Results
 
-NOT_CERTIFIED = "NOT CERTIFIED: the result does not fulfil the equations and must not be used"
+NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +33,7 @@ class View:
     values: Array  # (n,), in units of display
     nodes: Array
     elements: Integers
-    counts: Flags  # (n,): whether a value takes part in scale and extremes
+    line_force: tuple[float, tuple[float, float]] | None  # beside the pressure: the largest [kN/m] and its place [m]
     contact: Array | None  # (n,): below zero in contact
     share: float | None  # of the plate's area that is in contact
     takes_part: Callable[[AnyLoad], bool]
@@ -57,7 +58,7 @@ def view_of(amount: Amount, drawn: Drawn, several: bool) -> View:
         nodal(results, amount.name),
         plate.nodes,
         plate.elements,
-        _counting(amount, results),
+        _line_force(amount, [results]),
         contact_function(results),
         contact_share(plate),
         in_combination(results.factors),
@@ -65,18 +66,23 @@ def view_of(amount: Amount, drawn: Drawn, several: bool) -> View:
     )
 
 
-def _counting(amount: Amount, results: Results) -> Flags:
-    """Return which nodes count (n,): of the pressure those without a line force, if there are any."""
-    plate = results.plate
-    if amount.name == "pressure" and holds_line_force(results) and not plate.on_edge.all():
-        return ~plate.on_edge
-    return np.ones(len(plate.nodes), dtype=bool)
+def _line_force(amount: Amount, several: Sequence[Results]) -> tuple[float, tuple[float, float]] | None:
+    """Return the largest edge line force of several results, to be told beside their pressure, and its place."""
+    if amount.name != "pressure" or not any(map(has_line_force, several)):
+        return None
+    found = []
+    for plate in (results.plate for results in several):
+        on_edge = np.flatnonzero(plate.edge_length > 0)
+        nodes, values = plate.nodes[on_edge], plate.line_force[on_edge] * PLATE_FIELDS[LINE_FORCE].scale
+        node = extreme(nodes, values, 1)
+        found.append((float(values[node]), place(nodes, node)))
+    return max(found)
 
 
 def _enveloped(amount: Amount, drawn: Sequence[Drawn], state: str) -> Iterator[View]:
     """Yield the largest and the smallest values of an amount over combinations, as far as they tell anything."""
     found = envelope({each.name: nodal(each.results, amount.name) for each in drawn})
-    counts = np.all([_counting(amount, each.results) for each in drawn], axis=0)
+    line_force = _line_force(amount, [each.results for each in drawn])
     factors = [pair for each in drawn for pair in each.results.factors if pair[1]]
     plate = drawn[0].results.plate
     takes_part = in_combination(factors)
@@ -87,7 +93,17 @@ def _enveloped(amount: Amount, drawn: Sequence[Drawn], state: str) -> Iterator[V
         if not nothing:
             of = f"{word} of the {len(drawn)} {state} combination{'s' if len(drawn) > 1 else ''}"
             yield View(
-                amount, of, values, plate.nodes, plate.elements, counts, None, None, takes_part, True, (found.names, by)
+                amount,
+                of,
+                values,
+                plate.nodes,
+                plate.elements,
+                line_force if word == "Largest" else None,
+                None,
+                None,
+                takes_part,
+                True,
+                (found.names, by),
             )
 
 
@@ -96,8 +112,7 @@ def scales_of(views: Sequence[View]) -> dict[str, Scale]:
     found = {}
     for name in dict.fromkeys(view.amount.name for view in views):
         own = [view for view in views if view.amount.name == name]
-        inside = None if all(view.counts.all() for view in own) else [view.values[view.counts] for view in own]
-        found[name] = scale_of([view.values for view in own], signed=own[0].amount.signed, inside=inside)
+        found[name] = scale_of([view.values for view in own], signed=own[0].amount.signed)
     return found
 
 
@@ -113,13 +128,12 @@ class Extreme(NamedTuple):
 def extremes_of(view: View) -> list[Extreme]:
     """Return the largest and the smallest value with their places, as far as they are not plain zeros."""
     found = []
-    where = np.flatnonzero(view.counts)
-    nodes, values = view.nodes[where], view.values[where]
+    nodes, values = view.nodes, view.values
     size = np.abs(values).max()
     for word, sign in (("largest", 1), ("smallest", -1)):
         node = extreme(nodes, values, sign)
         if abs(values[node]) > 1e-9 * size:
-            whose = "" if view.governs is None else view.governs[0][view.governs[1][where[node]]]
+            whose = "" if view.governs is None else view.governs[0][view.governs[1][node]]
             found.append(Extreme(word, float(values[node]), place(nodes, node), whose))
     if len(found) == 2 and found[0].value - found[1].value <= 1e-9 * size:
         del found[1]

@@ -11,7 +11,7 @@ from groundslab.plots.heads import head_of, room_above, write_above
 from groundslab.plots.labels import label
 from groundslab.plots.panels import NOT_CERTIFIED, View, scales_of, views_of
 from groundslab.plots.paper import PAGE_HEIGHT, PAGE_WIDTH, WIDE, Paper
-from groundslab.plots.scale import OVER, Scale
+from groundslab.plots.scale import Scale
 from groundslab.plots.style import BASE, GREY, PT
 
 if TYPE_CHECKING:
@@ -121,7 +121,6 @@ def _ratio(model: Model) -> float:
 
 def panel(axes: Axes, model: Model, view: View, scale: Scale, width: float) -> dict[str, Any]:
     """Draw one plan into axes whose box is so wide [mm]; return its entries in the legend."""
-    from matplotlib.patches import Patch
     from matplotlib.ticker import MaxNLocator
 
     x0, x1, y0, y1 = _limits(model)
@@ -136,8 +135,6 @@ def panel(axes: Axes, model: Model, view: View, scale: Scale, width: float) -> d
     legend |= marks.columns(axes, model, view.takes_part)
     legend |= marks.supports(axes, model)
     legend |= marks.loads(axes, model, view.takes_part)
-    if (view.values > scale.levels[-1]).any() and scale.above:
-        legend["above the scale (edge line force)"] = Patch(color=OVER)
     axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal", xlabel="x [m]", ylabel="y [m]")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(nbins=8 if width > 80 else 5, steps=[1, 2, 2.5, 5, 10]))

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 BANDS = 13
 #: A map from dark to light for one sign, and one with white in the middle: red for what is positive, blue below zero.
 ONE_SIGN, TWO_SIGNS = "viridis", "RdBu_r"
-OVER = "#ff5c8a"
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +28,6 @@ class Scale:
     levels: Array
     parts_at_zero: bool
     turned: bool = False  # the map runs from light to dark, for what is largest below zero
-    above: bool = False  # there are values above the last level
 
     def colours(self) -> tuple[Colormap, Normalize]:
         """Return the colour map, and what takes values to it."""
@@ -42,29 +40,21 @@ class Scale:
         else:
             norm = Normalize(float(self.levels[0]), float(self.levels[-1]))
             found = colormaps[ONE_SIGN + ("_r" if self.turned else "")]
-        return (found.with_extremes(over=OVER) if self.above else found), norm
+        return found, norm
 
     def of(self, values: Array) -> Array:
         """Return the colours (n, 4) of the bands that values (n,) lie in."""
         colours, norm = self.colours()
         band = np.clip(np.searchsorted(self.levels, values, side="right") - 1, 0, len(self.levels) - 2)
         rgba: Array = np.asarray(colours(norm((self.levels[band] + self.levels[band + 1]) / 2)))
-        if self.above:
-            rgba[values > self.levels[-1]] = colours.get_over()
         return rgba
 
 
-def scale_of(values: Sequence[Array], *, signed: bool, inside: Sequence[Array] | None = None) -> Scale:
-    """Return the scale that several fields share, in units of display.
-
-    Where `inside` is given the scale ends at the largest of those values, and what is larger lies above it.
-    """
+def scale_of(values: Sequence[Array], *, signed: bool) -> Scale:
+    """Return the scale that several fields share, in units of display."""
     from matplotlib.ticker import MaxNLocator
 
     low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)
-    top = high if inside is None else max(float(each.max(initial=0.0)) for each in inside)
-    above = high > top + 1e-9 * abs(top) and top > 0
-    high = top if above else high
     size = max(abs(low), abs(high))
     below = goes_below_zero(np.array([low, high]))
     if not signed and not below and low < 0.5 * high:
@@ -74,8 +64,5 @@ def scale_of(values: Sequence[Array], *, signed: bool, inside: Sequence[Array] |
     elif high - low <= 1e-9 * size:
         low, high = low - 0.5 * abs(low), high + 0.5 * abs(high)
     levels = np.asarray(MaxNLocator(nbins=BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
-    if above:
-        # the scale ends at the largest value inside, not at the next round number
-        levels = np.append(levels[levels < high * (1 - 1e-9)], high)
     only_below = below and not signed and high <= 1e-9 * size
-    return Scale(levels, (signed or below) and not only_below, only_below, above)
+    return Scale(levels, (signed or below) and not only_below, only_below)

@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab import __version__
-from groundslab.readings import holds_line_force
 from groundslab.results import PLATE_FIELDS
 
 if TYPE_CHECKING:
-    from groundslab.results import Array, Combined, Results
+    from groundslab.results import Combined, Results
 
 #: Resolution of the pictures [1/in]: enough for paper, little enough for a mail.
 DPI = 110
@@ -43,13 +42,12 @@ class Picture:
 def governing(combined: Combined) -> dict[str, str]:
     """Return which certified combination has the largest settlement, uplift, pressure and moments, by what governs.
 
-    Uplift only if the plate lifts somewhere. The pressure is that inside where edge nodes hold a line force. Of a
-    moment its size counts.
+    Uplift only if the plate lifts somewhere. Of a moment its size counts.
     """
     wanted: dict[str, Callable[[Results], float]] = {
         "settlement": lambda results: float(results.plate.settlement.max()),
         "uplift": lambda results: float(-results.plate.settlement.min()),
-        "pressure": lambda results: float(_inside(results).max()),
+        "pressure": lambda results: float(results.plate.pressure.max()),
         "moment_x": lambda results: float(np.abs(results.plate.moment_x).max()),
         "moment_y": lambda results: float(np.abs(results.plate.moment_y).max()),
     }
@@ -61,14 +59,6 @@ def governing(combined: Combined) -> dict[str, str]:
     if all(results.plate.in_contact.all() for results in combined.results.values()):
         del found["uplift"]
     return found
-
-
-def _inside(results: Results) -> Array:
-    """Return the pressure at the nodes that count for its largest value."""
-    plate = results.plate
-    inside = ~plate.on_edge
-    pressure: Array = plate.pressure[inside] if holds_line_force(results) and inside.any() else plate.pressure
-    return pressure
 
 
 def pictures_of(combined: Combined) -> list[Picture]:

@@ -35,8 +35,8 @@ if TYPE_CHECKING:
 
 CERTIFICATE_NOTES = (
     "All but the sums are ratios, computed anew from the solution with none of the matrices that were factorised. Each "
-    f"must be at most {Certificate.TOLERANCE:.0e}, apart from the effect of doubling the margin of infinite ground, "
-    "which tells how far the mesh reaches out.",
+    f"must be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
+    f"{Certificate.MARGIN_TOLERANCE:g} of the largest settlement.",
     "The certificate says that the discrete equations are solved, not that the mesh is fine enough.",
 )
 
@@ -184,13 +184,11 @@ def _certificates(found: Sequence[Entry]) -> list[Grid]:
     heads: list[Head] = []
     rows = []
     for name, section in sections.items():
-        shown = [(row, shown_row(row)) for row in section.rows if row.key != "margin_effect"]
+        shown = [(row, shown_row(row)) for row in section.rows]
         heads = heads or [Head(row.label, each.unit, number=True) for row, each in shown]
         cells = [Cell(each.figure, "bad" if row.ok is False else "number") for row, each in shown]
-        margin = [shown_row(row).figure for row in section.rows if row.key == "margin_effect"]
-        rows.append((Cell(name), *cells, Cell(margin[0] if margin else "", "number"), _holds(section)))
-    ends = (Head("effect of doubling the margin", number=True), Head("certificate"))
-    grid = Grid("", (Head("combination"), *heads, *ends), tuple(rows), CERTIFICATE_NOTES)
+        rows.append((Cell(name), *cells, _holds(section)))
+    grid = Grid("", (Head("combination"), *heads, Head("certificate")), tuple(rows), CERTIFICATE_NOTES)
     return parts_of(without_empty(grid), 1)
 
 

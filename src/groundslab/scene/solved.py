@@ -9,8 +9,8 @@ import numpy as np
 
 from groundslab import __version__
 from groundslab.errors import GroundslabError
-from groundslab.readings import contact_function, goes_below_zero, holds_line_force
-from groundslab.results import PLATE_FIELDS
+from groundslab.readings import contact_function, goes_below_zero, has_line_force
+from groundslab.results import LINE_FORCE, PLATE_FIELDS
 from groundslab.scene.packing import Blocks, Scene
 from groundslab.scene.plan import plan_of
 from groundslab.views import overview, summary
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from groundslab.results import Array, Combined, PlateResult, Results
     from groundslab.views.overview import Entry
 
-FORMAT = 1
+FORMAT = 2
 #: The fields that a scene has, if need be; all others can be made of them.
 SHOWN = (
     "settlement", "pressure", "gap", "penetration", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y",
@@ -53,7 +53,6 @@ def scene_of(combined: Combined, most: int | None = None) -> Scene:
         "version": __version__,
         "plan": plan_of(combined.model),
         "mesh": mesh,
-        "edge_force": any(map(holds_line_force, there)),
         "fields": [_about(name, plates) for name in names] + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept) for entry in found],
         "left_out": [
@@ -119,18 +118,13 @@ def _shown(plate: PlateResult, name: str) -> Array:
 
 
 def _extremes(results: Results, names: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield the extremes of each field with their places: [value, x, y].
-
-    The pressure has "inside", too, where at edge nodes it also holds a line force: its extremes at all other nodes.
-    """
+    """Yield the extremes of each field with their places: [value, x, y]; of the line force those along the edge."""
     plate = results.plate
     for name in names:
-        values = _shown(plate, name)
-        told: dict[str, Any] = _range(plate.nodes, values)
-        if name == "pressure" and holds_line_force(results) and not plate.on_edge.all():
-            inside = ~plate.on_edge
-            told["inside"] = _range(plate.nodes[inside], values[inside])
-        yield name, told
+        yield name, _range(plate.nodes, _shown(plate, name))
+    if has_line_force(results):
+        on_edge = plate.edge_length > 0
+        yield LINE_FORCE, _range(plate.nodes[on_edge], _shown(plate, LINE_FORCE)[on_edge])
 
 
 def _range(nodes: Array, values: Array) -> dict[str, list[float]]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.errors import Fault, InputError
 from groundslab.readings import contact_share
-from groundslab.results import PLATE_FIELDS, Combined, Results
+from groundslab.results import LINE_FORCE, PLATE_FIELDS, Combined, Results
 
 if TYPE_CHECKING:
     from groundslab.shape import Array
@@ -36,6 +36,7 @@ def _of_plate(name: str) -> Kept:
     return Kept(name.replace("_", " "), _DIMENSION[field.unit], field.meaning)
 
 
+_LINE_FORCE = LINE_FORCE.replace("_", " ")
 _MOMENT = "moment per length"
 _STEEL = "area per length"
 
@@ -44,8 +45,6 @@ FIELDS: dict[str, Kept] = {
     kept.name: kept
     for kept in (
         *map(_of_plate, PLATE_FIELDS),
-        Kept("pressure inside", "pressure", "contact pressure without edge nodes, which on ground with shear also hold "
-             "the edge's line force"),
         Kept("shear", "force per length", "transverse shear force in its own direction, never negative"),
         Kept("principal moment 1", _MOMENT, "larger principal moment"),
         Kept("principal moment 2", _MOMENT, "smaller principal moment"),
@@ -82,8 +81,8 @@ FIGURES: dict[str, Kept] = {
         Kept("k0", "pressure per length", "stiffness of a layer against compression that the analysis ended with"),
         Kept("k1", "pressure times length", "stiffness of a layer against shear"),
         Kept("gamma", "", "decay of the mode over the depth; none if the ground has no such mode"),
-        Kept("margin effect", "", "change of the largest settlement when the margin of infinite ground is doubled; "
-             "none if the ground is not infinite"),
+        Kept("margin effect", "", "largest change of the settlement when the margin of infinite ground is wider, "
+         "over the largest settlement; none if the ground is not infinite"),
     )
 }  # fmt: skip
 
@@ -163,12 +162,13 @@ def _figure(output: Output, results: Results) -> float | None:
         return _FIGURE[output.of](results, output)
     if output.take == "at":
         return _at(results, output)
-    values = field_of(results, output.of)
-    plate = results.plate
+    values, weights = field_of(results, output.of), results.plate.area
+    if output.of == _LINE_FORCE:
+        on_edge = results.plate.edge_length > 0
+        values, weights = values[on_edge], results.plate.edge_length[on_edge]
     if output.take == "mean":
-        return float(values @ plate.area / plate.area.sum())
-    counts = _counting(results, output.of)
-    return float(values[counts].max() if output.take == "largest" else values[counts].min())
+        return float(values @ weights / weights.sum())
+    return float(values.max() if output.take == "largest" else values.min())
 
 
 def field_of(results: Results, name: str) -> Array:
@@ -177,20 +177,7 @@ def field_of(results: Results, name: str) -> Array:
 
     fields = {each: getattr(results.plate, each) for each in PLATE_FIELDS}
     thickness = of_nodes(results.model, results.plate) if name in _OF_THICKNESS else np.zeros(0)
-    values = _made(results, name, fields, thickness)
-    if name == "pressure inside":
-        return np.where(_counting(results, name), values, 0.0)
-    return values
-
-
-def _counting(results: Results, name: str) -> Any:
-    """Return which nodes count for the extremes of a field (n,)."""
-    from groundslab.readings import holds_line_force
-
-    inside = ~results.plate.on_edge
-    if name == "pressure inside" and holds_line_force(results) and inside.any():
-        return inside
-    return np.ones(len(inside), dtype=bool)
+    return _made(results, name, fields, thickness)
 
 
 def _at(results: Results, output: Output) -> float:

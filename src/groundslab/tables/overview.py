@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.loadcases import Combination
-from groundslab.readings import contact_share, holds_line_force
+from groundslab.readings import contact_share, has_line_force
 from groundslab.results import Combined, Results
 from groundslab.tables.quantities import extreme, nodal, place, ranged, solved
 from groundslab.tables.table import Cell, Table, table_of
 from groundslab.tilt import tilt
 
 EDGE_NOTE = (
-    "The ground's shear gathers in a line force along the plate's edge. At edge nodes the pressure also holds this "
-    "force, spread over the node's area; it grows as the mesh is refined."
+    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
+    "grows slowly as the mesh is refined."
 )
 
 
@@ -22,7 +22,7 @@ def combinations(combined: Combined) -> Table:
     heads = [
         ("combination", ""), ("limit state", ""), ("loads", ""), ("outcome", ""),
         ("sum of loads", "kN"), ("reaction", "kN"), ("largest settlement", "mm"), ("largest uplift", "mm"),
-        ("area in contact", "%"), ("largest pressure", "kPa"), ("largest pressure at edge nodes", "kPa"),
+        ("area in contact", "%"), ("largest pressure", "kPa"), ("largest edge line force", "kN/m"),
         ("worst figure of the certificate", ""), ("which figure", ""),
     ]  # fmt: skip
     rows = []
@@ -33,8 +33,11 @@ def combinations(combined: Combined) -> Table:
         else:
             why = " ".join(str(combined.refused[each.name]).split())
             rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 4)])
-    notes = ["The figures of the certificate are ratios; a result counts if none is above 1e-6."]
-    if any(holds_line_force(each) for each in combined.results.values()):
+    notes = [
+        "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
+        "0.01."
+    ]
+    if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("combinations", "Combinations", heads, rows, notes)
 
@@ -54,18 +57,18 @@ def factors(combined: Combined, combination: Combination) -> str:
 def _figures(results: Results) -> list[Cell]:
     """Return the figures of one combination, in the order of the table."""
     plate, certificate = results.plate, results.certificate
-    edge = plate.on_edge if holds_line_force(results) else np.zeros_like(plate.on_edge)
-    inside = float(plate.pressure[~edge].max() / 1e3) if (~edge).any() else None
-    at_edge = float(plate.pressure[edge].max() / 1e3) if edge.any() else None
-    which, worst = max(certificate.must_vanish().items(), key=lambda figure: figure[1])
+    on_edge = plate.edge_length > 0
+    line_force = float(plate.line_force[on_edge].max() / 1e3) if has_line_force(results) else None
+    limits = certificate.limits()
+    which, worst = max(certificate.limited().items(), key=lambda figure: figure[1] / limits[figure[0]])
     return [
         certificate.load / 1e3,
         certificate.reaction / 1e3,
         float(plate.settlement.max() * 1e3),
         max(0.0, float(-plate.settlement.min() * 1e3)),
         100 * contact_share(plate),
-        inside,
-        at_edge,
+        float(plate.pressure.max() / 1e3),
+        line_force,
         worst,
         which,
     ]
@@ -91,7 +94,7 @@ def extremes(combined: Combined) -> Table:
         "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",
         "Under a point load without a footprint, moments and shear forces grow as the mesh is refined.",
     ]
-    if any(holds_line_force(each) for each in combined.results.values()):
+    if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("extremes", "Extremes of each combination", heads, rows, notes)
 

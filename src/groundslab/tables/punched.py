@@ -156,6 +156,6 @@ def _around(model: Model, plate: PlateResult, column: Column, part: Polygon, u: 
 def _stress(results: Results, around: Around, force: float, d: float) -> Stress:
     """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand)."""
     others = inside.under(results, around.others)
-    pressure = float(around.area @ results.plate.pressure)
+    pressure = float(around.area @ (results.plate.contact_force / results.plate.area))
     V_Ed = force + others - pressure
     return Stress(V_Ed, V_Ed / (around.u * d), around.u, pressure, others, around.supported)

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.design import principal_moments, wood_armer
-from groundslab.readings import holds_line_force
-from groundslab.results import PLATE_FIELDS, Combined, PlateResult, Results
+from groundslab.readings import has_line_force
+from groundslab.results import LINE_FORCE, PLATE_FIELDS, Combined, PlateResult, Results, label
 from groundslab.shape import Array, Flags
 from groundslab.tables.table import Head
 
@@ -39,10 +39,7 @@ def _moment(label: str) -> Quantity:
     return Quantity(label, about.unit, about.scale)
 
 
-FIELDS = {
-    name: Quantity(f"{name.split('_')[0]} {about.symbol}", about.unit, about.scale)
-    for name, about in PLATE_FIELDS.items()
-}
+FIELDS = {name: Quantity(label(name, about), about.unit, about.scale) for name, about in PLATE_FIELDS.items()}
 PRINCIPAL = {"m_1": _moment("principal moment m_1"), "m_2": _moment("principal moment m_2")}
 DIRECTION = {"direction": Quantity("direction of m_1 from x", "deg", math.degrees(1))}
 LAYERS = {
@@ -51,14 +48,13 @@ LAYERS = {
     "top_x": _moment("design moment top x"),
     "top_y": _moment("design moment top y"),
 }
-#: All that is listed at a place.
-LISTED = FIELDS | PRINCIPAL | DIRECTION | LAYERS
+#: All that is listed at a place; a force along the edge belongs to no other one.
+LISTED = {name: about for name, about in FIELDS.items() if name != LINE_FORCE} | PRINCIPAL | DIRECTION | LAYERS
 #: What has extremes; a direction is no amount.
 AMOUNTS = FIELDS | PRINCIPAL | LAYERS
 
 #: Nodal values this close, relative to the largest, are equal but for rounding.
 SAME_VALUE = 1e-9
-PRESSURE_INSIDE = Quantity("pressure p, edge nodes left out", "kPa", 1e-3)
 
 
 def listed(fields: Mapping[str, Array]) -> list[Array]:
@@ -94,11 +90,12 @@ def solved(combined: Combined) -> list[Results]:
 def ranged(results: Results) -> list[tuple[Quantity, str, Flags]]:
     """Return what has extremes: how it is shown, its name in AMOUNTS, and the nodes that count (n,)."""
     everywhere = np.ones(len(results.plate.nodes), dtype=bool)
-    found = [(about, name, everywhere) for name, about in AMOUNTS.items()]
-    inside = ~results.plate.on_edge
-    if holds_line_force(results) and inside.any():
-        found.insert(list(AMOUNTS).index("pressure") + 1, (PRESSURE_INSIDE, "pressure", inside))
-    return found
+    on_edge = results.plate.edge_length > 0
+    return [
+        (about, name, on_edge if name == LINE_FORCE else everywhere)
+        for name, about in AMOUNTS.items()
+        if name != LINE_FORCE or has_line_force(results)
+    ]
 
 
 def extreme(nodes: Array, values: Array, sign: int) -> int:

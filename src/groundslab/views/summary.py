@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from groundslab import __version__
-from groundslab.readings import contact_share, goes_below_zero, holds_line_force, require_finite
+from groundslab.readings import contact_share, goes_below_zero, has_line_force, require_finite
 from groundslab.results import PLATE_FIELDS, alone
 
 if TYPE_CHECKING:
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
         Array,
         Certificate,
         Combined,
-        Flags,
         Results,
         SupportResult,
     )
@@ -66,6 +65,7 @@ CERTIFICATE_WORDS = {
     "worst_pressure": "ground pulls (pressure < 0)",
     "worst_product": "pressure across an open gap",
     "gamma_change": "last change of gamma",
+    "margin_effect": "effect of a wider margin of ground",
 }
 
 
@@ -282,33 +282,33 @@ def _settlement(results: Results) -> Section:
 
 def _contact(results: Results) -> Section:
     """Return how much of the plate rests on the ground, the largest gap and the pressures."""
-    plate, unit = results.plate, _unit("pressure")
+    plate = results.plate
     share = contact_share(plate)
     gap, place = extreme(plate.nodes, plate.gap, "largest")
     rows = [Row("share", "plate's area in contact", share, PERCENT)]
     rows.append(Row("largest_gap", "largest gap", gap, _unit("gap"), "g", place if gap > 0 else None))
+    rows += _pressures(plate.nodes, plate.pressure, "pressure")
     notes: tuple[str, ...] = ()
-    line_force = holds_line_force(results)
-    inside = ~plate.on_edge if line_force else np.ones_like(plate.on_edge)
-    rows += _pressures(plate.nodes, plate.pressure, inside, unit, "", " inside" if line_force else "")
-    if line_force:
-        rows += _pressures(plate.nodes, plate.pressure, plate.on_edge, unit, "_at_edge", " at edge nodes")
+    if has_line_force(results):
+        on_edge = plate.edge_length > 0
+        rows += _pressures(plate.nodes[on_edge], plate.line_force[on_edge], "line_force", "edge line force")
         notes = (
-            "The ground's shear gathers in a line force along the edge [kN/m]. At edge nodes the pressure "
-            "also holds this force, spread over the node's area; it grows as the mesh is refined.",
+            "Along the plate's edge the ground's shear acts by a line force beside the pressure. At corners of the "
+            "plate it grows slowly as the mesh is refined.",
         )
     return Section("contact", "Contact", tuple(rows), notes)
 
 
-def _pressures(nodes: Array, pressure: Array, where: Flags, unit: Unit, key: str, words: str) -> list[Row]:
-    """Return the largest pressure on some of the nodes, and the largest tension if the ground pulls there."""
-    if not where.any():
-        return []
-    largest, place = extreme(nodes[where], pressure[where], "largest")
-    rows = [Row(f"largest_pressure{key}", f"largest pressure{words}", largest, unit, "p", place)]
-    smallest, place = extreme(nodes[where], pressure[where], "smallest")
-    if goes_below_zero(pressure[where]):
-        rows.append(Row(f"largest_tension{key}", f"largest tension{words}", -smallest, unit, "-p", place))
+def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") -> list[Row]:
+    """Return the largest of the pressures or line forces at nodes, and the largest tension if the ground pulls."""
+    symbol, unit, tension = PLATE_FIELDS[name].symbol, _unit(name), name.replace("pressure", "tension")
+    largest, place = extreme(nodes, values, "largest")
+    rows = [Row(f"largest_{name}", f"largest {words}", largest, unit, symbol, place)]
+    smallest, place = extreme(nodes, values, "smallest")
+    if goes_below_zero(values):
+        pulling = words.replace("pressure", "tension") if tension != name else f"{words} that pulls"
+        key = f"largest_{tension}" if tension != name else f"largest_pulling_{name}"
+        rows.append(Row(key, f"largest {pulling}", -smallest, unit, f"-{symbol}", place))
     return rows
 
 
@@ -366,12 +366,17 @@ def certificate_section(certificate: Certificate) -> Section:
         Row("load", "sum of the loads", certificate.load, FORCE),
         Row("reaction", "sum of the reactions", certificate.reaction, FORCE),
     ]
-    limit = certificate.TOLERANCE
-    for name, value in certificate.must_vanish().items():
+    limits = certificate.limits()
+    for name, value in certificate.limited().items():
+        limit = limits[name]
         rows.append(Row(name, CERTIFICATE_WORDS[name], value, tolerance=limit, ok=bool(value <= limit)))
-    if certificate.margin_effect is not None:
-        rows.append(Row("margin_effect", "effect of doubling the margin", certificate.margin_effect))
-    return Section("certificate", "Certificate", tuple(rows))
+    notes: tuple[str, ...] = ()
+    if "margin_effect" in certificate.too_large():
+        notes = (
+            "The meshed ground beyond the plate is too narrow or too coarse: make beyond.width larger or mesh.size "
+            "smaller.",
+        )
+    return Section("certificate", "Certificate", tuple(rows), notes)
 
 
 def _unit(name: str) -> Unit:

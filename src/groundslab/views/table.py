@@ -43,7 +43,7 @@ def print_summary(results: Results, console: Console) -> None:
     if results.certificate.holds:
         _certified(1, design, console)
     else:
-        console.print(Text("FAILED: the result does not fulfil the equations; do not use it.", style="bold red"))
+        console.print(Text("FAILED: the certificate does not hold; do not use the result.", style="bold red"))
 
 
 def print_overview(combined: Combined, console: Console) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.design import principal_moments, wood_armer
 from groundslab.errors import GroundslabError
-from groundslab.results import ELEMENT_FIELDS, PLATE_FIELDS
+from groundslab.results import ELEMENT_FIELDS, PLATE_FIELDS, label
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -22,13 +22,13 @@ if TYPE_CHECKING:
 def array_name(field: str) -> str:
     """Return the name of a plate field's array: its quantity, symbol and unit, as in "settlement w [mm]"."""
     about = PLATE_FIELDS[field]
-    return f"{field.split('_')[0]} {about.symbol} [{about.unit}]"
+    return f"{label(field, about)} [{about.unit}]"
 
 
 def cell_name(field: str) -> str:
     """Return the name of a field of elements, as in "moment m_x [kNm/m] (centre, not averaged)"."""
     about = ELEMENT_FIELDS[field]
-    return f"{field.split('_')[0]} {about.symbol} [{about.unit}] (centre, {about.averaged})"
+    return f"{label(field, about)} [{about.unit}] (centre, {about.averaged})"
 
 
 def plate_mesh(results: Results) -> meshio.Mesh:
@@ -37,9 +37,9 @@ def plate_mesh(results: Results) -> meshio.Mesh:
     data = {array_name(name): getattr(plate, name) * about.scale for name, about in PLATE_FIELDS.items()}
     data |= _design(results)
     data["in contact"] = plate.in_contact.astype(np.int8)
-    data["edge node"] = plate.on_edge.astype(np.int8)
     data["area of the node [m2]"] = plate.area
     data["area of the node in contact [m2]"] = plate.contact_area
+    data["length of the edge at the node [m]"] = plate.edge_length
     cells = {cell_name(name): getattr(results.elements, name) * about.scale for name, about in ELEMENT_FIELDS.items()}
     return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
 

@@ -34,7 +34,7 @@ def _combination(entry: Entry) -> dict[str, Any]:
         return about | {"certificate": None, "sections": []}
     certificate = entry.results.certificate
     figures = {name: value for name, value in asdict(certificate).items() if value is not None}
-    told = figures | {"holds": certificate.holds, "tolerance": certificate.TOLERANCE}
+    told = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
     sections = [*summary.figures(entry.results), summary.certificate_section(certificate)]
     sections += summary.description(entry.results)
     return about | {"certificate": told, "sections": [_section(section) for section in sections]}

@@ -43,7 +43,6 @@ export function fieldsOf(scene: Scene): FieldInfo[] {
 export interface Ends {
   min: Extreme;
   max: Extreme;
-  inside: Extreme | null; // the largest with edge nodes left out, where these hold a line force
 }
 
 /** Return where a field of a combination or an envelope is smallest and largest at nodes. */
@@ -52,10 +51,13 @@ export function endsOf(scene: Scene, choice: Choice, name: string): Ends {
   const told = isEnvelope(choice) ? undefined : scene.head.combinations[choice]?.extremes[name];
   const { min, max, minNode, maxNode } = extremes(of);
   const at = (node: number): [number, number] => [scene.mesh.nodes[2 * node]!, scene.mesh.nodes[2 * node + 1]!];
-  const insides = members(scene, choice).map((each) => scene.head.combinations[each]?.extremes[name]?.inside?.max).filter((each) => each !== undefined);
-  const smallest = isEnvelope(choice) && parts(choice)[0] === "smallest";
-  const inside = insides.length && !smallest ? insides.reduce((most, each) => (each[0] > most[0] ? each : most)) : null;
-  return { min: told?.min ?? [min, ...at(minNode)], max: told?.max ?? [max, ...at(maxNode)], inside };
+  return { min: told?.min ?? [min, ...at(minNode)], max: told?.max ?? [max, ...at(maxNode)] };
+}
+
+/** Return the largest line force along the plate's edges in a combination or an envelope [kN/m], if there is any. */
+export function lineForceOf(scene: Scene, choice: Choice): Extreme | null {
+  const found = members(scene, choice).map((each) => scene.head.combinations[each]?.extremes.line_force?.max).filter((each) => each !== undefined);
+  return found.length ? found.reduce((most, each) => (each[0] > most[0] ? each : most)) : null;
 }
 
 /** Return what is known of a field by its name. */

@@ -1,6 +1,6 @@
 // The colour scale beside a picture, with unit and round ticks.
 import { symbol, make } from "./dom";
-import { choiceName } from "./fields";
+import { choiceName, lineForceOf } from "./fields";
 import type { Shown } from "./plan-view";
 import { BEYOND, type Scale, css, number, tickTexts } from "./scale";
 import type { Scene } from "./scene";
@@ -37,7 +37,9 @@ export class Legend {
     element.append(bar);
     const notes = make("div", { class: "gs-legend-notes" });
     notes.append(make("div", {}, `largest ${number(scale.max)}`), make("div", {}, `smallest ${number(scale.min)}`));
-    if (above) notes.append(make("div", {}, edgeForce(shown, scene) ? `above the scale: edge line force, up to ${number(scale.max)} ${field.unit}` : `above the scale: up to ${number(scale.max)} ${field.unit}`));
+    const edge = field.name === "pressure" && scene ? lineForceOf(scene, shown.choice) : null;
+    if (edge) notes.append(make("div", {}, `edge line force up to ${number(edge[0])} kN/m`));
+    if (above) notes.append(make("div", {}, `above the scale: up to ${number(scale.max)} ${field.unit}`));
     if (below) notes.append(make("div", {}, `below the scale: down to ${number(scale.min)} ${field.unit}`));
     if (shown.lifted) notes.append(make("div", {}, make("span", { class: "gs-legend-hatch" }), typeof shown.choice === "number" ? "no contact" : "no contact in some combination"));
     element.append(notes);
@@ -48,10 +50,6 @@ export class Legend {
 function levelTexts({ levels, origin, step }: Scale): string[] {
   const round = levels.map((_, i) => Number((origin + i * step).toPrecision(12)));
   return tickTexts(round).map((text, i) => (Math.abs(round[i]! - levels[i]!) > 1e-9 * step ? number(levels[i]!) : text));
-}
-
-function edgeForce({ field }: Shown, scene: Scene | null): boolean {
-  return field.name === "pressure" && scene?.head.edge_force === true;
 }
 
 function isAbove({ scale }: Shown): boolean {

@@ -526,13 +526,12 @@ function fitted([x0, y0, x1, y1]: readonly [number, number, number, number], wid
 }
 
 /** Return the marks of the smallest and the largest value; none of a zero, which a whole part of the plate may have. */
-function extremeMarks({ min, max, inside }: Ends): Marks["extremes"] {
+function extremeMarks({ min, max }: Ends): Marks["extremes"] {
   const mark = ([value, x, y]: Extreme, word: string, largest: boolean) => ({ point: [x, y] as Point, text: `${word} ${number(value)}`, largest });
   const small = 1e-6 * Math.max(Math.abs(min[0]), Math.abs(max[0]));
-  const top = inside ?? max;
   return [
-    ...(top[0] - min[0] > small && Math.abs(top[0]) > small ? [mark(top, inside ? "max inside" : "max", true)] : []),
-    ...(top[0] - min[0] > small && Math.abs(min[0]) > small ? [mark(min, "min", false)] : []),
+    ...(max[0] - min[0] > small && Math.abs(max[0]) > small ? [mark(max, "max", true)] : []),
+    ...(max[0] - min[0] > small && Math.abs(min[0]) > small ? [mark(min, "min", false)] : []),
   ];
 }
 
@@ -547,18 +546,17 @@ function cleared(canvas: HTMLCanvasElement, width: number, height: number, ratio
   return context;
 }
 
-/** Return the colour scale of a field: round, and not stretched by the line force at the plate's edges. */
+/** Return the colour scale of a field: round, from zero for what is never negative. */
 export function scaleFor(scene: Scene, choice: Choice, field: FieldInfo, range: Range): Scale {
   const ends = endsOf(scene, choice, field.name);
   const [min, max] = [ends.min[0], ends.max[0]];
   if (typeof range !== "string") return { ...scaleOf(range[0], range[1], field.signed, range), min, max };
-  let [low, high, inside] = [min, max, ends.inside?.[0] ?? null];
+  let [low, high] = [min, max];
   if (range === "common" && members(scene, "largest").length > 1) {
     const most = endsOf(scene, "largest", field.name);
-    [low, high, inside] = [endsOf(scene, "smallest", field.name).min[0], most.max[0], most.inside?.[0] ?? null];
+    [low, high] = [endsOf(scene, "smallest", field.name).min[0], most.max[0]];
   }
   // what is never negative is shown from zero
   if (!field.signed) low = Math.min(low, 0);
-  if (inside !== null && inside < high && inside > low) return { ...scaleOf(low, inside, field.signed, [low, inside]), min, max };
   return { ...scaleOf(low, high, field.signed), min, max };
 }

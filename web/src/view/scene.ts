@@ -69,7 +69,7 @@ export interface Combination {
   refused: string | null;
   certified: boolean;
   values: Record<string, Block> | null;
-  extremes: Record<string, Range & { inside?: Range }>; // inside: edge nodes with a line force left out
+  extremes: Record<string, Range>; // of "line_force" along the plate's edges, where the ground has one
 }
 
 export interface Head {
@@ -81,7 +81,6 @@ export interface Head {
   fields: Field[];
   combinations: Combination[];
   left_out: string[];
-  edge_force?: boolean; // the pressure at edge nodes also holds a line force
 }
 
 /** Nine-node quadrilaterals: four corners, four midsides, centre, counter-clockwise. */
@@ -103,7 +102,7 @@ export interface Scene {
 /** A scene that cannot be read, with the reason in words for the user. */
 export class SceneError extends Error {}
 
-const FORMAT = 1;
+const FORMAT = 2;
 const BYTES = { u8: 1, u16: 2, u32: 4, i32: 4, f32: 4 } as const;
 
 /** Read a packed scene: 4 bytes length, JSON, padding to a multiple of 8, data. */

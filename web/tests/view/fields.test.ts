@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import {
-  choiceName, derive, direction, endsOf, envelopesOf, fieldsOf, inContact, members, parseChoice, principal, valueAt, values, woodArmer,
+  choiceName, derive, direction, endsOf, envelopesOf, fieldsOf, inContact, lineForceOf, members, parseChoice, principal, valueAt, values, woodArmer,
 } from "../../src/view/fields";
 import { Locator } from "../../src/view/locate";
 import { grid, nodal, randoms, sceneOf } from "./synthetic";
@@ -107,8 +107,17 @@ describe("fields of a scene", () => {
     expect(endsOf(scene, 0, "settlement").max[0]).toBe(8);
     expect(endsOf(scene, 0, "settlement").max[1]).toBe(8);
     const told = sceneOf(mesh, [{ name: "A", fields: { pressure: (x) => x } }]);
-    told.head.combinations[0]!.extremes = { pressure: { min: [0, 0, 0], max: [8.5, 8, 4], inside: { min: [1, 1, 1], max: [6, 6, 2] } } };
-    expect(endsOf(told, 0, "pressure")).toEqual({ min: [0, 0, 0], max: [8.5, 8, 4], inside: [6, 6, 2] });
+    told.head.combinations[0]!.extremes = { pressure: { min: [0, 0, 0], max: [8.5, 8, 4] } };
+    expect(endsOf(told, 0, "pressure")).toEqual({ min: [0, 0, 0], max: [8.5, 8, 4] });
+  });
+
+  it("know the largest line force along the edge where the ground has one", () => {
+    const told = sceneOf(mesh, [{ name: "A", fields: { pressure: (x) => x } }, { name: "B", fields: { pressure: (x) => x } }]);
+    expect(lineForceOf(told, 0)).toBeNull();
+    told.head.combinations[0]!.extremes = { line_force: { min: [0, 0, 0], max: [12, 8, 4] } };
+    told.head.combinations[1]!.extremes = { line_force: { min: [0, 0, 0], max: [15, 8, 0] } };
+    expect(lineForceOf(told, 0)).toEqual([12, 8, 4]);
+    expect(lineForceOf(told, "largest:ultimate")).toEqual([15, 8, 0]);
   });
 
   it("are kept, and named", () => {

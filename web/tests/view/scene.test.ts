@@ -25,7 +25,7 @@ describe("a packed scene", () => {
       packer.add([0, 70000], "u32", [2]), packer.add([-5, 6], "i32", [2]), packer.add([1.5, -2.25], "f32", [2], 2, 1),
     ];
     const scene = decode(packer.packed({
-      format: 1, title: "", version: "", mesh: blocks, fields: [], combinations: [], left_out: [],
+      format: 2, title: "", version: "", mesh: blocks, fields: [], combinations: [], left_out: [],
       plan: { bounds: [0, 0, 1, 1], outline: [], openings: [], zones: [], columns: [], supports: [], loads: [], boreholes: [], soil_zones: [], voids: [], lines: [], strips: [], points: [] },
     }));
     expect(scene.mesh.elements).toEqual(mesh.elements);
@@ -36,7 +36,7 @@ describe("a packed scene", () => {
     expect(() => decode(new ArrayBuffer(0))).toThrow(SceneError);
     expect(() => decode(buffer.slice(0, 40))).toThrow("cut off");
     expect(() => decode(buffer.slice(0, buffer.byteLength - 200)).mesh && block(decode(buffer.slice(0, buffer.byteLength - 200)), decode(buffer).head.combinations[0]!.values!["contact"]!)).toThrow("cut off");
-    expect(() => decode(packedScene(mesh, [], { format: 2 }))).toThrow("format 2");
+    expect(() => decode(packedScene(mesh, [], { format: 1 }))).toThrow("format 1");
     expect(() => decode(packedScene({ ...mesh, elements: mesh.elements.map((node) => node + 1) }, []))).toThrow("damaged");
   });
 

@@ -88,7 +88,7 @@ export function packedScene(mesh: Mesh, given: Given[], change: Partial<Head> = 
     values: fields ? Object.fromEntries(FIELDS.map((each) => [each.name, packer.add(nodal(mesh, fields[each.name] ?? (() => 0)), "f32", [mesh.nodeCount])])) : null,
     extremes: {},
   }));
-  return packer.packed({ format: 1, title: "", version: "0", plan: NO_PLAN, mesh: blocks, fields: FIELDS, combinations, left_out: [], ...change });
+  return packer.packed({ format: 2, title: "", version: "0", plan: NO_PLAN, mesh: blocks, fields: FIELDS, combinations, left_out: [], ...change });
 }
 
 export function sceneOf(mesh: Mesh, given: Given[], change: Partial<Head> = {}): Scene {

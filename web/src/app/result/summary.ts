@@ -32,12 +32,12 @@ export function showSummary(element: HTMLElement, one: SummaryOfOne | null, summ
 }
 
 /** What a certificate holds beside the ratios that tell how well the equations are fulfilled. */
-const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "tolerance", "load", "reaction"]);
+const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "too_large", "load", "reaction"]);
 
-/** Whether a ratio that must vanish does not; the effect of a margin is told, but need not vanish. */
+/** Whether a ratio is above its limit. */
 function isTooLarge(one: SummaryOfOne, key: string): boolean {
-  const [value, tolerance] = [one.certificate?.[key], one.certificate?.tolerance];
-  return key !== "margin_effect" && typeof value === "number" && typeof tolerance === "number" && value > tolerance;
+  const tooLarge = one.certificate?.too_large;
+  return Array.isArray(tooLarge) && tooLarge.includes(key);
 }
 
 /** The verdict on a combination. */
