@@ -131,8 +131,8 @@ def _parser() -> argparse.ArgumentParser:
         action="extend",
         default=[],
         metavar="WHAT=NAME",
-        help="names of layers; WHAT is outline, openings, zones, columns or point_loads, whose usual layers are "
-        "OUTLINE, OPENINGS, ZONES, COLUMNS and LOADS",
+        help="names of layers; WHAT is outline, openings, zones, columns, point_loads, line_loads or area_loads, whose "
+        "usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, LOADS, LOAD_LINE and LOAD_AREA",
     )
     dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one that it names)')
     dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
