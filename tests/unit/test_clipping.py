@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import shapely
+from matplotlib import pyplot
 
 from groundslab import (
     AreaLoad,
@@ -28,6 +30,10 @@ from groundslab import (
 )
 from groundslab.casefile import loads
 from groundslab.clipping import clipped_loads, line_on_plate
+from groundslab.plots import marks
+from groundslab.report.plan_drawing import plan_drawing
+from groundslab.scene import plan_of
+from groundslab.tables import inside
 from groundslab.views import summary
 
 PLAIN = Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2)
@@ -229,3 +235,45 @@ def test_the_summary_on_the_terminal_has_a_section_of_what_is_cut_off() -> None:
         ("all that does not act", pytest.approx(20e3)),
     ]
     assert summary.cut_loads(model.replace(loads=model.loads[:1])) == []
+
+
+CURVED = Model(
+    plate=Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2),
+    ground=Winkler(k=20e6),
+    loads=[
+        LineLoad(q=1e4, points=[(-1, 0), (1, 0)], bulges=[-1.0]),
+        LineLoad(q=1e4, shape=Circle(radius=1.5)),
+        AreaLoad(q=1e4, shape=Circle(radius=1.5), holes=[Circle(radius=1)]),
+    ],
+)
+
+
+def test_arcs_and_holes_are_drawn() -> None:
+    """The plan for browsers and reports follows arcs, closes rings and cuts holes; figures draw them, too."""
+    arc, ring, area = plan_of(CURVED)["loads"]
+    assert max(y for _, y in arc["points"]) == pytest.approx(1, abs=0.02)
+    assert ring["points"][0] == ring["points"][-1] == [1.5, 0.0]
+    assert max(y for _, y in area["holes"][0]) == pytest.approx(1, abs=0.02)
+    drawn = plan_drawing(CURVED).svg
+    assert drawn.count('class="d-load-line"') == 2
+    assert drawn.count('class="d-load-area" fill-rule="evenodd"') == 1
+    _, axes = pyplot.subplots()
+    entries = marks.loads(axes, CURVED, lambda _: True)
+    assert set(entries) == {"line load", "loaded area"}
+    assert max(line.get_ydata().max() for line in axes.lines) == pytest.approx(1.5, abs=0.02)
+    assert len(axes.patches) == 2
+    pyplot.close()
+
+
+def test_loads_around_a_column_are_those_on_the_plate() -> None:
+    """Of a ring on the edge, that inside a circle of 1 m about the edge: the chord's arc and lens in closed form."""
+    loaded = CURVED.replace(
+        loads=[
+            LineLoad(q=1e3, shape=Circle(centre=(3, 0), radius=1)),
+            AreaLoad(q=1e3, shape=Circle(centre=(3, 0), radius=1)),
+        ]
+    )
+    plate = solve(loaded.replace(mesh=Mesh(size=0.5), contact={"tensionless": False})).plate
+    part = shapely.box(2, 0, 3, 2)
+    force = inside.others(loaded, plate, part, "")
+    assert force[""] == pytest.approx(1e3 * (math.pi / 2 + math.pi / 4), rel=1e-6)
