@@ -52,12 +52,12 @@ class Blocks:
                 self._counts[name, role] = self._sum(contents.get(name, _Content()), role)
         taken, placed = self._sum(space, None)
         for count, limit, words in (
-            (taken, LARGEST, "entities on the layers that are read"),
-            (placed - sum(space.entities.values()), MOST_PLACED, "entities to be placed"),
+            (taken, LARGEST, "entities on the layers that are read, those of blocks included"),
+            (placed - sum(space.entities.values()), MOST_PLACED, "entities of blocks to be placed"),
         ):
             if count > limit:
                 shown = f"{count:,}" if count < 10**15 else f"more than {10**15:,}"
-                stop(sheet, f"blocks that make {shown} {words}", f"at most {limit:,}", FEWER)
+                stop(sheet, f"{shown} {words}", f"at most {limit:,}", FEWER)
 
     def holds(self, name: str, role: str | None) -> bool:
         """Return whether a block has anything on the layers asked for, if its layer 0 has this role."""

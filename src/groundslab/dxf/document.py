@@ -27,7 +27,7 @@ UNITS: dict[int, tuple[str, Fraction]] = {
 
 
 #: The largest file that is read [bytes]: reading one takes some ten times its size of memory.
-LARGEST_FILE = 24_000_000
+LARGEST_FILE = 16_000_000
 
 
 def open_drawing(path: str) -> Document:
