@@ -39,6 +39,8 @@ FAR = 1e3
 #: The tangents around an arc span this angle [rad] at most.
 TANGENT = 2 * math.pi / 256
 
+#: What is spread over an area or along a line, and can be cut off.
+Spread = PatchLoad | AreaLoad | LineLoad
 #: A pressure [Pa] as a function of places (..., 2).
 Pressure = Callable[[Array], Array]
 
@@ -99,29 +101,30 @@ def region_of(plate: Plate) -> Region:
     near = (STRAIGHT if all(ring.straight for ring in rings) else CURVED) * max(plate.sides)
     grown = area.buffer(near, join_style="mitre")
     shapely.prepare(grown)
-    return Region(edges, area, grown, near, shapely.STRtree([_box(edge) for edge in edges]))
+    return Region(edges, area, grown, near, shapely.STRtree([_box([edge]) for edge in edges]))
 
 
 def clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
     """Return what of each load lies off the plate, those left out of which all does act."""
-    return tuple(found for _, found in _clipped(plate, loads))
+    return tuple(_clipped(plate, _drawn(loads)))
 
 
 def loads_reach_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
     """Find areas and lines of which nothing lies on the plate, and such as are far too large."""
+    import shapely
+
     expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
+    drawn = _drawn(loads)
+    if not drawn:
+        return
     (x0, x1, y0, y1), far = plate.bounds, FAR * max(plate.sides)
-    near = []
-    for position, load in enumerate(loads):
-        if isinstance(load, PatchLoad | AreaLoad | LineLoad):
-            left, low, right, high = load.drawn(math.inf).bounds
-            if x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far:
-                near.append((position, load))
-            else:
-                yield Finding(("loads", position), "a load that reaches far off the plate", expected)
-    for k, found in _clipped(plate, [load for _, load in near]):
+    reach = shapely.bounds([shape for _, _, shape in drawn])
+    near = (reach[:, :2] >= (x0 - far, y0 - far)).all(axis=1) & (reach[:, 2:] <= (x1 + far, y1 + far)).all(axis=1)
+    for k in np.flatnonzero(~near):
+        yield Finding(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
+    for found in _clipped(plate, [drawn[int(k)] for k in np.flatnonzero(near)]):
         if found.share >= 1 - NO_PART:
-            yield Finding(("loads", near[k][0]), "a load off the plate", expected)
+            yield Finding(("loads", found.number - 1), "a load off the plate", expected)
 
 
 def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:
@@ -140,22 +143,28 @@ def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:
     ]
 
 
-def _clipped(plate: Plate, loads: Sequence[AnyLoad]) -> Iterator[tuple[int, Clipped]]:
-    """Yield what lies off the plate, with the position of its load."""
+def _drawn(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, BaseGeometry]]:
+    """Return areas and lines of loads, each with its position and what it covers; for arcs a box around them."""
+    return [
+        (n, load, load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else _box(load.segments()))
+        for n, load in enumerate(loads)
+        if isinstance(load, PatchLoad | AreaLoad | LineLoad)
+    ]
+
+
+def _clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+    """Yield what lies off the plate."""
     import shapely
 
-    spread = [(n, load) for n, load in enumerate(loads) if isinstance(load, PatchLoad | AreaLoad | LineLoad)]
-    if not spread:
+    if not drawn:
         return
     region = region_of(plate)
-    drawn = [load.drawn(math.inf) for _, load in spread]
-    curved = np.array([isinstance(load, LineLoad) and not load.straight for _, load in spread])
-    for k in np.flatnonzero(curved | ~shapely.covers(region.grown, drawn)):
-        position, load = spread[k]
-        found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, drawn[k])
+    for k in np.flatnonzero(~shapely.covers(region.grown, [shape for _, _, shape in drawn])):
+        position, load, shape = drawn[int(k)]
+        found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
         if found is not None:
             share, force, total = found
-            yield position, Clipped(position + 1, load.name, load.case, share, force, total)
+            yield Clipped(position + 1, load.name, load.case, share, force, total)
 
 
 def _off_area(region: Region, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:
@@ -200,7 +209,7 @@ def _parts_on(region: Region, edge: Segment) -> list[tuple[float, float]]:
     if region.grown.covers(LineString(_around(edge))):
         return [(0.0, 1.0)]
     cuts = {0.0, 1.0}
-    for k in region.tree.query(_box(edge)):
+    for k in region.tree.query(_box([edge])):
         for place in crossings(_edge(edge), _edge(region.edges[k])):
             if max(side.distance(np.array([place]))[0] for side in (edge, region.edges[k])) <= region.near:
                 cuts.add(min(max(_way(edge, place), 0.0), 1.0))
@@ -243,12 +252,14 @@ def _edge(edge: Segment) -> Edge:
     return Edge(edge.start, edge.end, 0.0 if edge.straight else math.tan(edge.sweep / 4))
 
 
-def _box(edge: Segment) -> BaseGeometry:
-    """Return a box that holds an edge."""
+def _box(edges: Sequence[Segment]) -> BaseGeometry:
+    """Return a box that holds edges, of an arc its whole circle."""
     from shapely import box
 
-    if edge.straight:
-        (x, y), (u, v) = edge.start, edge.end
-        return box(min(x, u), min(y, v), max(x, u), max(y, v))
-    (x, y), r = edge.centre, edge.radius
-    return box(x - r, y - r, x + r, y + r)
+    ends = [end for edge in edges for end in (edge.start, edge.end)]
+    for edge in edges:
+        if not edge.straight:
+            (x, y), r = edge.centre, edge.radius
+            ends += [(x - r, y - r), (x + r, y + r)]
+    (left, low), (right, high) = (tuple(map(pick, zip(*ends, strict=True))) for pick in (min, max))
+    return box(left, low, right, high)

@@ -105,7 +105,7 @@ def test_many_entities(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "plan.dxf").write_text(bombs.circles(101, "OTHER"))
     dxf.read(tmp_path / "plan.dxf")
     (tmp_path / "plan.dxf").write_text(bombs.circles(101, "OPENINGS"))
-    with pytest.raises(InputError, match="102 entities on the layers that are read, those of blocks included, expected at most 100"):
+    with pytest.raises(InputError, match="102 entities on the layers that are read, those of"):
         dxf.read(tmp_path / "plan.dxf")
 
 
