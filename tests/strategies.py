@@ -328,13 +328,17 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
     if kind == "patch":
         return PatchLoad(q=q, x=draw(extents(plate.length_x)), y=draw(extents(plate.length_y)), **varying, **keys)
     if kind == "area":
-        return AreaLoad(q=q, shape=draw(shapes(plate)), **varying, **keys)
+        shape = draw(shapes(plate))
+        holes = [Circle(centre=shape.centre, radius=shape.radius / 2)] if isinstance(shape, Circle) else []
+        return AreaLoad(q=q, shape=shape, holes=draw(st.sampled_from([[], holes])), **varying, **keys)
     if kind == "line":
         far = tuple(draw(SHARES) * side for side in plate.sides)
         start = inside_x, inside_y
         if start == far:
             far = plate.length_x / 2, plate.length_y / 2
-        return LineLoad(q=q, q_end=draw(st.none() | st.sampled_from([0.0, 2e4, -5e3])), points=[start, far], **keys)
+        bulges = draw(st.just(()) | st.tuples(st.floats(-1.5, 1.5)))
+        q_end = draw(st.none() | st.sampled_from([0.0, 2e4, -5e3]))
+        return LineLoad(q=q, q_end=q_end, points=[start, far], bulges=bulges, **keys)
     moments = {"M_x": draw(st.just(0) | SHARES) * q * size / 2,
                "M_y": draw(st.just(0) | SHARES) * q * size / 2}  # fmt: skip
     if kind == "column":

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, Protocol
 
 from pydantic import Discriminator, Tag
 
 from groundslab.columns import Column, footprint, one_footprint
 from groundslab.findings import Finding, describe, one_of, suggestion
-from groundslab.keys import Quantity, Several, Text
+from groundslab.keys import Number, Quantity, Range, Several, Text
 from groundslab.outline import CHORD, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.slab import Plate
@@ -20,9 +20,11 @@ from groundslab.soil import POSITIVE
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-    from groundslab.plan import Ring
+    from groundslab.plan import Ring, Segment
+    from groundslab.shape import Array
 
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
+LARGEST_BULGE = 1e3  # of a line load's arc: 359.8 degrees; a whole circle is a shape
 ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
 
 LoadName = Annotated[str, Text("name of the load, for people")]
@@ -85,8 +87,34 @@ class PatchLoad(Part):
         return _box(self.x, self.y)
 
 
+def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Finding]:
+    from groundslab.plan import loaded_polygon
+
+    if not holes:
+        return
+    around = loaded_polygon(shape.ring())
+    for position, hole in enumerate(holes):
+        if not around.intersects(loaded_polygon(hole.ring())):
+            yield Finding(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
+    if not any(True for _ in _loaded(shape, holes)):
+        yield Finding(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
+
+
+def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
+    """Return the polygons of a shape without its holes."""
+    from shapely import get_parts, union_all
+
+    from groundslab.plan import loaded_polygon
+
+    cut = union_all([loaded_polygon(hole.ring()) for hole in holes])
+    left = loaded_polygon(shape.ring()).difference(cut)
+    return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
+
+
 class AreaLoad(Part):
     """A pressure on a part of the plate of any shape."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_holes_in_shape,)
 
     kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
     name: LoadName = ""
@@ -95,27 +123,50 @@ class AreaLoad(Part):
     slope: Slope = NO_SLOPE
     bend: Bend = NO_BEND
     about: About = ORIGIN
-    shape: Annotated[Shape, Table("where; what reaches over the plate's edge is an error")]
+    shape: Annotated[Shape, Table("where; what lies off the plate does not act, and is reported")]
+    holes: Annotated[tuple[Shape, ...], Table("parts of the shape that are not loaded, as in a ring")] = ()
 
-    def drawn(self, chord: float) -> BaseGeometry:
-        """Return the area, arcs as chords at most so far off [m]."""
-        return self.shape.ring().polygon(chord)
+    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
+        """Return the loaded area, its arcs as chords that enclose the same area."""
+        from shapely import union_all
+
+        return union_all(_loaded(self.shape, self.holes))
 
 
-def _no_standstill(points: tuple[tuple[float, float], ...]) -> Iterator[Finding]:
+def _points_or_shape(
+    points: tuple[tuple[float, float], ...] | None,
+    bulges: tuple[float, ...],
+    shape: AnyShape | None,
+    q_end: float | None,
+) -> Iterator[Finding]:
+    if points is None and shape is None:
+        yield Finding(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
+    if shape is None:
+        return
+    for name, given in (("points", points), ("bulges", bulges or None), ("q_end", q_end)):
+        if given is not None:
+            yield Finding((name,), f"{name} beside a shape", "one of them", "all of a shape's edge bears the same q")
+
+
+def _no_standstill(points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]) -> Iterator[Finding]:
+    if points is None:
+        return
     if len(points) < 2:
         yield Finding(("points",), f"{len(points)} point", "at least two")
+    elif len(bulges) >= len(points):
+        expected = f"at most {len(points) - 1}, one for each of the line's pieces"
+        yield Finding(("bulges",), f"{len(bulges)} bulges", expected)
     for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
         if math.dist(a, b) < NO_LENGTH:
             yield Finding(("points", position), f"({b[0]!r}, {b[1]!r}) m twice", "another place than the one before")
 
 
 class LineLoad(Part):
-    """A force per length along straight lines."""
+    """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_no_standstill,)
+    checks: ClassVar[tuple[Check, ...]] = (_points_or_shape, _no_standstill)
 
-    kind: Annotated[Literal["line"], Table("force per length along straight lines")] = "line"
+    kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
     name: LoadName = ""
     case: CaseName = ""
     q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
@@ -123,14 +174,51 @@ class LineLoad(Part):
         float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
     ] = None
     points: Annotated[
-        tuple[tuple[float, float], ...], Several(Place, "x, y", "the line's points, joined one after the other")
-    ]
+        tuple[tuple[float, float], ...] | None,
+        Several(Place, "x, y", "the line's points, joined one after the other"),
+    ] = None
+    bulges: Annotated[
+        tuple[float, ...],
+        Several(
+            Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE)),
+            "b",
+            "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
+            "counter-clockwise; 0 for a straight piece",
+            least=0,
+        ),
+    ] = ()
+    shape: Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")] = (
+        None
+    )
 
-    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
-        """Return the line."""
+    def segments(self) -> tuple[Segment, ...]:
+        """Return the straight pieces and arcs that the load stands on, one after the other."""
+        from groundslab.plan import segment
+
+        if self.shape is not None:
+            return self.shape.ring().segments()
+        assert self.points is not None
+        bulges = self.bulges + (0.0,) * (len(self.points) - 1 - len(self.bulges))
+        return tuple(map(segment, self.points, self.points[1:], bulges))
+
+    @property
+    def straight(self) -> bool:
+        """Return whether no piece is an arc."""
+        return all(edge.straight for edge in self.segments())
+
+    def flat(self, chord: float) -> Array:
+        """Return places (p, 2) along the line from its start to its end, arcs as chords at most so far off [m]."""
+        import numpy as np
+
+        edges = self.segments()
+        parts = [edge.at(np.arange(n) / n) for edge in edges for n in (edge.chords(chord),)]
+        return np.concatenate([*parts, [edges[-1].end]])
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the line, arcs as chords at most so far off [m]."""
         from shapely import LineString
 
-        return LineString(self.points)
+        return LineString(self.flat(chord))
 
 
 class SelfWeight(Part):
@@ -240,6 +328,24 @@ class SettlementLoad(Part):
     w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive")]
 
 
+def pressure_of(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
+    """Return the pressure [Pa] of a load as a function of places (..., 2) [m]."""
+    import numpy as np
+
+    if load.slope == NO_SLOPE and load.bend == NO_BEND:
+        return lambda places: np.full(places.shape[:-1], load.q)
+    slope, about = np.array(load.slope), np.array(load.about)
+    xx, xy, yy = load.bend
+
+    def pressure(places: Array) -> Array:
+        r = places - about
+        x, y = r[..., 0], r[..., 1]
+        q: Array = load.q + r @ slope + (xx * x * x + 2 * xy * x * y + yy * y * y) / 2
+        return q
+
+    return pressure
+
+
 AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight | TemperatureLoad | SettlementLoad
 Load = Annotated[
     Annotated[UniformLoad, Tag("uniform")]
@@ -252,9 +358,6 @@ Load = Annotated[
     | Annotated[SettlementLoad, Tag("settlement")],
     Discriminator(kind_of),
 ]
-
-#: Loads that act on the whole plate or on a support: they need no place.
-EVERYWHERE = (UniformLoad, SelfWeight, TemperatureLoad, SettlementLoad)
 
 
 def _one_extent(
@@ -348,14 +451,23 @@ def _on_shape(plate: Plate, part: Placed, place: tuple[str | int, ...], near: fl
         covered = covered.difference(opening.polygon(chord))
     curved = not all(ring.straight for ring in (outline, *openings))
     if not covered.buffer(2 * chord if curved else near).covers(loaded):
-        off = loaded.difference(covered).representative_point()
-        yield Finding(place, f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", expected)
+        left = loaded.difference(covered)
+        off = left.representative_point()
+        got, mend = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
+        if _has_footprint(part) and left.area < loaded.area:
+            got = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
+            mend = "move it or make it smaller; a force is not cut off at the edge as a pressure is"
+        yield Finding(place, got, expected, mend)
 
 
 def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
-    """Find loads that do not lie on the plate; those on columns lie where these do."""
+    """Find point loads that do not lie on the plate; those on columns lie where these do.
+
+    A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
+    edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
+    """
     for position, load in enumerate(loads):
-        if not (isinstance(load, EVERYWHERE) or (isinstance(load, PointLoad) and load.column)):
+        if isinstance(load, PointLoad) and not load.column:
             yield from on_plate(plate, load, ("loads", position))
 
 

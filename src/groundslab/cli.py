@@ -132,8 +132,8 @@ def _parser() -> argparse.ArgumentParser:
         action="extend",
         default=[],
         metavar="WHAT=NAME",
-        help="names of layers; WHAT is outline, openings, zones, columns or point_loads, whose usual layers are "
-        "OUTLINE, OPENINGS, ZONES, COLUMNS and LOADS",
+        help="names of layers; WHAT is outline, openings, zones, columns, point_loads, line_loads or area_loads, whose "
+        "usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, LOADS, LOAD_LINE and LOAD_AREA",
     )
     dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one that it names)')
     dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
@@ -330,7 +330,7 @@ def _check(options: argparse.Namespace) -> int:
         f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
     ]
-    lines += _columns_and_supports(model) + _cases_and_combinations(model)
+    lines += _columns_and_supports(model) + _cases_and_combinations(model) + _remarks(model)
     answer("\n".join(lines))
     return FINE
 
@@ -366,6 +366,13 @@ def _cases_and_combinations(model: Model) -> list[str]:
     return lines + [
         f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in combinations_of(model)
     ]
+
+
+def _remarks(model: Model) -> list[str]:
+    """Return what is allowed and yet worth knowing, a line each."""
+    from groundslab.clipping import clipped_loads
+
+    return [f"  remark: {each.words()}" for each in clipped_loads(model.plate, model.loads)]
 
 
 def _new(options: argparse.Namespace) -> int:

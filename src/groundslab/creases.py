@@ -30,20 +30,20 @@ def loaded(model: Model, problem: Problem) -> Integers:
 
 def _lines(load: object, model: Model) -> Iterator[tuple[Place, Place]]:
     """Yield the straight lines along which a load begins, ends or stands."""
+    rings: list[Ring] = []
     if isinstance(load, LineLoad):
-        yield from pairwise(load.points)
-    ring: Ring | None = None
-    if isinstance(load, PatchLoad):
-        ring = rectangle(*load.x, *load.y)
+        yield from ((edge.start, edge.end) for edge in load.segments() if edge.straight)
+    elif isinstance(load, PatchLoad):
+        rings = [rectangle(*load.x, *load.y)]
     elif isinstance(load, AreaLoad):
-        ring = load.shape.ring()
+        rings = [shape.ring() for shape in (load.shape, *load.holes)]
     elif isinstance(load, PointLoad):
         own = load.on(model.columns)
         assert own.x is not None
         assert own.y is not None
-        ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
-    if ring is not None:
-        yield from ((edge.start, edge.end) for edge in ring.segments() if edge.straight)
+        own_ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
+        rings = [] if own_ring is None else [own_ring]
+    yield from ((edge.start, edge.end) for ring in rings for edge in ring.segments() if edge.straight)
 
 
 def apart(elements: Integers, creases: Integers, n: int) -> Integers:

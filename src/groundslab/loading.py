@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable
+import math
 
 import numpy as np
 
 from groundslab import loads, plate
 from groundslab.actions import (
-    NO_BEND,
-    NO_SLOPE,
     AnyLoad,
     AreaLoad,
     LineLoad,
@@ -20,8 +17,10 @@ from groundslab.actions import (
     SettlementLoad,
     TemperatureLoad,
     UniformLoad,
+    pressure_of,
 )
 from groundslab.assembly import scatter
+from groundslab.clipping import line_on_plate
 from groundslab.layout import Layout
 from groundslab.model import Model
 from groundslab.problem import BETA_X, Loading, W
@@ -29,7 +28,7 @@ from groundslab.shape import Array
 
 #: Places closer than this, relative to the plate, are the same.
 SAME_PLACE = 1e-9
-#: Loaded areas have their arcs replaced by chords at most this far off, relative to the plate.
+#: Footprints have their arcs replaced by chords at most this far off, relative to the plate.
 ARC_CHORD = 1e-6
 
 
@@ -92,40 +91,18 @@ def _spread(
         weight: Array = load.unit_weight * thickness[:, None] * loads.over_elements(mesh, elements)
         return weight
     if isinstance(load, LineLoad):
-        return _along(load, plan)
-    pressure = _pressure(load)
+        return _along(load, model, plan)
+    pressure = pressure_of(load)
     if isinstance(load, UniformLoad):
         return loads.over_elements(mesh, elements, pressure)
-    return loads.over_polygon(mesh, elements, load.drawn(ARC_CHORD * max(model.plate.sides)), pressure)
+    return loads.over_polygon(mesh, elements, load.drawn(math.inf), pressure)
 
 
-def _pressure(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
-    """Return the pressure [Pa] of a load as a function of places (..., 2)."""
-    if load.slope == NO_SLOPE and load.bend == NO_BEND:
-        return lambda places: np.full(places.shape[:-1], load.q)
-    slope, about = np.array(load.slope), np.array(load.about)
-    xx, xy, yy = load.bend
-
-    def pressure(places: Array) -> Array:
-        r = places - about
-        x, y = r[..., 0], r[..., 1]
-        q: Array = load.q + r @ slope + (xx * x * x + 2 * xy * x * y + yy * y * y) / 2
-        return q
-
-    return pressure
-
-
-def _along(load: LineLoad, plan: Layout) -> Array:
-    """Return the nodal forces (mp, 9) [N] of a line load that changes linearly from its start to its end."""
-    pieces = [np.array(piece) for piece in itertools.pairwise(load.points)]
-    ways = np.concatenate([[0.0], np.cumsum([np.linalg.norm(b - a) for a, b in pieces])])
-    end = load.q if load.q_end is None else load.q_end
-    q = load.q + (end - load.q) * ways / ways[-1]
-    parts = [
-        loads.along_line(plan.mesh, plan.plate_elements, piece, (float(q0), float(q1)))
-        for piece, (q0, q1) in zip(pieces, itertools.pairwise(q), strict=True)
-    ]
-    total: Array = np.sum(parts, axis=0)
+def _along(load: LineLoad, model: Model, plan: Layout) -> Array:
+    """Return the nodal forces (mp, 9) [N] of a line load on the plate."""
+    total = np.zeros((len(plan.plate_elements), 9))
+    for piece in line_on_plate(model.plate, load):
+        total += loads.along_line(plan.mesh, plan.plate_elements, piece.edge, piece.q)
     return total
 
 

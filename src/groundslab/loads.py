@@ -6,12 +6,14 @@ loads. Parts need not follow the mesh: elements that a part cuts are cut as well
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.mesh import Mesh, locate, place_in
+from groundslab.plan import Segment
 from groundslab.shape import Array, Integers, gauss, gauss_line, jacobian, q9
 
 if TYPE_CHECKING:
@@ -21,6 +23,11 @@ if TYPE_CHECKING:
 PIECE_POINTS = 5
 #: Curved sides are followed by this many straight ones where an element is cut.
 CHORDS = 16
+#: Arcs of line loads are integrated in pieces of this angle [rad] at most, so many of them at least.
+ARC_PIECE = 2 * np.pi / 256
+ARC_PIECES = 4
+#: A line along a curved edge of the plate lies off its elements by at most this, relative to their size.
+ALONG_EDGE = 0.02
 #: A piece this small, relative to the largest one, is nothing but rounding.
 SLIVER = 1e-15
 
@@ -92,25 +99,41 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressu
     return shares
 
 
-def along_line(mesh: Mesh, elements: Integers, ends: Array, q: tuple[float, float] = (1.0, 1.0)) -> Array:
-    """Return int q N ds (m, 9) along the straight line between two points (2, 2) on the plate: [m], or [N] for [N/m].
+def along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple[float, float] = (1.0, 1.0)) -> Array:
+    """Return int q N ds (m, 9) along a straight line or an arc on the plate: [m], or [N] for a q [N/m].
 
-    q changes linearly from the first to the second point. The line is cut where it enters another element; a line along
-    common sides goes to one element each.
-    common sides goes to one element each.
+    q changes linearly from the start to the end. The line is cut where it enters another element; a line along common
+    sides goes to one element each. Along a curved edge of the plate it may lie a little outside the elements.
     """
-    from shapely import LineString, get_coordinates, intersection, polygons
-
-    along = ends[1] - ends[0]
-    length = np.linalg.norm(along)
-    pieces = intersection(polygons(_outlines(mesh.xy[elements])), LineString(ends))
-    cuts = (get_coordinates(pieces) - ends[0]) @ along / length**2
-    at = np.unique(np.round(np.clip(np.concatenate([[0.0, 1.0], cuts]), 0, 1), 12))
+    n = 1 if edge.straight else max(ARC_PIECES, math.ceil(abs(edge.sweep) / ARC_PIECE))
+    at = np.unique(np.concatenate([np.arange(n + 1) / n, _crossed(mesh.xy[elements], edge, n)]))
     x, weights = gauss_line(4)
     low, high = at[:-1, None], at[1:, None]
     s = ((low + high) / 2 + (high - low) / 2 * x).ravel()
-    ds = ((high - low) / 2 * weights * length).ravel()
-    return _at_points(mesh, elements, ends[0] + s[:, None] * along, ds * (q[0] + (q[1] - q[0]) * s))
+    ds = ((high - low) / 2 * weights * edge.length).ravel()
+    return _at_points(mesh, elements, edge.at(s), ds * (q[0] + (q[1] - q[0]) * s), ALONG_EDGE)
+
+
+def _crossed(xy: Array, edge: Segment, chords: int) -> Array:
+    """Return the parts (k,) of an edge after which its chords enter another one of the elements (m, 9, 2)."""
+    from shapely import LineString, get_coordinates, intersection, polygons
+
+    flat = edge.at(np.arange(chords + 1) / chords)
+    low, high = xy.min(axis=1), xy.max(axis=1)
+    reach = (high - low) / 8
+    near = ((low - reach <= flat.max(axis=0)) & (high + reach >= flat.min(axis=0))).all(axis=1)
+    places = get_coordinates(intersection(polygons(_outlines(xy[near])), LineString(flat)))
+    if edge.straight:
+        along = np.array(edge.end) - np.array(edge.start)
+        parts = (places - edge.start) @ along / (along @ along)
+    else:
+        offset = places - np.array(edge.centre)
+        turn = (np.arctan2(offset[:, 1], offset[:, 0]) - edge.angle) * math.copysign(1.0, edge.sweep)
+        middle = abs(edge.sweep) / 2
+        # the turn that is nearest to the middle of the arc, so that rounding at its ends does not lead once around
+        parts = (np.mod(turn - middle + math.pi, 2 * math.pi) + middle - math.pi) / abs(edge.sweep)
+    found: Array = np.round(np.clip(parts, 0, 1), 12)
+    return found
 
 
 def at_point(mesh: Mesh, elements: Integers, point: Array) -> Array:
@@ -118,9 +141,16 @@ def at_point(mesh: Mesh, elements: Integers, point: Array) -> Array:
     return _at_points(mesh, elements, point[None], np.ones(1))
 
 
-def _at_points(mesh: Mesh, elements: Integers, points: Array, weights: Array) -> Array:
-    """Return the sum of weighted N (m, 9) at points (p, 2), each in one element that holds it."""
-    owner, local = locate(Mesh(mesh.nodes, mesh.elements[elements]), points)
+def _at_points(mesh: Mesh, elements: Integers, points: Array, weights: Array, reach: float = 0.0) -> Array:
+    """Return the sum of weighted N (m, 9) at points (p, 2), each in one element that holds it.
+
+    Points outside all elements by at most `reach` times an element's size count as in the nearest one.
+    """
+    part = Mesh(mesh.nodes, mesh.elements[elements])
+    owner, local = locate(part, points)
+    beside = np.flatnonzero(owner < 0)
+    if reach and len(beside):
+        owner[beside], local[beside] = locate(part, points[beside], reach)
     if (owner < 0).any():
         raise ValueError(f"the point {points[np.argmin(owner)]} does not lie on the plate")
     shares = np.zeros((len(elements), 9))
@@ -129,11 +159,17 @@ def _at_points(mesh: Mesh, elements: Integers, points: Array, weights: Array) ->
 
 
 def _outlines(xy: Array) -> Array:
-    """Return the elements' outlines (m, 4 c, 2): their sides, curved ones followed by chords."""
-    t = np.linspace(-1, 1, CHORDS, endpoint=False) if _curved(xy) else np.array([-1.0])
-    one = np.ones_like(t)
-    around = np.concatenate([np.column_stack(side) for side in ((t, -one), (one, t), (-t, one), (-one, -t))])
-    outlines: Array = np.einsum("pa,eax->epx", q9(around)[0], xy)
+    """Return the elements' outlines (m, 4 c, 2): their sides, curved ones as chords that enclose the same area."""
+    n = CHORDS if _curved(xy) else 1
+    t = np.linspace(-1, 1, n, endpoint=False)
+    a, b, middle = xy[:, [0, 1, 2, 3], None], xy[:, [1, 2, 3, 0], None], xy[:, 4:8, None]
+    bend = (a + b) / 2 - middle  # c of the side's a + b t + c t^2
+    sides = middle + (b - a) / 2 * t[:, None] + bend * (t**2)[:, None]
+    if n > 1:
+        # between a chord over 2/n of t and the side lies |b x c| (2/n)^3 / 6; n of these are made up for by moving
+        # n - 1 corners, each of which takes |b x c| (2/n) times its way against c
+        sides[:, :, 1:] -= bend * (4 / n**2) * n / (6 * (n - 1))
+    outlines: Array = sides.reshape(len(xy), 4 * n, 2)
     return outlines
 
 

@@ -30,6 +30,7 @@ from groundslab.actions import (
     on_plate,
     voids_on_plate,
 )  # fmt: skip
+from groundslab.clipping import loads_reach_plate
 from groundslab.columns import Column
 from groundslab.findings import Finding, describe, listed, one_of, quote, suggestion
 from groundslab.keys import Choice, Flag, Quantity, Range, Several, Text, Whole
@@ -351,6 +352,7 @@ class Model(Part):
         _ground_reaches,
         _zones_reach,
         loads_on_plate,
+        loads_reach_plate,
         _voids_on_plate,
         _few_elements,
         _few_in_all_surfaces,

@@ -26,6 +26,9 @@ SAME_PLACE = 1e-9
 FLAT = 1e-6
 #: However small an arc is, its chords turn by no more than this, so that it looks round [rad].
 ROUND = math.radians(4.0)
+#: A loaded area has its arcs replaced by chords of this angle [rad] at most, ARC_CHORDS of them at least.
+ARC_STEP = 2 * math.pi / 512
+ARC_CHORDS = 8
 #: Section of a place that is not meshed at all; see `sections`.
 NOTHING = -2
 #: Section of a place where ground lies and no plate.
@@ -266,6 +269,31 @@ def sections(plan: Plan, places: Array) -> Integers:
         cut = inside(ring)
         section[cut] = empty[cut]
     return section
+
+
+def loaded_polygon(ring: Ring) -> Polygon:
+    """Return the polygon inside a ring, its arcs replaced by chords that enclose the same area.
+
+    The points between the ends of an arc lie a little off it, all as far: a uniform pressure keeps its force.
+    """
+    import shapely
+
+    return shapely.Polygon(np.concatenate([_equal_area_points(edge)[:-1] for edge in ring.segments()]))
+
+
+def _equal_area_points(edge: Segment) -> Array:
+    """Return places (p, 2) from start to end of an edge, the area below their chords being that below the arc."""
+    if edge.straight:
+        return np.array([edge.start, edge.end])
+    n = max(ARC_CHORDS, math.ceil(abs(edge.sweep) / ARC_STEP))
+    step = abs(edge.sweep) / n
+    places = edge.at(np.arange(n + 1) / n)
+    # triangles with the centre: r and c r span the first and the last of them, c r and c r the n - 2 between; with
+    # n step / sin(step) for the sectors' area, (n - 2) c^2 + 2 c equals it
+    c = (math.sqrt(1 + (n - 2) * n * step / math.sin(step)) - 1) / (n - 2)
+    centre = np.array(edge.centre)
+    places[1:-1] = centre + c * (places[1:-1] - centre)
+    return places
 
 
 def at(place: Place) -> str:

@@ -22,6 +22,7 @@ FLOORS = [
         "model",
         "slab",
         "actions",
+        "clipping",
         "columns",
         "supports",
         "loadcases",

@@ -19,13 +19,13 @@ from ezdxf.math import Matrix44
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab import casefile, dxf
+from groundslab import casefile, dxf, units
 from groundslab.dxf import Curve, Drawing, Layers
 from groundslab.dxf.curves import edges_of, from_line
 from groundslab.dxf.labels import value_in
 from groundslab.errors import InputError
-from groundslab.model import PointLoad, UniformLoad
-from groundslab.outline import Polygon
+from groundslab.model import AreaLoad, LineLoad, PointLoad, UniformLoad
+from groundslab.outline import Circle, Polygon
 
 SQUARE = [(0, 0), (4, 0), (4, 3), (0, 3)]
 Draw = Callable[[Modelspace], object]
@@ -254,6 +254,18 @@ class TestOutline:
         points = [(r, 0, 0), (5e3, 0, 0), (5e3, 3e3, 0), (0, 3e3, 0), (0, r + 0.001, bulge)]
         drawing = drawn(lambda s: s.add_lwpolyline(points, "xyb", close=True, dxfattribs=on("OUTLINE")), units=4)
         assert drawing.outline.area == pytest.approx(15 - (1 - math.pi / 4), rel=1e-5)
+
+
+@pytest.mark.parametrize("x", [-1.5, -1.0, 0.0, 1.0, 2.0])
+def test_a_circle_in_a_circle(drawn: Any, x: float) -> None:
+    """A round opening in a round plate is found wherever it lies on the diameter that both are drawn from."""
+
+    def draw(space: Modelspace) -> None:
+        space.add_circle((0, 0), 3, on("OUTLINE"))
+        space.add_circle((x, 0), 0.5, on("OUTLINE"))
+
+    (opening,) = drawn(draw).openings
+    assert opening.area == pytest.approx(math.pi / 4)
 
 
 class TestUnits:
@@ -669,6 +681,154 @@ class TestLoads:
         assert '"30 kN", expected a point load' in text
         assert "40 kN and 50 kN" in text
         assert 'P = "60"' in text
+
+
+def beside(space: Modelspace, layer: str, x: float, y: float, words: str) -> None:
+    """Write a text on a layer."""
+    space.add_text(words, height=0.1, dxfattribs=on(layer, insert=(x, y)))
+
+
+class TestSpreadLoads:
+    """Lines and closed curves on the layers of line and area loads, with values beside them or in the layers' names."""
+
+    def test_line_loads(self, drawn: Any) -> None:
+        """Lines, polylines, arcs and circles are line loads; each takes the text beside it, wherever along the line."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(-9, -9), (9, -9), (9, 9), (-9, 9)])
+            space.add_line((0, 0), (4, 0), on("LOAD_LINE"))
+            beside(space, "LOAD_LINE", 3, 0.1, "wall A 20 kN/m")
+            space.add_lwpolyline([(-5, 0, 0.5), (-3, 0, 0.0), (-3, 3, 0.0)], "xyb", dxfattribs=on("load_line"))
+            beside(space, "LOAD_LINE", -2.9, 2, "15 kN/m")
+            space.add_arc((0, -4), 2, 0, 90, dxfattribs=on("LOAD_LINE"))
+            beside(space, "LOAD_LINE", 1.5, -2.5, "q = 7.5 kN/m")
+            space.add_circle((5, 5), 2, on("LOAD_LINE"))
+            beside(space, "LOAD_LINE", 5, 7.1, "10 kN/m")
+            space.add_line((7, -8), (8, -8), on("LOAD_LINE"))
+            space.add_line((4, 0), (0, 0), on("LOAD_LINE"))
+
+        drawing = drawn(draw)
+        assert [(load.value, load.text) for load in drawing.line_loads] == [
+            (20e3, "wall A 20 kN/m"), (15e3, "15 kN/m"), (7.5e3, "q = 7.5 kN/m"), (10e3, "10 kN/m"), (None, ""),
+        ]  # fmt: skip
+        assert [taken for taken, _ in said(drawing, "LINE")] == [False, True, True]
+        assert (True, "line load, no value") in said(drawing, "LINE")
+        assert (True, "line load of 10 kN/m") in said(drawing, "CIRCLE")
+        model = casefile.loads(filled(dxf.to_case(drawing)))
+        lines = [load for load in model.loads if isinstance(load, LineLoad)]
+        assert [load.q for load in lines] == [20e3, 15e3, 7.5e3, 10e3, 20e3]
+        lengths = [sum(edge.length for edge in load.segments()) for load in lines]
+        sweep = 4 * math.atan(0.5)
+        arc = 2 / (2 * math.sin(sweep / 2)) * sweep
+        assert lengths == pytest.approx([4, arc + 3, math.pi, 4 * math.pi, 1])
+        assert lines[3].shape == Circle(centre=(5, 5), radius=2)
+        total = 80e3 + 15e3 * (arc + 3) + 7.5e3 * math.pi + 40e3 * math.pi
+        assert f"line loads: 5 (sum {units.show(total, 'force')}, 1 without a value)" in dxf.report_text(drawing)
+
+    def test_area_loads(self, drawn: Any) -> None:
+        """Closed curves are area loads; one inside another is a hole, or a load of its own if it has a value."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(-9, -9), (9, -9), (9, 9), (-9, 9)])
+            space.add_circle((0, 0), 3, on("LOAD_AREA"))
+            space.add_circle((0, 0), 1, on("LOAD_AREA"))
+            beside(space, "LOAD_AREA", -2, 1.5, "tank 30 kPa")
+            square(space, 4, 4, 4, "LOAD_AREA")
+            beside(space, "LOAD_AREA", 7, 7, "5 kN/m2")
+            square(space, 5, 5, 1, "LOAD_AREA")
+            beside(space, "LOAD_AREA", 5.4, 5.4, "20 kPa")
+            for a, b in pairwise([(-8, -8), (-6, -8), (-6, -7), (-8, -8)]):
+                space.add_line(a, b, on("LOAD_AREA"))
+
+        drawing = drawn(draw)
+        assert [(load.value, len(load.holes)) for load in drawing.area_loads] == [
+            (30e3, 1), (5e3, 0), (20e3, 0), (None, 0),
+        ]  # fmt: skip
+        assert said(drawing, "CIRCLE") == [
+            (True, "area load 1 of 30 kPa"), (True, "hole in area load 1, as it has no value of its own"),
+        ]  # fmt: skip
+        assert said(drawing, "LINE") == [(True, "part of area load 4, no value")] * 3
+        model = casefile.loads(filled(dxf.to_case(drawing)))
+        areas = [load for load in model.loads if isinstance(load, AreaLoad)]
+        assert [load.q for load in areas] == [30e3, 5e3, 20e3, 10e3]
+        assert [load.drawn(0).area for load in areas] == pytest.approx([8 * math.pi, 16, 1, 1])
+        assert areas[0].holes == (Circle(radius=1),)
+        assert "area loads: 4 (sum" in dxf.report_text(drawing)
+
+    def test_values_in_the_names_of_layers(self, drawn: Any) -> None:
+        """What stands behind the layer's name is the value of what has none beside it; kN_m stands for kN/m."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(-9, -9), (9, -9), (9, 9), (-9, 9)])
+            for y, layer in enumerate(
+                ("LOAD_LINE_25 kN_m", "Load_Line 25kN-m", "LOAD_LINE WALLS 25 kN_m", "LOAD_LINE_AXIS 1")
+            ):
+                space.add_line((0, y), (4, y), on(layer))
+            space.add_line((0, 8), (4, 8), on("LOAD_LINE_25 kN_m"))
+            beside(space, "LOAD_LINE_25 kN_m", 1, 8.1, "30 kN/m")
+            space.add_line((0, -8), (4, -8), on("LOAD_LINES"))
+            square(space, -8, -8, 2, "LOAD_AREA_2.5 kPa")
+            square(space, -4, -8, 2, "LOAD_AREA 2.5 kN_m2")
+
+        drawing = drawn(draw)
+        assert [load.value for load in drawing.line_loads] == [25e3, 25e3, 25e3, None, 30e3]
+        assert [load.value for load in drawing.area_loads] == [2.5e3, 2.5e3]
+        assert said(drawing, "LINE")[0] == (True, "line load of 25 kN/m, by the name of its layer")
+        assert drawing.line_loads[0].points == ((0, 0), (4, 0))
+
+    def test_other_layers(self, drawn: Any) -> None:
+        """The layers of line and area loads can be called otherwise, and must hold something then."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space)
+            space.add_line((1, 1), (2, 1), on("WALLS"))
+            beside(space, "WALLS", 1, 1, "5 kN/m")
+
+        (load,) = drawn(draw, layers=Layers(line_loads="walls")).line_loads
+        assert load.value == 5e3
+        with pytest.raises(InputError, match="entities for area loads"):
+            drawn(draw, layers=Layers(area_loads="FLOOR"))
+
+    @pytest.mark.parametrize(
+        ("layer", "words", "found"),
+        [
+            ("LOAD_LINE", "20 kN", '"20 kN", expected a force per length such as "20 kN/m"'),
+            ("LOAD_LINE", "wall 20 kPa", "it is no force per length"),
+            ("LOAD_LINE", "20", '"20", expected a force per length'),
+            ("LOAD_AREA", "5 kN/m", '"5 kN/m", expected a pressure'),
+            ("LOAD_AREA", "5 kPa\n2 kPa", "more than one pressure"),
+            ("LOAD_LINE_20", "", 'layer "LOAD_LINE_20": got "20", expected a force per length'),
+            ("LOAD_AREA_5 kN", "", 'layer "LOAD_AREA_5 kN": got "5 kN", expected a pressure'),
+        ],
+    )
+    def test_wrong_values(self, layer: str, words: str, found: str, tmp_path: Path) -> None:
+        """What is meant as a value and is none of the dimension is a fault, with its text or its layer."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space)
+            square(space, 1, 1, 1, layer)
+            if words:
+                text = words.replace("\n", "\\P")
+                space.add_mtext(text, dxfattribs=on(layer, insert=(1.1, 1.1), char_height=0.05))
+
+        assert found in faults(draw, tmp_path)
+
+    def test_values_that_fit_nowhere(self, tmp_path: Path) -> None:
+        """A value beside no load, a second one, an open area and one that crosses itself are faults, all at once."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(-99, -99), (99, -99), (99, 99), (-99, 99)])
+            space.add_line((0, 0), (1, 0), on("LOAD_LINE"))
+            for x, words in ((0, "1 kN/m"), (0.1, "2 kN/m"), (50, "3 kN/m")):
+                beside(space, "LOAD_LINE", x, 0.1, words)
+            space.add_line((0, 9), (1, 9), on("LOAD_AREA"))
+            outline(space, [(0, 20), (9, 29), (9, 20), (0, 29)], "LOAD_AREA")
+
+        text = faults(draw, tmp_path)
+        assert '"2 kN/m", a second value' in text or '"1 kN/m", a second value' in text
+        assert '"3 kN/m", expected a line load beside the value' in text
+        assert "a gap of 1 m" in text
+        assert "a curve that crosses or touches itself" in text
 
 
 def everything(space: Modelspace) -> None:

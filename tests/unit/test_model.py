@@ -277,8 +277,9 @@ ONE_FAULT = [
     ),
     (case(loads=[{**PATCH, "x": ["0 m", 1]}]), "loads[1].x[2]", "1", 'a length such as "0.2 m"'),
     (
-        case(loads=[UNIFORM, {**PATCH, "x": ["0 m", "3.01 m"]}]),
-        "loads[2].x", "[0.0 m, 3.01 m]", "a position on the plate, from -3.0 m to 3.0 m",
+        case(loads=[UNIFORM, {**PATCH, "x": ["3 m", "3.01 m"]}]),
+        "loads[2]", "a load off the plate",
+        "a load of which some lies on the plate, not in an opening nor beside the outline",
     ),
     (
         case(loads=[{**POINT, "y": "-2.01 m"}]),

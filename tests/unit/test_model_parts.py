@@ -268,8 +268,6 @@ def test_one_fault(data: object, where: str, got: str, expected: str) -> None:
         ({"columns": [{**COLUMN, "x": "2.9 m"}]}, "columns[1]"),
         ({"plate": {**PLATE, "openings": [BOX]}, "columns": [{**COLUMN, "x": "0 m"}]}, "columns[1]"),
         ({"loads": [{**LOAD, "x": "3 m", "width_x": "0.2 m", "width_y": "0.2 m"}]}, "loads[1]"),
-        ({"loads": [{**LINE, "points": [["0 m", "0 m"], ["3.1 m", "0 m"]]}]}, "loads[1]"),
-        ({"loads": [{"kind": "area", "q": "1 kPa", "shape": {"kind": "circle", "radius": "2.1 m"}}]}, "loads[1]"),
         ({"contact": {"voids": [{"shape": {"kind": "circle", "radius": "2.1 m"}}]}}, "contact.voids[1]"),
     ],
 )

@@ -95,7 +95,7 @@ class TestPaths:
             paths.changed(MODEL, places)
         assert {fault.where for fault in caught.value.faults} == {"plate.nu"}
         with pytest.raises(InputError) as caught:
-            paths.changed(MODEL, {paths.place_of(MODEL, "loads[2].x[2]"): 3.0})
+            paths.changed(MODEL, {paths.place_of(MODEL, "loads[2].x[2]"): -9.0})
         assert [fault.where for fault in caught.value.faults] == ["loads[2].x"]
 
 

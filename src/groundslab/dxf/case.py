@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from groundslab import units
-from groundslab.dxf.curves import Curve, Point, edges_of, inside
-from groundslab.dxf.drawing import Drawing, PointMark
+from groundslab.dxf.curves import Curve, Point, Region, edges_of
+from groundslab.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
 from groundslab.dxf.words import quote
+
+if TYPE_CHECKING:
+    from shapely import STRtree
 
 _ZONE = (
     "# [[plate.zones]]",
@@ -105,9 +110,10 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         shape = ["[plate.zones.shape]", 'kind = "polygon"', *_curve_lines(zone)]
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
     columns: list[Footprint] = []
+    plate = _Plate(drawing)
     for number, column in enumerate(drawing.columns, 1):
         footprint = footprint_of(column, f"C{number}") if isinstance(column, Curve) else None
-        if footprint is not None and _on_plate(drawing, footprint.centre):
+        if footprint is not None and plate.holds(footprint.centre):
             columns.append(footprint)
             text += ["", *footprint.lines()]
             continue
@@ -121,30 +127,104 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         lines = _curve_lines(column) if isinstance(column, Curve) else [f"point = {_pair(column)}"]
         text += [f"#   {line}" for line in lines]
     text += ["", *_GROUND]
+    under = _tree(columns)
     for mark in drawing.point_loads:
-        name = [f"name = {quote(mark.text)}"] if mark.text else []
-        force = f'P = "{units.write(mark.value, "force")}"' if mark.value is not None else 'P = "50 kN"  # fill in'
-        lines = ["[[loads]]", 'kind = "point"', *name, force, *_where(mark, columns)]
-        text += ["", *(lines if mark.value is not None else (f"# {line}" for line in lines))]
-    if all(mark.value is None for mark in drawing.point_loads):
+        text += _load("point", mark, _value("P", mark.value, "force", "50 kN"), _where(mark, columns, under))
+    for line in drawing.line_loads:
+        text += _load("line", line, _value("q", line.value, "force per length", "20 kN/m"), _line(line))
+    for area in drawing.area_loads:
+        shapes = [*_shape("[loads.shape]", area.curve), *(row for hole in area.holes for row in _hole(hole))]
+        text += _load("area", area, _value("q", area.value, "pressure", "10 kPa"), shapes)
+    values = [load.value for load in drawing.point_loads]
+    values += [load.value for load in drawing.line_loads] + [load.value for load in drawing.area_loads]
+    if all(value is None for value in values):
         text += ["", *_LOADS]
     return "\n".join(text) + "\n"
 
 
-def _on_plate(drawing: Drawing, place: Point) -> bool:
-    """Return whether a place lies inside the outline and in no opening."""
-    return inside(place, edges_of(drawing.outline)) and not any(
-        inside(place, edges_of(opening)) for opening in drawing.openings
+def _load(kind: str, mark: PointMark | LineMark | AreaMark, value: str, where: list[str]) -> list[str]:
+    """Return the lines of a load; one without a value is there to be filled in."""
+    name = [f"name = {quote(mark.text)}"] if mark.text else []
+    lines = ["[[loads]]", f'kind = "{kind}"', *name, value, *where]
+    return ["", *(lines if mark.value is not None else (f"# {line}" for line in lines))]
+
+
+def _value(key: str, value: float | None, dimension: str, example: str) -> str:
+    """Return the line of a value, or of one to be filled in."""
+    return f'{key} = "{units.write(value, dimension)}"' if value is not None else f'{key} = "{example}"  # fill in'
+
+
+def _line(load: LineMark) -> list[str]:
+    """Return the lines that say where a line load stands: a circle, or points and bulges."""
+    if load.closed and all(load.bulges):
+        circle = _round(Curve(load.points, load.bulges))
+        if circle is not None:
+            return ["[loads.shape]", *circle]
+    points = (*load.points, load.points[0]) if load.closed else load.points
+    return _point_lines(points, load.bulges)
+
+
+def _hole(curve: Curve) -> list[str]:
+    """Return the lines of a hole in an area."""
+    return _shape("[[loads.holes]]", curve)
+
+
+def _shape(head: str, curve: Curve) -> list[str]:
+    """Return the lines of a shape below its head."""
+    return [head, *(_round(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
+
+
+def _round(curve: Curve) -> list[str] | None:
+    """Return the lines of a circle, None if a curve is none."""
+    found = footprint_of(curve, "") if all(curve.bulges) else None
+    if found is None or not found.round:
+        return None
+    x, y, radius = (float(f"{value:.12g}") for value in (*found.centre, found.widths[0] / 2))
+    return ['kind = "circle"', f"centre = {_pair((x, y))}", f"radius = {_metres(radius)}"]
+
+
+class _Plate:
+    """The outline and the openings, to ask again and again what stands on the plate."""
+
+    def __init__(self, drawing: Drawing) -> None:
+        from shapely import STRtree, box
+
+        self._outline = Region(edges_of(drawing.outline))
+        self._openings = [Region(edges_of(opening)) for opening in drawing.openings]
+        boxes = [list(zip(*opening.boxes, strict=True)) for opening in self._openings]
+        self._tree = STRtree([box(*map(min, each[:2]), *map(max, each[2:])) for each in boxes])
+
+    def holds(self, place: Point) -> bool:
+        """Return whether a place lies inside the outline and in no opening."""
+        from shapely import Point as Place
+
+        near = self._tree.query(Place(place))
+        return self._outline.holds(place) and not any(self._openings[k].holds(place) for k in near)
+
+
+def _tree(columns: list[Footprint]) -> STRtree:
+    """Return a tree of the boxes around columns."""
+    from shapely import STRtree, box
+
+    reach = 0.5 + SAME
+    return STRtree(
+        [
+            box(x - reach * width_x, y - reach * width_y, x + reach * width_x, y + reach * width_y)
+            for (x, y), (width_x, width_y) in ((column.centre, column.widths) for column in columns)
+        ]
     )
 
 
-def _where(mark: PointMark, columns: list[Footprint]) -> list[str]:
+def _where(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:
     """Return the lines that say where a load acts: on the column that it lies on, or at its own place.
 
     A load beside the column's centre keeps its moments about it. Where the force is not known yet, nor are these, and
     the load keeps its place.
     """
-    own = next((column for column in columns if column.covers(mark.x, mark.y)), None)
+    from shapely import Point as Place
+
+    near = sorted(tree.query(Place(mark.x, mark.y)).tolist()) if columns else []
+    own = next((columns[k] for k in near if columns[k].covers(mark.x, mark.y)), None)
     if own is not None:
         arms = {"M_x": mark.x - own.centre[0], "M_y": mark.y - own.centre[1]}
         beside = {name: arm for name, arm in arms.items() if abs(arm) > SAME * max(own.widths)}
@@ -160,9 +240,14 @@ def _where(mark: PointMark, columns: list[Footprint]) -> list[str]:
 
 def _curve_lines(curve: Curve) -> list[str]:
     """Return the lines of a closed curve; bulges only if it has arcs."""
-    lines = ["points = [", *(f"  {_pair(point)}," for point in curve.points), "]"]
-    if any(curve.bulges):
-        lines.append(f"bulges = [{', '.join(repr(bulge or 0.0) for bulge in curve.bulges)}]")
+    return _point_lines(curve.points, curve.bulges)
+
+
+def _point_lines(points: Sequence[Point], bulges: Sequence[float]) -> list[str]:
+    """Return the lines of points and of bulges, these only if there are arcs."""
+    lines = ["points = [", *(f"  {_pair(point)}," for point in points), "]"]
+    if any(bulges):
+        lines.append(f"bulges = [{', '.join(repr(bulge or 0.0) for bulge in bulges)}]")
     return lines
 
 

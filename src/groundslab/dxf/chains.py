@@ -102,18 +102,21 @@ def _chains(loose: list[_Link], nodes: Nodes, sheet: Sheet) -> list[list[_Link]]
         at[link.a].append(number)
         at[link.b].append(number)
     _ends_fit(loose, at, nodes, sheet)
-    rings, used = [], set()
+    rings: list[list[_Link]] = []
+    used: set[int] = set()
     for first in range(len(loose)):
         if first in used:
             continue
-        group, left = {first}, [first]
+        # from node to node, so that one where many lines meet is looked at once
+        nodes_seen, left, group = {loose[first].a}, [loose[first].a], {first}
         while left:
-            link = loose[left.pop()]
-            fresh = {number for end in (link.a, link.b) for number in at[end]} - group
-            group |= fresh
-            left += fresh
+            for number in at[left.pop()]:
+                group.add(number)
+                fresh = {loose[number].a, loose[number].b} - nodes_seen
+                nodes_seen |= fresh
+                left += fresh
         used |= group
-        if all(len(at[end]) == 2 for number in group for end in loose[number][:2]):
+        if all(len(at[node]) == 2 for node in nodes_seen):
             rings.append(_around(first, loose, at))
     return rings
 

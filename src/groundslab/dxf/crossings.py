@@ -6,7 +6,10 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 
-from groundslab.dxf.curves import Edge, Point
+from groundslab.dxf.curves import Edge, Point, Region, Spend
+
+#: Of so few edges all are compared with each other.
+FEW = 8
 
 
 def crossings(e: Edge, f: Edge) -> list[Point]:
@@ -58,22 +61,39 @@ def _meeting(e: Edge, f: Edge, tolerance: float) -> Point | None:
     return None
 
 
-def first_meeting(one: Sequence[Edge], other: Sequence[Edge] | None, tolerance: float) -> Point | None:
-    """Return a point at which two curves meet, or, without another, at which a curve meets itself."""
-    if other is None:
-        twice = [point for point, count in Counter(edge.a for edge in one).items() if count > 1]
-        if twice:
-            return twice[0]
-    both = [(edge.box(), edge, 0) for edge in one] + [(edge.box(), edge, 1) for edge in other or ()]
-    both.sort(key=lambda each: each[0])
-    active: list[tuple[tuple[float, float, float, float], Edge, int]] = []
-    for box, edge, group in both:
-        active = [each for each in active if each[0][2] >= box[0] - tolerance]
-        for far, neighbour, its_group in active:
-            apart = far[1] > box[3] + tolerance or far[3] < box[1] - tolerance
-            if not apart and (other is None or group != its_group):
-                point = _meeting(neighbour, edge, tolerance)
-                if point is not None:
-                    return point
-        active.append((box, edge, group))
+def first_meeting(one: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
+    """Return a point at which a curve meets itself."""
+    twice = [point for point, count in Counter(edge.a for edge in one).items() if count > 1]
+    if twice:
+        return twice[0]
+    edges = sorted(one, key=lambda edge: edge.box())
+    region = Region(edges) if len(edges) > FEW else None
+    for number, edge in enumerate(edges):
+        others = range(number) if region is None else [k for k in _near(region, edge, tolerance) if k < number]
+        spend(len(others))
+        for k in others:
+            point = _meeting(edges[k], edge, tolerance)
+            if point is not None:
+                return point
     return None
+
+
+def meeting_of(one: Region, other: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
+    """Return a point at which two curves meet."""
+    for edge in other:
+        near = _near(one, edge, tolerance)
+        spend(len(near))
+        for k in near:
+            point = _meeting(one.edges[k], edge, tolerance)
+            if point is not None:
+                return point
+    return None
+
+
+def _near(region: Region, edge: Edge, tolerance: float) -> list[int]:
+    """Return the numbers of edges whose boxes come near that of an edge."""
+    from shapely import box
+
+    x0, y0, x1, y1 = edge.box()
+    found = region.tree.query(box(x0 - tolerance, y0 - tolerance, x1 + tolerance, y1 + tolerance))
+    return sorted(found.tolist())

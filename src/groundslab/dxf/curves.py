@@ -7,11 +7,13 @@ arc's angle, positive to the left (anticlockwise), 0 for a straight edge.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 Point = tuple[float, float]
+#: Counts work that is about to be done, and raises where it is too much.
+Spend = Callable[[int], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,12 +104,39 @@ def inside(point: Point, edges: Sequence[Edge]) -> bool:
     """Return whether closed edges wind around a point: around by the chords, once more within an arc's segment."""
     winding = 0
     for edge in edges:
-        if edge.a[1] <= point[1] < edge.b[1] and edge.side(point) > 0:
+        side = _side(edge, point)
+        if edge.a[1] <= point[1] < edge.b[1] and side > 0:
             winding += 1
-        elif edge.b[1] <= point[1] < edge.a[1] and edge.side(point) < 0:
+        elif edge.b[1] <= point[1] < edge.a[1] and side < 0:
             winding -= 1
-        if edge.bulge and edge.side(point) * edge.bulge < 0:
+        if edge.bulge and side * edge.bulge < 0:
             centre, radius = edge.circle()
             if math.dist(point, centre) < radius:
                 winding += 1 if edge.bulge > 0 else -1
     return winding != 0
+
+
+def _side(edge: Edge, point: Point) -> float:
+    """Return what is positive for a point to the left; one on a chord counts as a little higher, then farther right."""
+    return edge.side(point) or (edge.b[0] - edge.a[0]) or (edge.a[1] - edge.b[1])
+
+
+class Region:
+    """Closed edges and a tree of the boxes around them, to ask again and again what lies inside."""
+
+    def __init__(self, edges: Sequence[Edge]) -> None:
+        from shapely import STRtree, box
+
+        self.edges = tuple(edges)
+        self.boxes = [edge.box() for edge in self.edges]
+        self.tree = STRtree([box(*each) for each in self.boxes])
+        self.far = max(each[2] for each in self.boxes)
+
+    def holds(self, point: Point, spend: Spend | None = None) -> bool:
+        """Return whether the edges wind around a point; none counts but those that meet the ray to its right."""
+        from shapely import LineString
+
+        met = self.tree.query(LineString([point, (max(self.far, point[0]), point[1])]))
+        if spend is not None:
+            spend(len(met))
+        return inside(point, [self.edges[k] for k in met])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from fractions import Fraction
 from pathlib import Path
@@ -25,6 +26,10 @@ UNITS: dict[int, tuple[str, Fraction]] = {
 }  # fmt: skip
 
 
+#: The largest file that is read [bytes]: reading one takes some ten times its size of memory.
+LARGEST_FILE = 16_000_000
+
+
 def open_drawing(path: str) -> Document:
     """Return the drawing as ezdxf reads it."""
     expected = "a DXF drawing"
@@ -34,8 +39,10 @@ def open_drawing(path: str) -> Document:
         mend = "pip install groundslab[dxf]"
         raise InputError([Fault(path, "a DXF drawing", "ezdxf to read it", mend)]) from None
     try:
+        if Path(path).exists() and not (Path(path).is_file() or Path(path).is_dir()):
+            raise InputError([Fault(path, "a device or a pipe", "a DXF drawing, which is a file")])
         with Path(path).open("rb") as file:
-            start = file.read(6)
+            start, size = file.read(6), os.fstat(file.fileno()).st_size
     except FileNotFoundError:
         raise InputError([Fault(path, "no file of that name", expected)]) from None
     except IsADirectoryError:
@@ -45,6 +52,10 @@ def open_drawing(path: str) -> Document:
         raise InputError([Fault(path, f"a file that cannot be read ({reason})", expected)]) from None
     if re.match(rb"AC10\d\d", start):
         raise InputError([Fault(path, "a DWG drawing", expected, "save it as DXF in the CAD program")])
+    if size > LARGEST_FILE:
+        mend = "save only the layers that are needed in a file of their own"
+        got = f"a file of {size / 1e6:,.0f} MB"
+        raise InputError([Fault(path, got, f"at most {LARGEST_FILE / 1e6:.0f} MB", mend)])
     try:
         document = readfile(path)
         document.modelspace()  # which a damaged file may lack

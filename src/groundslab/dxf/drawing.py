@@ -18,6 +18,31 @@ class PointMark:
 
 
 @dataclass(frozen=True, slots=True)
+class LineMark:
+    """A line load: points [m] and the bulge of the edge after each, value [N/m] or None, what is written beside it."""
+
+    points: tuple[Point, ...]
+    bulges: tuple[float, ...]  # one less than points if it is open
+    value: float | None
+    text: str
+
+    @property
+    def closed(self) -> bool:
+        """Return whether the last point is joined to the first."""
+        return len(self.bulges) == len(self.points)
+
+
+@dataclass(frozen=True, slots=True)
+class AreaMark:
+    """An area load: its edge, the edges of its holes, value [Pa] or None, what is written beside it."""
+
+    curve: Curve
+    holes: tuple[Curve, ...]
+    value: float | None
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class ReportLine:
     """What became of one entity; a note on a whole layer or on the header has LAYER or HEADER for its entity."""
 
@@ -37,6 +62,8 @@ class Drawing:
     zones: tuple[Curve, ...]
     columns: tuple[Curve | Point, ...]
     point_loads: tuple[PointMark, ...]
+    line_loads: tuple[LineMark, ...]
+    area_loads: tuple[AreaMark, ...]
     report: tuple[ReportLine, ...]
     unit: str
     scale: float

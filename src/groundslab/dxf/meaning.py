@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from groundslab.dxf.chains import Found
-from groundslab.dxf.crossings import first_meeting
-from groundslab.dxf.curves import Curve, Point, inside
+from groundslab.dxf.crossings import meeting_of
+from groundslab.dxf.curves import Curve, Point, Region
 from groundslab.dxf.nodes import Nodes
 from groundslab.dxf.sheet import DOUBLE, Sheet, Source
 from groundslab.dxf.words import named
@@ -43,23 +44,78 @@ def choose(
         return None, []
     outline = max(curves, key=lambda each: each.curve.area)
     tell_taken(outline, "the outline", sheet)
-    inner: list[Found] = []
-    for each in sorted((each for each in curves if each is not outline), key=lambda each: -each.curve.area):
-        meeting = first_meeting(outline.edges(), each.edges(), tolerance)
+    around, inner = Region(outline.edges()), Holders(curves, sheet)
+    rest = sorted((each for each in curves if each is not outline), key=lambda each: -each.curve.area)
+    for each in rest:
+        start = each.curve.points[0]
+        meeting = meeting_of(around, each.edges(), tolerance, sheet.near)
         if meeting is not None:
             got = "a second curve that crosses or touches the outline"
             sheet.fault(each.sources, meeting, got, "one outline")
-        elif not inside(each.curve.points[0], outline.edges()):
+        elif not around.holds(start, sheet.beside):
             got, mend = "a second curve beside the outline", "a file describes one plate: move the others elsewhere"
-            sheet.fault(each.sources, each.curve.points[0], got, "one outline", mend)
+            sheet.fault(each.sources, start, got, "one outline", mend)
         elif has_openings:
             _tell_ignored(each, "it lies inside the outline, but openings have a layer of their own", sheet)
-        elif any(inside(each.curve.points[0], hole.edges()) for hole in inner):
+        elif inner.first(start) is not None:
             _tell_ignored(each, "it lies inside an opening", sheet)
         else:
-            inner.append(each)
-    inner.sort(key=curves.index)
-    return outline.curve, inner
+            inner.add(each)
+    return outline.curve, inner.in_order()
+
+
+class Holders:
+    """Closed curves, added one after the other, and a tree to find the first of them that holds a place."""
+
+    def __init__(self, curves: list[Found], sheet: Sheet) -> None:
+        from shapely import STRtree, box
+
+        self._curves, self._sheet = curves, sheet
+        self._number = {id(each): number for number, each in enumerate(curves)}
+        self._rank: dict[int, int] = {}  # which of those added a curve is
+        self._regions: dict[int, Region] = {}
+        boxes = [[edge.box() for edge in each.edges()] for each in curves]
+        self._tree = STRtree(
+            [box(*map(min, list(zip(*each, strict=True))[:2]), *map(max, list(zip(*each, strict=True))[2:]))
+             for each in boxes]
+        )  # fmt: skip
+
+    def add(self, curve: Found) -> None:
+        """Add one of the curves."""
+        self._rank[self._number[id(curve)]] = len(self._rank)
+
+    def first(self, point: Point) -> Found | None:
+        """Return the curve, of those added, that was the first to be added and holds a place; None if none does."""
+        from shapely import Point as Place
+
+        met: list[int] = self._tree.query(Place(point)).tolist()
+        self._sheet.beside(len(met))
+        for number in sorted((each for each in met if each in self._rank), key=self._rank.__getitem__):
+            if self._region(number).holds(point, self._sheet.beside):
+                return self._curves[number]
+        return None
+
+    def last(self, points: Sequence[Point]) -> Found | None:
+        """Return the curve, of those added, that was the last to be added and holds all points; None if none does."""
+        from shapely import Point as Place
+
+        met: list[int] = self._tree.query(Place(points[0])).tolist()
+        self._sheet.beside(len(met))
+        for number in sorted((each for each in met if each in self._rank), key=self._rank.__getitem__, reverse=True):
+            region = self._region(number)
+            if all(region.holds(point, self._sheet.beside) for point in points):
+                return self._curves[number]
+        return None
+
+    def _region(self, number: int) -> Region:
+        """Return the region of a curve, made when it is first asked for."""
+        if number not in self._regions:
+            self._regions[number] = Region(self._curves[number].edges())
+        return self._regions[number]
+
+    def in_order(self) -> list[Found]:
+        """Return the curves that were added, in the order of the drawing."""
+        return [self._curves[number] for number in sorted(self._rank)]
 
 
 def _tell_ignored(found: Found, why: str, sheet: Sheet) -> None:

@@ -9,13 +9,19 @@ from typing import TYPE_CHECKING
 
 from groundslab.dxf.curves import Point, from_line
 from groundslab.dxf.sheet import CLOSE, FARTHEST, Sheet
+from groundslab.errors import InputError
 
 if TYPE_CHECKING:
     from ezdxf.entities import Arc, DXFEntity, Spline
     from ezdxf.math import Vec3
 
-SAG = 1e-3  # m, by which lines may miss an ellipse or a spline
+#: Lines may miss an ellipse or a spline by this [m], or by this part of its size if that is more.
+SAG, SAG_OF_SIZE = 1e-3, 1e-5
+MOST_LINES = 10_000  # that splines are made into
+HIGHEST = 25  # degree of a spline
+LARGEST_BULGE = 1e3  # of an arc, all but a whole circle
 MOST_HALVINGS = 16  # of a spline's span
+LINES_MADE = "lines that splines are made into"
 FLAT = 1e-9  # bulge of a straight edge, at most
 # Directions without the rounding of sines.
 _QUARTERS = {0.0: (1, 0), 90.0: (0, 1), 180.0: (-1, 0), 270.0: (0, -1)}
@@ -45,6 +51,8 @@ def piece_of(entity: DXFEntity, sheet: Sheet) -> Piece | str:
     """Return an entity as a line of straight edges and arcs, or why it is ignored."""
     try:
         drawn = _drawn(entity, sheet)
+    except InputError:
+        raise
     except Exception as error:  # of any kind, as what is damaged may be anything
         return f"it is damaged ({error})"
     if isinstance(drawn, str):
@@ -55,6 +63,8 @@ def piece_of(entity: DXFEntity, sheet: Sheet) -> Piece | str:
     numbers = [*(value for point in points for value in point), *bulges]
     if not all(abs(value) < FARTHEST for value in numbers):
         return f"its coordinates are no numbers, or farther away than {FARTHEST:g} m"
+    if max(map(abs, bulges), default=0.0) > LARGEST_BULGE:
+        return f"an arc has a bulge of {max(map(abs, bulges)):.3g}, expected at most {LARGEST_BULGE:g}"
     heights = [sheet.metres(corner.z) for corner in corners]
     span = max((max(values) - min(values) for values in zip(*points, strict=True)), default=0.0)
     if not heights or (span == 0.0 and max(heights) == min(heights)):
@@ -81,10 +91,14 @@ def _drawn(entity: DXFEntity, sheet: Sheet) -> tuple[list[Vec3], list[float], li
         if isinstance(entity, Ellipse):
             if not _upright(entity.dxf.extrusion):
                 return _TILTED
-            corners = list(entity.flattening(SAG / float(sheet.scale)))
+            sag = _sag(entity.dxf.major_axis.magnitude, sheet)
+            corners = list(entity.flattening(sag))
+        elif entity.dxf.degree > HIGHEST:
+            return f"its degree is {entity.dxf.degree}, expected at most {HIGHEST}"
         else:
-            corners = _flattened(entity, SAG / float(sheet.scale))
-        return corners, [0.0] * (len(corners) - 1), [f"made into {len(corners) - 1} lines within {SAG * 1e3:g} mm"]
+            corners, sag = _flattened(entity, sheet)
+        within = f"{sheet.metres(sag) * 1e3:.3g} mm"
+        return corners, [0.0] * (len(corners) - 1), [f"made into {len(corners) - 1} lines within {within}"]
     if not isinstance(entity, Circle | LWPolyline | Polyline):
         return _NOT_TAKEN.get(entity.dxftype(), "it is no line")
     if isinstance(entity, Polyline) and not entity.is_2d_polyline:
@@ -113,12 +127,20 @@ def _drawn(entity: DXFEntity, sheet: Sheet) -> tuple[list[Vec3], list[float], li
     return list(entity.ocs().points_to_wcs(local)), [sign * bulge for bulge in bulges], []
 
 
-def _flattened(spline: Spline, sag: float) -> list[Vec3]:
-    """Return corners of lines within a distance of a spline (in the drawing's units)."""
+def _sag(size: float, sheet: Sheet) -> float:
+    """Return by how much lines may miss a curve of a size, both in the drawing's units."""
+    return max(SAG / float(sheet.scale), SAG_OF_SIZE * size)
+
+
+def _flattened(spline: Spline, sheet: Sheet) -> tuple[list[Vec3], float]:
+    """Return corners of lines along a spline, and within which distance of it (in the drawing's units)."""
     tool = spline.construction_tool()
     knots = [float(knot) for knot in tool.knots()]
     # Knots before and after these only shape the curve's ends; closed splines have them.
     inner = sorted(set(knots[tool.order - 1 : tool.count + 1]))
+    sheet.spend(4 * (len(inner) - 1), MOST_LINES, LINES_MADE)
+    steering = [(point.x, point.y) for point in tool.control_points]
+    sag = _sag(max(max(values) - min(values) for values in zip(*steering, strict=True)), sheet)
     corners = [tool.point(inner[0])]
 
     def follow(start: float, end: float, a: Vec3, b: Vec3, depth: int) -> None:
@@ -126,6 +148,8 @@ def _flattened(spline: Spline, sag: float) -> list[Vec3]:
         # An S crosses its chord half way, so that quarters are looked at too.
         off = max(from_line((p.x, p.y), (a.x, a.y), (b.x, b.y)) for p in between)
         if depth < 2 or (off > sag / 2 and depth < MOST_HALVINGS):
+            if depth >= 2:
+                sheet.spend(1, MOST_LINES, LINES_MADE)
             middle = (start + end) / 2
             follow(start, middle, a, between[1], depth + 1)
             follow(middle, end, between[1], b, depth + 1)
@@ -136,7 +160,7 @@ def _flattened(spline: Spline, sag: float) -> list[Vec3]:
         follow(start, end, corners[-1], tool.point(end), 0)
     if spline.closed and not corners[0].isclose(corners[-1]):
         corners.append(corners[0])
-    return corners
+    return corners, sag
 
 
 def _upright(extrusion: Vec3) -> bool:

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 
 from groundslab import units
 from groundslab.dxf.curves import Curve, Point, edges_of
-from groundslab.dxf.drawing import Drawing, ReportLine
+from groundslab.dxf.drawing import Drawing
+from groundslab.dxf.spread import length
 from groundslab.dxf.words import safe
 
 
 def report_text(drawing: Drawing) -> str:
     """Return what was taken and what was ignored, and why, for people: counts per layer first."""
     notes = [line for line in drawing.report if line.entity in {"LAYER", "HEADER"}]
-    lines = [line for line in drawing.report if line not in notes]
-    counts = {layer: Counter(line.taken for line in lines if line.layer == layer) for layer in _layers_of(lines)}
+    lines = [line for line in drawing.report if line.entity not in {"LAYER", "HEADER"}]
+    counts: dict[str, Counter[bool]] = {}
+    for line in lines:
+        counts.setdefault(line.layer, Counter())[line.taken] += 1
     width, depth = (max(values) - min(values) for values in zip(*_reach(drawing.outline), strict=True))
     loads = sum(mark.value or 0.0 for mark in drawing.point_loads)
     text = [
@@ -23,6 +26,7 @@ def report_text(drawing: Drawing) -> str:
         f"outline: {width:.6g} m x {depth:.6g} m, {drawing.outline.area:.6g} m^2, {len(drawing.outline.points)} edges",
         f"openings: {len(drawing.openings)}, zones: {len(drawing.zones)}, columns: {len(drawing.columns)}, "
         f"point loads: {len(drawing.point_loads)} (sum {units.show(loads, 'force')})",
+        *_spread(drawing),
         "",
         *_table(
             ("layer", "taken", "ignored"),
@@ -38,8 +42,16 @@ def report_text(drawing: Drawing) -> str:
     return "\n".join(text) + "\n"
 
 
-def _layers_of(lines: Iterable[ReportLine]) -> list[str]:
-    return list(dict.fromkeys(line.layer for line in lines))
+def _spread(drawing: Drawing) -> Iterator[str]:
+    """Yield the counts of line and area loads with what they come to, if there are any."""
+    lines = [(line.value, length(line)) for line in drawing.line_loads]
+    areas = [(area.value, area.curve.area - sum(hole.area for hole in area.holes)) for area in drawing.area_loads]
+    for what, loads in (("line loads", lines), ("area loads", areas)):
+        if loads:
+            total = sum((value or 0.0) * size for value, size in loads)
+            missing = sum(value is None for value, _ in loads)
+            without = f", {missing} without a value" if missing else ""
+            yield f"{what}: {len(loads)} (sum {units.show(total, 'force')}{without})"
 
 
 def _reach(curve: Curve) -> list[Point]:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.patches import Polygon
     from matplotlib.tri import Triangulation
+    from shapely.geometry.base import BaseGeometry
 
     from groundslab.actions import AnyLoad
     from groundslab.model import Model
@@ -105,16 +106,23 @@ def loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> En
             mark.set(linestyle="none", clip_on=False, markeredgewidth=0.5)
             entries["point load"] = mark
         elif load.kind == "line":
-            (line,) = axes.plot(*zip(*load.points, strict=True), color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
+            (line,) = axes.plot(*load.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
             line.set(path_effects=white_edge(2.6))
             entries["line load"] = line
         elif load.kind == "uniform" or load.kind == "patch" or load.kind == "area":
             everywhere = load.kind == "uniform"
-            ring = model.plate.ring().flat(chord) if load.kind == "uniform" else load.drawn(chord).exterior.coords
-            drawn = _ring(axes, np.array(ring), edgecolor=LOAD, linewidth=0.9 if everywhere else 1.2, zorder=4.5)
-            drawn.set_linestyle((0, (3, 5) if everywhere else (4, 2)))
-            entries["load on the whole plate" if everywhere else "loaded area"] = drawn
+            for ring in [model.plate.ring().flat(chord)] if load.kind == "uniform" else _borders(load.drawn(chord)):
+                drawn = _ring(axes, np.array(ring), edgecolor=LOAD, linewidth=0.9 if everywhere else 1.2, zorder=4.5)
+                drawn.set_linestyle((0, (3, 5) if everywhere else (4, 2)))
+                entries["load on the whole plate" if everywhere else "loaded area"] = drawn
     return entries
+
+
+def _borders(area: BaseGeometry) -> list[Array]:
+    """Return the curves (k, 2) around the polygons of an area and around their holes."""
+    from shapely import get_coordinates, get_parts
+
+    return [get_coordinates(ring) for part in get_parts(area) for ring in (part.exterior, *part.interiors)]
 
 
 def in_combination(factors: Iterable[tuple[str, float]]) -> Callable[[AnyLoad], bool]:

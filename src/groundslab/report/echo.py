@@ -6,9 +6,10 @@ All of it is derived from what ``model`` states of each key, so that a new key i
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from groundslab.clipping import clipped_loads
 from groundslab.keys import Choice, Factors, Flag, Key, Number, Quantity, Several, Text, Whole
 from groundslab.loadcases import combinations_of
 from groundslab.outline import Circle, Polygon, Rectangle
@@ -68,6 +69,9 @@ def echo(model: Model) -> list[Section]:
             grids = list(_part(value, ""))
         else:
             grids = list(_list(value or (), name, ""))
+        remarks = tuple(each.words() for each in clipped_loads(model.plate, model.loads)) if name == "loads" else ()
+        if remarks:
+            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *remarks))
         if grids:
             found.append(Section(name, title, tuple(grids)))
     return found

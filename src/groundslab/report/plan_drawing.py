@@ -138,10 +138,11 @@ def _loads(plan: Data, sheet: Sheet, labels: Labels) -> Iterator[Markup]:
     columns = {(each["x"], each["y"]) for each in plan["columns"]}
     for number, load in enumerate(plan["loads"], 1):
         if load["kind"] in ("point", "line", "patch", "area"):
-            key = (load["kind"], *(tuple(place) for place in load.get("ring") or load["points"]))
+            curves = [load.get("ring") or load["points"], *load.get("holes", ())]
+            key = (load["kind"], *(tuple(tuple(place) for place in curve) for curve in curves))
             groups.setdefault(key, []).append(number)
     labelled = len(groups) <= MOST_LABELS
-    for (kind, *places), numbers in groups.items():
+    for (kind, places, *holes), numbers in groups.items():
         drawn = sheet.all(places)
         name = ", ".join(f"L{number}" for number in numbers[:3]) + (" ..." if len(numbers) > 3 else "")
         if kind == "point":
@@ -157,7 +158,7 @@ def _loads(plan: Data, sheet: Sheet, labels: Labels) -> Iterator[Markup]:
             yield svg.path(drawn, "d-load-line")
             at = _middle(drawn)
         else:
-            yield svg.path(drawn, "d-load-area", closed=True)
+            yield svg.area([drawn, *map(sheet.all, holes)], "d-load-area")
             at = _top_left(drawn)
         if labelled:
             yield labels.beside(at, name, "d-text d-of-load", reach=5.0)

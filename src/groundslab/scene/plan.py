@@ -134,7 +134,7 @@ def _load(number: int, load: AnyLoad, model: Model, chord: float) -> Data:
         if own is not None:
             about["footprint"] = _rounded(own.flat(chord))
     elif load.kind == "line":
-        about["points"] = _rounded(load.points)
+        about["points"] = _rounded(load.flat(chord))
     elif isinstance(load, SettlementLoad):
         support = next(each for each in model.supports if each.name == load.support)
         about["points"] = _rounded(_places(support))
@@ -144,6 +144,8 @@ def _load(number: int, load: AnyLoad, model: Model, chord: float) -> Data:
         about["ring"] = _rounded(_box(load.x, load.y).flat(chord))
     elif load.kind == "area":
         about["ring"] = _rounded(load.shape.ring().flat(chord))
+        if load.holes:
+            about["holes"] = [_rounded(hole.ring().flat(chord)) for hole in load.holes]
     if any(getattr(load, "slope", ())) or any(getattr(load, "bend", ())):
         about["varies"] = True
     return about | {"parts": load_parts(load)}

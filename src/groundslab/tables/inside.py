@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping
-from itertools import pairwise
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab import loads
-from groundslab.actions import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
+from groundslab.actions import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad, pressure_of
+from groundslab.clipping import line_on_plate
 from groundslab.mesh import Mesh
 from groundslab.model import Model
 from groundslab.results import PlateResult, Results
-from groundslab.shape import Array
+from groundslab.slab import Plate
 from groundslab.tables.thickness import of_elements
 
 if TYPE_CHECKING:
@@ -41,15 +41,15 @@ def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
         if isinstance(load, UniformLoad):
-            force[load.case] += float(loads.over_polygon(mesh, elements, part, _pressure(load)).sum())
+            force[load.case] += float(loads.over_polygon(mesh, elements, part, pressure_of(load)).sum())
         elif isinstance(load, PatchLoad | AreaLoad):
             for piece in _pieces(part, load.drawn(chord)):
-                force[load.case] += float(loads.over_polygon(mesh, elements, piece, _pressure(load)).sum())
+                force[load.case] += float(loads.over_polygon(mesh, elements, piece, pressure_of(load)).sum())
         elif isinstance(load, SelfWeight):
             volume = loads.over_polygon(mesh, elements, part).sum(axis=1) @ of_elements(model, plate)[elements]
             force[load.case] += float(load.unit_weight * volume)
         elif isinstance(load, LineLoad):
-            force[load.case] += _on_line(load, part)
+            force[load.case] += _on_line(load, model.plate, part, chord)
         elif isinstance(load, PointLoad) and load.column != column and _may_meet(load, model, part):
             force[load.case] += _on_footprint(load.on(model.columns), part, chord)
     return force
@@ -61,19 +61,6 @@ def under(results: Results, force: Mapping[str, float]) -> float:
     return sum(factors.get(case, 0.0) * each for case, each in force.items())
 
 
-def _pressure(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
-    """Return the pressure [Pa] of a load as a function of places (..., 2)."""
-    slope, about, (xx, xy, yy) = np.array(load.slope), np.array(load.about), load.bend
-
-    def pressure(places: Array) -> Array:
-        r = places - about
-        x, y = r[..., 0], r[..., 1]
-        q: Array = load.q + r @ slope + (xx * x * x + 2 * xy * x * y + yy * y * y) / 2
-        return q
-
-    return pressure
-
-
 def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
     """Return the polygons that two areas have in common."""
     from shapely import get_parts, intersection
@@ -81,19 +68,21 @@ def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
     return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
 
 
-def _on_line(load: LineLoad, part: Polygon) -> float:
-    """Return the force [N] of a line load, linear over its whole length, on a part of the plate."""
-    from shapely import LineString, get_parts, intersection
+def _on_line(load: LineLoad, plate: Plate, part: Polygon, chord: float) -> float:
+    """Return the force [N] of a line load on a part of the plate."""
+    from shapely import LineString, Point, get_coordinates, get_parts, intersection
 
-    ends = load.q, load.q if load.q_end is None else load.q_end
-    total, force, start = LineString(load.points).length, 0.0, 0.0
-    for a, b in pairwise(load.points):
-        leg = LineString([a, b])
-        for piece in get_parts(intersection(leg, part)):
-            if piece.length > 0:
-                middle = start + leg.project(piece.centroid)
-                force += piece.length * (ends[0] + (ends[1] - ends[0]) * middle / total)
-        start += leg.length
+    force = 0.0
+    for piece in line_on_plate(plate, load):
+        n = piece.edge.chords(chord)
+        places = np.arange(n + 1) / n
+        flat = LineString(piece.edge.at(places))
+        for inside in get_parts(intersection(flat, part)):
+            if inside.length > 0:
+                # the force of a linear q is that in the middle of the way times the length
+                ways = [flat.project(Point(end)) / flat.length for end in get_coordinates(inside)[[0, -1]]]
+                q = piece.q[0] + (piece.q[1] - piece.q[0]) * sum(ways) / 2
+                force += q * inside.length / flat.length * piece.edge.length
     return float(force)
 
 

@@ -88,13 +88,13 @@ def factors_text(combination: Combination) -> str:
 def description(combined: Combined) -> list[Section]:
     """Return what was analysed; of the ground only what is the same in all combinations."""
     found = [entry.results for entry in entries(combined) if entry.results is not None]
-    plate, ground = summary.description(found[0])
+    plate, ground, *cut = summary.description(found[0])
     others = [summary.description_of_ground(results).rows for results in found[1:]]
     same = tuple(row for row in ground.rows if all(row in rows for rows in others))
     notes = ground.notes
     if len(same) < len(ground.rows):
         notes += ("The ground's other constants depend on the combination; each has its own in summary.json.",)
-    return [plate, replace(ground, rows=same, notes=notes)]
+    return [plate, replace(ground, rows=same, notes=notes), *cut]
 
 
 def extremes(combined: Combined) -> list[tuple[Section, tuple[Extreme, ...]]]:

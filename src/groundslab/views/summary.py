@@ -14,6 +14,7 @@ from groundslab.results import PLATE_FIELDS, alone
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from groundslab.model import Model
     from groundslab.results import (
         Array,
         Certificate,
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 
 #: The version of the JSON summary's layout; it grows when a key changes its name or meaning.
 FORMAT = 1
+#: Of loads that are cut off at the plate's edge so many are shown.
+MOST_CUT = 12
 #: Of more supports than these only the extremes are shown.
 MOST_SUPPORTS = 12
 
@@ -100,8 +103,8 @@ def summary(results: Results) -> list[Section]:
 
 
 def description(results: Results) -> list[Section]:
-    """Return what was analysed, plate and ground."""
-    return [_plate(results), description_of_ground(results)]
+    """Return what was analysed: plate, ground, and loads that were cut off at the plate's edge."""
+    return [_plate(results), description_of_ground(results), *cut_loads(results.model)]
 
 
 def figures(results: Results) -> list[Section]:
@@ -265,6 +268,25 @@ def _borders(results: Results) -> tuple[Row, ...]:
             Row(f"{each.name}.crossed", f"elements across the border of {each.name}", each.crossed, AREA),
         )
     )
+
+
+def cut_loads(model: Model) -> list[Section]:
+    """Return what of the loads lies off the plate and does not act, nothing where all of them act."""
+    from groundslab.clipping import clipped_loads
+
+    clipped = clipped_loads(model.plate, model.loads)
+    if not clipped:
+        return []
+    rows = []
+    for each in clipped[:MOST_CUT]:
+        name = f"loads[{each.number}]" + (f" {each.name}" if each.name else "")
+        rows.append(Row(f"share_{each.number}", f"{name}, off the plate", each.share, PERCENT))
+        rows.append(Row(f"force_{each.number}", f"{name}, does not act", each.force, FORCE))
+    if len(clipped) > MOST_CUT:
+        rows.append(Row("more", "further loads that are cut off", len(clipped) - MOST_CUT))
+    rows.append(Row("sum_of_forces", "all that does not act", sum(each.force for each in clipped), FORCE))
+    note = "Areas and lines act where they lie on the plate. Forces without the factors of combinations."
+    return [Section("cut_loads", "Loads cut off at the edge of the plate", tuple(rows), (note,))]
 
 
 def _settlement(results: Results) -> Section:

@@ -17,7 +17,7 @@ STEP = 1e-3
 #: Keys whose values are places in plan: a length, a pair of them, or a list of such pairs.
 PLACES = ("points", "start", "end", "centre", "about")
 #: Keys that hold shapes, which move with what they belong to.
-SHAPES = ("shape", "outline", "openings", "zones")
+SHAPES = ("shape", "outline", "openings", "zones", "holes")
 
 _QUANTITY = re.compile(rf"(\s*)({units.NUMBER})(\s*)(\S.*?)(\s*)", re.DOTALL)
 _EXACT = Context(prec=60)

@@ -230,7 +230,7 @@ function drawLoads(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers, fac
   for (const { load, words } of shownLoads(plan.loads, factors)) {
     if (load.kind === "uniform") continue;
     if (load.ring) {
-      stroke(sheet, [load.ring], look.load, 1.4, [5, 4], true, 1.5);
+      stroke(sheet, [load.ring, ...(load.holes ?? [])], look.load, 1.4, [5, 4], true, 1.5);
       const [x0, y0, x1, y1] = boundsOf(load.ring);
       const [px, py] = pixel(sheet, (x0 + x1) / 2, (y0 + y1) / 2);
       if (layers.labels) labels.add(plainWords(words), [px, py], look.load, 1.5, "center");

@@ -22,6 +22,7 @@ export interface Load {
   case: string;
   points?: Point[];
   ring?: Ring;
+  holes?: Ring[]; // of a loaded area
   footprint?: Ring; // of a point load that has one
   parts: [string, number, string][]; // symbol, value without factor, unit
   varies?: boolean; // whether the pressure varies over the area

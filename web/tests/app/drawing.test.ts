@@ -206,3 +206,28 @@ describe("the camera", () => {
     expect(camera.toPixel(after)[0]).toBeCloseTo(100, 9);
   });
 });
+
+describe("line loads along arcs", () => {
+  const arch: Table = { loads: [{ kind: "line", q: "1 kN/m", points: [["-1 m", "0 m"], ["1 m", "0 m"], ["3 m", "0 m"]], bulges: [-1] }] };
+  const line = readGeometry(arch, ["loads", 0])!;
+
+  it("are drawn along the arc, over (0, 1) and straight on", () => {
+    const ring = ringOf(line);
+    expect(Math.max(...ring.map(([, y]) => y))).toBeCloseTo(1, 2);
+    expect(ring.at(-1)).toEqual([3, 0]);
+  });
+
+  it("keep their arcs when a corner is added or taken away", () => {
+    const add = handlesOf(line).find((each) => each.kind === "add")!;
+    expect(add).toMatchObject({ index: 1, at: [2, 0] });
+    const more = dragged(line, add, [2, 1])!;
+    expect(more).toMatchObject({ points: [[-1, 0], [1, 0], [2, 1], [3, 0]], bulges: [-1] });
+    expect(withoutCorner(more, 2)).toEqual(line);
+    expect(editsBetween(line, withoutCorner(line, 0)!)).toContainEqual({ op: "set", path: ["loads", 0, "bulges"], value: [] });
+  });
+
+  it("on a circle lie where its shape is", () => {
+    const ring: Table = { loads: [{ kind: "line", q: "1 kN/m", shape: { kind: "circle", radius: "2 m" } }] };
+    expect(itemsOf(ring, null)[0]?.geometry).toMatchObject({ type: "circle", radius: 2 });
+  });
+});

@@ -14,7 +14,7 @@ export type Geometry =
   | { type: "polygon"; at: Path; points: Ring; bulges: readonly number[] }
   | { type: "circle"; at: Path; centre: Point; radius: number }
   | { type: "point"; at: Path; x: number; y: number }
-  | { type: "line"; at: Path; points: Ring }
+  | { type: "line"; at: Path; points: Ring; bulges?: readonly number[] }
   | { type: "segment"; at: Path; start: Point; end: Point }
   | { type: "fixed"; at: Path; points: Ring; closed: boolean };
 
@@ -37,8 +37,8 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
   if (table.points !== undefined) {
     const points = places(table.points);
     if (!points || points.length === 0) return null;
-    if (table.kind !== "polygon") return { type: "line", at, points };
     const bulges = Array.isArray(table.bulges) ? table.bulges.map((each) => (typeof each === "number" ? each : 0)) : [];
+    if (table.kind !== "polygon") return bulges.some((each) => each !== 0) ? { type: "line", at, points, bulges } : { type: "line", at, points };
     return { type: "polygon", at, points, bulges };
   }
   const [x, y] = [metres(table.x), metres(table.y)];
@@ -70,6 +70,11 @@ export function ringOf(geometry: Geometry): Ring {
       return Array.from({ length: 180 }, (_, n): Point => {
         const angle = n * CHORD_ANGLE;
         return [geometry.centre[0] + geometry.radius * Math.cos(angle), geometry.centre[1] + geometry.radius * Math.sin(angle)];
+      });
+    case "line":
+      return geometry.points.flatMap((point, n) => {
+        const next = geometry.points[n + 1];
+        return next ? [point, ...arc(point, next, geometry.bulges?.[n] ?? 0)] : [point];
       });
     case "point":
       return [[geometry.x, geometry.y]];
@@ -194,6 +199,8 @@ export function editsBetween(before: Geometry, after: Geometry): Edit[] {
     length("end", before.end, after.end);
   } else if (before.type === "line" && after.type === "line") {
     length("points", before.points, after.points);
+    if (JSON.stringify(before.bulges) !== JSON.stringify(after.bulges))
+      edits.push({ op: "set", path: [...before.at, "bulges"], value: [...(after.bulges ?? [])] });
   } else if (before.type === "polygon" && after.type === "polygon") {
     length("points", before.points, after.points);
     if (JSON.stringify(before.bulges) !== JSON.stringify(after.bulges))

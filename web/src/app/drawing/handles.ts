@@ -21,7 +21,7 @@ export function handlesOf(geometry: Geometry): Handle[] {
     case "polygon":
       return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, true, geometry.bulges)];
     case "line":
-      return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, false, [])];
+      return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, false, geometry.bulges ?? [])];
     case "circle":
       return ([[1, 0], [0, 1], [-1, 0], [0, -1]] as const).map(([x, y], index) => ({
         kind: "radius",
@@ -81,14 +81,12 @@ export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry
     }
     case "segment":
       return handle.index === 0 ? { ...geometry, start: to } : { ...geometry, end: to };
-    case "line":
-      return { ...geometry, points: draggedPoints(geometry.points, handle, to) };
-    case "polygon": {
-      const bulges = handle.kind === "add" && geometry.bulges.length > handle.index
-        ? geometry.bulges.toSpliced(handle.index + 1, 0, 0)
-        : geometry.bulges;
-      return { ...geometry, points: draggedPoints(geometry.points, handle, to), bulges };
+    case "line": {
+      const points = draggedPoints(geometry.points, handle, to);
+      return geometry.bulges ? { ...geometry, points, bulges: draggedBulges(geometry.bulges, handle) } : { ...geometry, points };
     }
+    case "polygon":
+      return { ...geometry, points: draggedPoints(geometry.points, handle, to), bulges: draggedBulges(geometry.bulges, handle) };
     default:
       return geometry;
   }
@@ -96,6 +94,11 @@ export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry
 
 function draggedPoints(points: Ring, handle: Handle, to: Point): Ring {
   return handle.kind === "add" ? points.toSpliced(handle.index + 1, 0, to) : points.with(handle.index, to);
+}
+
+/** The bulges after a handle was dragged: a new corner's edge is straight. */
+function draggedBulges(bulges: readonly number[], handle: Handle): readonly number[] {
+  return handle.kind === "add" && bulges.length > handle.index ? bulges.toSpliced(handle.index + 1, 0, 0) : bulges;
 }
 
 function draggedBox(
@@ -121,7 +124,9 @@ function rising([a, b]: readonly [number, number]): [number, number] {
 /** The geometry without one of its corners; null where too few would be left. */
 export function withoutCorner(geometry: Geometry, index: number): Geometry | null {
   if (geometry.type === "line" && geometry.points.length > 2) {
-    return { ...geometry, points: geometry.points.toSpliced(index, 1) };
+    const points = geometry.points.toSpliced(index, 1);
+    // with the last corner goes the edge before it, with another one that after it
+    return geometry.bulges ? { ...geometry, points, bulges: geometry.bulges.toSpliced(Math.min(index, geometry.points.length - 2), 1) } : { ...geometry, points };
   }
   if (geometry.type !== "polygon" || geometry.points.length <= 3) return null;
   const bulges = geometry.bulges.length > index ? geometry.bulges.toSpliced(index, 1) : geometry.bulges;

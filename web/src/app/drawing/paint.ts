@@ -1,10 +1,10 @@
 // The drawing of the model: what each thing looks like in plan.
 
 import { svg } from "../dom";
-import { type Path, pathKey, pathWords, type Table } from "../paths";
+import { listAt, type Path, pathKey, pathWords, type Table } from "../paths";
 import { metres, plain } from "../quantity";
 import type { Camera } from "./camera";
-import { isClosed, nearest, type Point, type Ring, ringOf } from "./geometry";
+import { isClosed, nearest, type Point, readGeometry, type Ring, ringOf } from "./geometry";
 import type { Item } from "./items";
 
 const GLYPH = 26; // px: length of a load's arrow
@@ -173,10 +173,20 @@ function load(camera: Camera, item: Item, ring: readonly Pixel[], loadsAt: Reado
   }
   const labels = (at: Pixel, dx: number, dy: number, up: boolean) =>
     words.map((each, n) => label(at, each, [dx, dy + 12 * (up ? n - words.length + 1 : n)]));
-  if (isClosed(item.geometry)) return [area(ring), ...labels(leftTop(ring), 5, 13, false)];
+  const wall = item.table.kind === "line";
+  if (isClosed(item.geometry) && !wall) return [area(ring), ...holes(camera, item), ...labels(leftTop(ring), 5, 13, false)];
+  if (isClosed(item.geometry)) ring = [...ring, ...ring.slice(0, 1)];
   const arrows: SVGElement[] = [];
   along(ring, 16, ([x, y]) => arrows.push(path([[x, y], [x, y - 11]], false, "fine"), path([[x - 2.5, y - 4.5], [x, y], [x + 2.5, y - 4.5]], false, "fine")));
-  return [path(ring, false), path(ring.map(([x, y]): Pixel => [x, y - 11]), false, "fine"), ...arrows, ...labels(ring[0] ?? [0, 0], 4, -15, true)];
+  return [path(ring, false, "wall"), path(ring.map(([x, y]): Pixel => [x, y - 11]), false, "fine"), ...arrows, ...labels(ring[0] ?? [0, 0], 4, -15, true)];
+}
+
+/** The edges of the parts of an area that are not loaded. */
+function holes(camera: Camera, item: Item): SVGElement[] {
+  return listAt(item.table, ["holes"]).flatMap((_, n) => {
+    const hole = readGeometry(item.table, ["holes", n]);
+    return hole ? [path(ringOf(hole).map((point) => camera.toPixel(point)), true, "hole")] : [];
+  });
 }
 
 /** One arrow for all loads at a place; their values stand beside it. */

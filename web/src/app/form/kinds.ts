@@ -62,6 +62,7 @@ function partsOf(node: Node): readonly string[] {
 
 /** Places that the schema does not ask for, as something else may stand for them, or as they have a default. */
 function needsPlace(part: Part, field: Field): boolean {
+  if (part.name === "LineLoad") return field.name === "points";
   return ["PointLoad", "Void", "Circle"].includes(part.name) && ["x", "y", "centre"].includes(field.name);
 }
 
@@ -79,6 +80,8 @@ export function placed(data: Table, path: Path, part: Part, old: Table = {}): Ta
       return { kind: "polygon", ...cornersFor(data, path, [x0, y0, x1, y1], text) };
     case "Circle":
       return { kind: "circle", centre: text([x, y]), radius: written(Math.min(x1 - x0, y1 - y0) / 2) };
+    case "LineLoad":
+      return { points: [text([x0, y]), text([x1, y])] };
     case "PatchLoad":
     case "Void":
       return box;
