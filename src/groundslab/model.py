@@ -32,9 +32,10 @@ from groundslab.actions import (
 )  # fmt: skip
 from groundslab.columns import Column
 from groundslab.findings import Finding, describe, listed, one_of, quote, suggestion
-from groundslab.keys import Choice, Flag, Quantity, Range, Several, Text, Whole
+from groundslab.keys import Choice, Flag, Quantity, Several, Text, Whole
 from groundslab.loadcases import Combination, Combine, LoadCase, combine_makes, known_cases, known_factors
 from groundslab.outline import Circle, Polygon, Rectangle
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table
 from groundslab.slab import Edges, Plate, Zone
 from groundslab.soil import (
@@ -81,6 +82,7 @@ if TYPE_CHECKING:
     from groundslab.plan import Plan, Ring
 
 MOST_ELEMENTS = 4_000_000  # in all surfaces; nobody wants to fill the memory by a typing error
+MOST_SURFACES = 200  # each couples with all others at every node
 SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
 
 Reach = Literal["none", "margin", "infinite"]
@@ -166,7 +168,8 @@ class Contact(Part):
         tuple[Void, ...], Table("parts with a further gap, or none to reach; the deeper counts where they overlap")
     ] = ()
     gaps: Annotated[
-        tuple[GapPoint, ...], Table("measured gaps, further to gap, interpolated linearly with the distance between")
+        tuple[GapPoint, ...],
+        Table("measured gaps, further to gap, interpolated linearly with the distance between", 2000),
     ] = ()
     limit_pressure: Annotated[
         float | None,
@@ -185,7 +188,9 @@ class Mesh(Part):
     checks: ClassVar[tuple[Check, ...]] = (_one_size,)
 
     size: Annotated[float | None, Quantity("length", "h", "largest side of an element", POSITIVE)] = None
-    counts: Annotated[tuple[int, int] | None, Several(Whole(""), "n_x, n_y", "elements over the whole plate", 2)] = None
+    counts: Annotated[
+        tuple[int, int] | None, Several(Whole("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
+    ] = None
     symmetry: Annotated[
         Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")
     ] = "auto"
@@ -194,12 +199,14 @@ class Mesh(Part):
 class Analysis(Part):
     """How the equations are solved."""
 
-    increments: Annotated[int, Whole("steps in which the load is applied; the result does not depend on it")] = 1
+    increments: Annotated[
+        int, Whole("steps in which the load is applied; the result does not depend on it", at_most=1000)
+    ] = 1
     solver: Annotated[
         Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed, mumps is for many processes")
     ] = "auto"
     nested: Annotated[bool, Flag("start the contact zone from coarser meshes")] = True
-    max_iterations: Annotated[int, Whole("most contact steps on one mesh")] = 200
+    max_iterations: Annotated[int, Whole("most contact steps on one mesh", at_most=10_000)] = 200
 
 
 def _plate_elements(plate: Plate, mesh: Mesh) -> float:
@@ -222,7 +229,9 @@ def _few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterato
     if isinstance(ground, Layered):
         surfaces = sum(layer.sublayers if isinstance(layer, SoilLayer) else 1 for layer in ground.layers)
         on_plate = _plate_elements(plate, mesh)
-        if on_plate <= MOST_ELEMENTS < on_plate * surfaces:
+        if surfaces > MOST_SURFACES:
+            yield Finding(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
+        elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
             got = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
             yield Finding(("ground", "layers"), got, f"at most {MOST_ELEMENTS:,} for the product of both")
 
@@ -357,9 +366,11 @@ class Model(Part):
     soil_zones: Annotated[tuple[SoilZone, ...], Table("parts of the plan with other ground")] = ()
     boreholes: Annotated[tuple[Borehole, ...], Table("where the layers are known, to be interpolated between")] = ()
     supports: Annotated[tuple[Support, ...], Table("supports at points and along lines, beside the ground")] = ()
-    columns: Annotated[tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked")] = ()
+    columns: Annotated[
+        tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked", 10_000)
+    ] = ()
     cases: Annotated[tuple[LoadCase, ...], Table("load cases; without any, all loads act together")] = ()
-    loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one")]
+    loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one", 200_000)]
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()

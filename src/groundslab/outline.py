@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import Discriminator, Tag
 
 from groundslab.findings import Finding
-from groundslab.keys import Number, Quantity, Range, Several
+from groundslab.keys import Number, Quantity, Several
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.soil import POSITIVE
 
@@ -75,7 +76,7 @@ class Polygon(Part):
     bulges: Annotated[
         tuple[float, ...],
         Several(
-            Number("b", "", Range()),
+            Number("b", "", Range(at_least=-100, at_most=100)),
             "b",
             "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
             least=0,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Annotated, Any, ClassVar, Self, get_args, get_origin
 
 from pydantic import (
@@ -26,9 +26,13 @@ from groundslab.keys import MOST_FAULTS, Key, is_from_file
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Says in the ``Annotated`` of a field that holds other parts (or the tag of a kind) what it means."""
+    """Says in the ``Annotated`` of a field that holds other parts (or the tag of a kind) what it means.
+
+    Of a list of parts, how many there may be at most.
+    """
 
     meaning: str
+    most: int = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +66,11 @@ def nested(field: FieldInfo) -> Nested:
 def key_of(field: FieldInfo) -> Key | None:
     """Return the kind of key that a field states, None for one that holds parts or a tag."""
     return next((item for item in field.metadata if isinstance(item, Key)), None)
+
+
+def most_of(field: FieldInfo) -> int | None:
+    """Return how many parts a field may hold, None for one that holds no list of parts."""
+    return next((item.most for item in field.metadata if isinstance(item, Table) and nested(field).many), None)
 
 
 def meaning_of(field: FieldInfo) -> str:
@@ -123,6 +132,9 @@ class Part(BaseModel):
         """Run the checks between fields even where some fields are wrong: those that need only sound ones."""
         if isinstance(data, cls):
             return handler(data)
+        # of a list far too long nothing else is said, as all that could be takes long to find
+        if too_long := _too_long(cls, data):
+            raise Wrong(*too_long)
         made, findings = None, []
         try:
             made = handler(data)
@@ -153,6 +165,24 @@ def kind_of(value: Any) -> str | None:
     kind = value.get("kind") if isinstance(value, Mapping) else getattr(value, "kind", None)
     # a kind that is no text is not handed on: pydantic would print it, however deep it is nested
     return kind if isinstance(kind, str) else None
+
+
+def _too_long(cls: type[Part], data: Any) -> list[Finding]:
+    """Return which lists of parts hold too many of them."""
+    if not isinstance(data, Mapping):
+        return []
+    given = {name: data[name] for name in _most_of_lists(cls) if isinstance(data.get(name), list | tuple)}
+    most = _most_of_lists(cls)
+    return [
+        Finding((name,), describe(value), f"at most {most[name]}") for name, value in given.items()
+        if len(value) > most[name]
+    ]  # fmt: skip
+
+
+@cache
+def _most_of_lists(cls: type[Part]) -> dict[str, int]:
+    """Return how many parts each list of a part may hold."""
+    return {name: most for name, field in cls.model_fields.items() if (most := most_of(field)) is not None}
 
 
 def _lines(error: ValidationError) -> list[Any]:

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.findings import Finding, quote
-from groundslab.keys import Choice, Number, Quantity, Range
+from groundslab.keys import Choice, Number, Quantity
 from groundslab.outline import AnyShape, Rectangle, Shape, box_of
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table
 from groundslab.soil import POISSON, POSITIVE
 

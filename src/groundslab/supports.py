@@ -8,8 +8,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Discriminator, Tag
 
 from groundslab.findings import Finding, describe
-from groundslab.keys import Choice, Quantity, Range, Several, Text
+from groundslab.keys import Choice, Quantity, Several, Text
 from groundslab.outline import Place
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
