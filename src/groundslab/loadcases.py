@@ -100,10 +100,11 @@ class Combine(Part):
 def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
     """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
     names = [case.name for case in cases]
+    known = set(names)
     for position, name in enumerate(named):
         if name is None or (not name and not names):
             continue
-        if name not in names:
+        if name not in known:
             expected = one_of(names) if names else "no case, as there are no [[cases]]"
             got = describe(name) if name else "no case"
             yield Finding((part, position, key), got, expected, suggestion(name, names))
@@ -115,9 +116,10 @@ def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
     if combinations and not names:
         yield Finding(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
         return
+    known = set(names)
     for position, combination in enumerate(combinations):
         for name, _ in combination.factors:
-            if name not in names:
+            if name not in known:
                 place = ("combinations", position, "factors", name)
                 yield Finding(place, "a case that is not there", one_of(names), suggestion(name, names))
 

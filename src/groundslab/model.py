@@ -16,6 +16,7 @@ from groundslab import reference
 from groundslab.actions import (
     AnyLoad,
     AreaLoad,
+    Covered,
     LineLoad,
     Load,
     PatchLoad,
@@ -282,8 +283,9 @@ def _known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase,
 
 def _columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[Finding]:
     yield from named_once("columns", [column.name for column in columns], needed=True)
+    covered = Covered(plate)
     for position, column in enumerate(columns):
-        yield from on_plate(plate, column, ("columns", position))
+        yield from on_plate(covered, column, ("columns", position))
 
 
 def _supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
@@ -327,8 +329,9 @@ def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring |
 
 def _settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
     names = [support.name for support in supports if support.name]
+    known = set(names)
     for position, load in enumerate(loads):
-        if isinstance(load, SettlementLoad) and load.support not in names:
+        if isinstance(load, SettlementLoad) and load.support not in known:
             expected = one_of(names) if names else "a support, and [[supports]] that says where it is"
             place = ("loads", position, "support")
             yield Finding(place, describe(load.support), expected, suggestion(load.support, names))

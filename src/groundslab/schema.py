@@ -23,6 +23,8 @@ from groundslab.errors import InputError
 from groundslab.findings import Finding, Wrong, describe, listed, quote, suggestion
 from groundslab.keys import MOST_FAULTS, Key, is_from_file
 
+MOST_KEYS = 1000  # of one table; those that are too many are not named one by one
+
 
 @dataclass(frozen=True, slots=True)
 class Table:
@@ -146,14 +148,15 @@ class Part(BaseModel):
         else:
             sound = dict(made)
         from_file = is_from_file(info.context)
+        fields = cls.model_fields
         sound["given"] = {
             name
-            for name, field in cls.model_fields.items()
-            if name in data and (from_file or name not in sound or sound[name] != field.default)
+            for name in data
+            if name in fields and (from_file or name not in sound or sound[name] != fields[name].default)
         }
         for check in cls.checks:
-            needs = inspect.signature(check).parameters
-            if needs.keys() <= sound.keys():
+            needs = _needs(check)
+            if sound.keys() >= needs:
                 findings += check(**{name: sound[name] for name in needs})
         if made is None or findings:
             raise Wrong(*findings)
@@ -167,10 +170,18 @@ def kind_of(value: Any) -> str | None:
     return kind if isinstance(kind, str) else None
 
 
+@cache
+def _needs(check: Check) -> frozenset[str]:
+    """Return the names of the fields that a check needs."""
+    return frozenset(inspect.signature(check).parameters)
+
+
 def _too_long(cls: type[Part], data: Any) -> list[Finding]:
-    """Return which lists of parts hold too many of them."""
+    """Return which lists of parts hold too many of them, or that there are too many keys."""
     if not isinstance(data, Mapping):
         return []
+    if len(data) > MOST_KEYS:
+        return [Finding((), f"a table of {len(data)} keys", f"some of {', '.join(cls.model_fields)}")]
     given = {name: data[name] for name in _most_of_lists(cls) if isinstance(data.get(name), list | tuple)}
     most = _most_of_lists(cls)
     return [

@@ -70,6 +70,7 @@ def boreholes_match(
         )
     if isinstance(ground, Vlasov) and ground.formulas == "as printed":
         yield Finding(("ground", "formulas"), '"as printed" with boreholes', '"exact"')
+    seen: dict[tuple[float, float], int] = {}
     for position, hole in enumerate(boreholes):
         if len(hole.layers) != len(ground.layers):
             got = f"{len(hole.layers)} layers"
@@ -84,9 +85,9 @@ def boreholes_match(
             if layer.variation != wanted.variation:
                 place = ("boreholes", position, "layers", number, "variation")
                 yield Finding(place, quote(layer.variation), f"{quote(wanted.variation)}, as the ground's layer has")
-        for other, earlier in enumerate(boreholes[:position], start=1):
-            if (hole.x, hole.y) == (earlier.x, earlier.y):
-                yield Finding(("boreholes", position), f"the place of boreholes[{other}]", "a place of its own")
+        first = seen.setdefault((hole.x, hole.y), position)
+        if first != position:
+            yield Finding(("boreholes", position), f"the place of boreholes[{first + 1}]", "a place of its own")
 
 
 def gaps_apart(gaps: tuple[GapPoint, ...]) -> Iterator[Finding]:

@@ -182,6 +182,7 @@ def write(value: float, dimension: str) -> str:
     return f"{value!r} {DIMENSIONS[dimension].si}"
 
 
+@lru_cache(maxsize=1024)
 def _unit(text: str, expected: str) -> tuple[Decimal, tuple[int, ...]]:
     """Return size in SI units and the powers of length, mass, time and temperature of a unit such as kN/m^2 or 1/K."""
     size, powers, position = Decimal(1), (0, 0, 0, 0), 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-from groundslab.actions import on_plate
+from groundslab.actions import Covered, on_plate
 from groundslab.findings import Finding
 from groundslab.keys import Number, Quantity, Several, Text, Whole
 from groundslab.outline import Place
@@ -112,8 +112,9 @@ def output_on_plate(plate: Plate, output: Output) -> Iterator[Finding]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
     from shapely import LineString
 
+    covered = Covered(plate)
     for position, point in enumerate(output.points):
-        yield from on_plate(plate, point, ("output", "points", position))
+        yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):
         return
     outline = plate.ring().polygon(1e-4 * max(plate.sides))
