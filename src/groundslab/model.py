@@ -51,7 +51,7 @@ from groundslab.soil import (
     Vlasov,
     Winkler,
 )
-from groundslab.strata import Borehole, GapPoint, SoilZone, boreholes_match, gaps_apart, zones_match
+from groundslab.strata import Borehole, GapPoint, SoilZone, boreholes_match, gaps_apart, zones_match, zones_near
 from groundslab.supports import (
     AnySupport,
     LineSupport,
@@ -356,6 +356,7 @@ class Model(Part):
         _supports_on_plate,
         _settlements_have_a_support,
         zones_match,
+        zones_near,
         boreholes_match,
         output_on_plate,
         bars_within,

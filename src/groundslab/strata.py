@@ -9,9 +9,13 @@ from pydantic import Field
 
 from groundslab.findings import Finding, quote
 from groundslab.keys import Quantity, Text
-from groundslab.outline import Shape
+from groundslab.outline import Shape, box_of
 from groundslab.schema import Part, Table
+from groundslab.slab import Plate
 from groundslab.soil import AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
+
+#: Zones of soil reach no further from the plate, in lengths of its longer side.
+FARTHEST = 1000
 
 
 class SoilZone(Part):
@@ -52,6 +56,21 @@ def zones_match(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator
         if _described(zone.ground) != _described(ground):
             expected = f"ground like the rest: {quote(ground.kind)} with the same rules and as many layers"
             yield Finding(("soil_zones", position, "ground"), "ground of another kind", expected)
+
+
+def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Finding]:
+    """Find zones of soil that reach so far off the plate that their edge near it could not be told to its digits."""
+    p0, p1, r0, r1 = plate.bounds
+    far = FARTHEST * max(p1 - p0, r1 - r0)
+    for position, zone in enumerate(soil_zones):
+        x0, x1, y0, y1 = box_of(zone.shape.ring())
+        reach = max(p0 - x0, x1 - p1, r0 - y0, y1 - r1)
+        if reach > far:
+            expected = f"at most {far:g} m, {FARTHEST} times the plate's longer side"
+            mend = "end it where the ground beyond the plate has no effect any more"
+            yield Finding(
+                ("soil_zones", position, "shape"), f"a zone that reaches {reach:g} m from the plate", expected, mend
+            )
 
 
 def boreholes_match(
