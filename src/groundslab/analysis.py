@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -12,6 +13,7 @@ import numpy as np
 from groundslab import contact, forecast, linear
 from groundslab.checks import certificate, decay_squared, worst
 from groundslab.contact import Contact, slipped
+from groundslab.discretise import discretise
 from groundslab.errors import (
     Fault,
     GroundslabError,
@@ -26,7 +28,7 @@ from groundslab.ladder import Known, Ladder, Level
 from groundslab.lanes import side_by_side
 from groundslab.layout import coarsest
 from groundslab.loadcases import Combination, combinations_of
-from groundslab.model import Model
+from groundslab.model import Model, plate_elements
 from groundslab.problem import System, W, bearings, nodal, right_hand_side
 from groundslab.recover import increment, recover
 from groundslab.results import Combined, Results, Step
@@ -52,8 +54,25 @@ LANES = 4
 #: Only if each has no more unknowns than this: every one of them needs memory for a factor.
 LARGE = 400_000
 
+#: What is looked into before it is solved has a mesh of at most so many elements.
+CHECKED = 20_000
+
 OnStep = Callable[[Step], None]
 OnCombination = Callable[[Combination], None]
+
+
+def check(model: Model) -> None:
+    """Raise InputError for what `solve_combinations` refuses in a model before it solves anything.
+
+    The arrays of a problem are made as they are for solving, all but those of the loads, whose places the model has
+    looked into already; of a mesh of more than CHECKED elements a coarser one is made.
+    """
+    if model.analysis.solver != "auto":
+        linear.choose(model.analysis.solver)
+    coarser = max(0, math.ceil(math.log2(plate_elements(model.plate, model.mesh) / CHECKED) / 2))
+    ground = discretise(model, coarser, loaded=False).ground
+    if not isinstance(ground, Column):
+        ground.column(ground.gamma or GAMMA_START)
 
 
 def solve(model: Model, on_step: OnStep | None = None) -> Results:

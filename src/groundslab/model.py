@@ -210,7 +210,7 @@ class Analysis(Part):
     max_iterations: Annotated[int, Whole("most contact steps on one mesh", at_most=10_000)] = 200
 
 
-def _plate_elements(plate: Plate, mesh: Mesh) -> float:
+def plate_elements(plate: Plate, mesh: Mesh) -> float:
     """Return about how many elements the whole plate has."""
     if mesh.counts is not None:
         return mesh.counts[0] * mesh.counts[1]
@@ -220,7 +220,7 @@ def _plate_elements(plate: Plate, mesh: Mesh) -> float:
 
 
 def _few_elements(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
-    total = _plate_elements(plate, mesh)
+    total = plate_elements(plate, mesh)
     if total > MOST_ELEMENTS:
         key = ("counts",) if mesh.counts is not None else ("size",) if mesh.size is not None else ()
         yield Finding(("mesh", *key), f"about {total:.3g} elements", f"at most {MOST_ELEMENTS:,} elements")
@@ -229,7 +229,7 @@ def _few_elements(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
 def _few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator[Finding]:
     if isinstance(ground, Layered):
         surfaces = sum(layer.sublayers if isinstance(layer, SoilLayer) else 1 for layer in ground.layers)
-        on_plate = _plate_elements(plate, mesh)
+        on_plate = plate_elements(plate, mesh)
         if surfaces > MOST_SURFACES:
             yield Finding(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
         elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
@@ -337,12 +337,24 @@ def _settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnyS
             yield Finding(place, describe(load.support), expected, suggestion(load.support, names))
 
 
+#: What a load may have that makes something act.
+_ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "w", "slope", "bend")
+
+
+def _something_acts(loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+    """Find loads that are all zero."""
+    given = (getattr(load, name, None) for load in loads for name in _ACTING)
+    if not any(any(value) if isinstance(value, tuple) else value for value in given):
+        yield Finding(("loads",), "loads that are all zero", "at least one load that is not", "nothing would settle")
+
+
 class Model(Part):
     """The whole description of a problem."""
 
     checks: ClassVar[tuple[Check, ...]] = (
         _ground_reaches,
         _zones_reach,
+        _something_acts,
         loads_on_plate,
         _voids_on_plate,
         _few_elements,
