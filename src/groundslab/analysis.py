@@ -181,7 +181,7 @@ def _each(
         yield from (_outcome(model, each, ladders, name, told) for each in wanted)
         return
     # what the lanes share is made before
-    for ladder in ladders if model.beyond.kind == "infinite" else [finest]:
+    for ladder in ladders if _infinite(model) else [finest]:
         for coarsening in _meshes(ladder, wanted):
             ladder.level(coarsening)
     finest.level(0).frame(model)
@@ -211,7 +211,7 @@ def _outcome(
     factors = _factors(model, combination)
     try:
         *earlier, solution = _nested(finest, combination.name, factors, report)
-        effect = _margin_effect(margins, combination.name, factors) if model.beyond.kind == "infinite" else None
+        effect = _margin_effect(margins, combination.name, factors) if _infinite(model) else None
         frame, before = finest.frame(solution), _under_their_share(earlier)
         proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
         increments = tuple(increment(model, each, frame, share) for share, each in before)
@@ -220,6 +220,11 @@ def _outcome(
     except (NoEquilibrium, NotConverged, SingularMatrix) as refusal:
         # what it was raised in holds meshes and factors, which nobody needs any more
         return refusal.with_traceback(None)
+
+
+def _infinite(model: Model) -> bool:
+    """Return whether infinite ground has an effect beyond the plate."""
+    return model.beyond.kind == "infinite" and model.ground_reaches
 
 
 def _under_their_share(earlier: Sequence[Solution]) -> list[tuple[float, Solution]]:

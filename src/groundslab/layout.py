@@ -180,7 +180,7 @@ def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple
 
 def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
     """Return the width of the meshed ground beyond the plate [m]; of several grounds, the widest decides."""
-    if model.beyond.kind == "none":
+    if not model.ground_reaches:
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
@@ -239,7 +239,7 @@ def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple
         [np.zeros((0, 3), dtype=np.int64)],
         [np.zeros(0, dtype=np.int64)],
     )
-    for side in model.beyond.sides if model.beyond.kind != "none" else ():
+    for side in model.beyond.sides if model.ground_reaches else ():
         axis = AXIS[side]
         if symmetry[axis] and OUTWARD[side] < 0:
             continue

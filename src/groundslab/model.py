@@ -32,7 +32,7 @@ from groundslab.actions import (
     voids_on_plate,
 )  # fmt: skip
 from groundslab.columns import Column
-from groundslab.findings import Finding, describe, listed, one_of, quote, suggestion
+from groundslab.findings import Finding, describe, one_of, quote, suggestion
 from groundslab.keys import Choice, Flag, Quantity, Several, Text, Whole
 from groundslab.loadcases import Combination, Combine, LoadCase, combine_makes, known_cases, known_factors
 from groundslab.outline import Circle, Polygon, Rectangle
@@ -108,7 +108,7 @@ def _edge_fits(kind: str, edge: str, given: set[str]) -> Iterator[Finding]:
 
 
 class Beyond(Part):
-    """The ground beyond the plate."""
+    """The ground beyond the plate; without effect where the ground carries no shear, as springs do not reach there."""
 
     checks: ClassVar[tuple[Check, ...]] = (_width_fits, _edge_fits)
 
@@ -237,28 +237,32 @@ def _few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterato
             yield Finding(("ground", "layers"), got, f"at most {MOST_ELEMENTS:,} for the product of both")
 
 
-def _ground_reaches(ground: AnyGround, beyond: Beyond) -> Iterator[Finding]:
-    if beyond.kind == "none":
-        return
-    place, got = ("beyond", "kind"), f'"{beyond.kind}"'
+def _layers_shear(ground: AnyGround) -> list[bool]:
+    """Return whether the layers of a ground carry shear, from the top downwards."""
     if isinstance(ground, Winkler):
-        yield Finding(place, got, '"none": springs do not reach beyond the plate', 'ground.kind is "winkler"')
-    elif beyond.kind == "infinite" and isinstance(ground, Pasternak) and ground.k1 == 0:
-        yield Finding(place, got, '"none" or "margin": without shear the ground ends with the plate', "ground.k1 is 0")
-    elif beyond.kind == "infinite" and isinstance(ground, Layered):
-        dull = [n for n, layer in enumerate(ground.layers, 1) if isinstance(layer, InterfaceLayer) and layer.k1 == 0]
-        if dull:
-            names = listed((f"ground.layers[{n}].k1" for n in dull), "and")
-            mend = f"{names} {'is' if len(dull) == 1 else 'are'} 0"
-            yield Finding(place, got, '"none" or "margin": without shear a layer ends with the plate', mend)
+        return [False]
+    if isinstance(ground, Pasternak):
+        return [ground.k1 > 0]
+    return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
 
-def _zones_reach(soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[Finding]:
-    for position, zone in enumerate(soil_zones if beyond.kind == "infinite" else ()):
-        layers = zone.ground.layers if isinstance(zone.ground, Layered) else (zone.ground,)
-        if any(isinstance(layer, Pasternak | InterfaceLayer) and layer.k1 == 0 for layer in layers):
-            expected = "k1 above 0, as the ground beyond is infinite"
-            yield Finding(("soil_zones", position, "ground"), "k1 = 0", expected)
+def _all_shear_or_none(ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[Finding]:
+    """Find layers without shear beside others with it, where the ground beyond is infinite.
+
+    Ground without any shear is the limit in which it ends with the plate; of such layers beneath or beside others no
+    tail is known.
+    """
+    grounds = {("ground",): ground} | {("soil_zones", n, "ground"): zone.ground for n, zone in enumerate(soil_zones)}
+    shears = {place: _layers_shear(each) for place, each in grounds.items()}
+    if beyond.kind != "infinite" or not any(map(any, shears.values())):
+        return
+    for place, layers in shears.items():
+        for number in (number for number, shear in enumerate(layers) if not shear):
+            key = ("layers", number, "k1") if isinstance(grounds[place], Layered) else ("k1",)
+            mend = 'beyond.kind = "margin" needs no shear'
+            if isinstance(grounds[place], Winkler):
+                continue  # of another kind than the rest, which is told elsewhere
+            yield Finding((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", mend)
 
 
 def _voids_on_plate(plate: Plate, contact: Contact) -> Iterator[Finding]:
@@ -352,8 +356,7 @@ class Model(Part):
     """The whole description of a problem."""
 
     checks: ClassVar[tuple[Check, ...]] = (
-        _ground_reaches,
-        _zones_reach,
+        _all_shear_or_none,
         _something_acts,
         loads_on_plate,
         _voids_on_plate,
@@ -377,7 +380,7 @@ class Model(Part):
     title: Annotated[str, Text("title of the problem")] = ""
     plate: Annotated[Plate, Table("the plate")]
     ground: Annotated[Ground, Table("the ground under the plate")]
-    beyond: Annotated[Beyond, Table("the ground beyond the plate")] = Beyond()
+    beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()
     soil_zones: Annotated[tuple[SoilZone, ...], Table("parts of the plan with other ground")] = ()
     boreholes: Annotated[tuple[Borehole, ...], Table("where the layers are known, to be interpolated between")] = ()
@@ -400,6 +403,12 @@ class Model(Part):
     def root(cls) -> str:
         """Return nothing: paths of faults start with the section."""
         return ""
+
+    @property
+    def ground_reaches(self) -> bool:
+        """Return whether ground beyond the plate has an effect: there is some, and it carries shear."""
+        grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
+        return self.beyond.kind != "none" and any(any(_layers_shear(each)) for each in grounds)
 
     @property
     def plain(self) -> bool:

@@ -115,8 +115,8 @@ class Part(BaseModel):
         raise refused
 
     def replace(self, **changes: Any) -> Self:
-        """Return the part with some fields changed, checked anew."""
-        return type(self)(**{**dict(self), **changes})
+        """Return the part with some fields changed, checked anew; None takes away what is given for a field."""
+        return type(self)(**{name: value for name, value in {**dict(self), **changes}.items() if value is not None})
 
     @classmethod
     def root(cls) -> str:
