@@ -149,14 +149,9 @@ def grounds() -> st.SearchStrategy[Winkler | Pasternak | Vlasov | Layered]:
 
 
 @st.composite
-def beyonds(draw: st.DrawFn, ground: Winkler | Pasternak | Vlasov | Layered) -> Beyond:
-    """Return what may lie beyond the plate on the given ground."""
-    kinds = ["none"]
-    if not isinstance(ground, Winkler):
-        kinds.append("margin")
-        if not isinstance(ground, Pasternak) or ground.k1 > 0:
-            kinds.append("infinite")
-    kind = draw(st.sampled_from(kinds))
+def beyonds(draw: st.DrawFn) -> Beyond:
+    """Return what may lie beyond the plate."""
+    kind = draw(any_of(Beyond, "kind"))
     sides = draw(st.lists(st.sampled_from(["left", "right", "bottom", "top"]), min_size=1, unique=True))
     if kind == "none":
         return Beyond()
@@ -228,7 +223,7 @@ def models(draw: st.DrawFn) -> Model:
         title=draw(any_of(Model, "title")),
         plate=plate,
         ground=ground,
-        beyond=draw(beyonds(ground)),
+        beyond=draw(beyonds()),
         contact=draw(contacts(plate)),
         loads=draw(loads(plate)),
         mesh=draw(meshes(plate)),
@@ -485,7 +480,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     return Model(
         plate=plate,
         ground=ground,
-        beyond=draw(beyonds(ground)),
+        beyond=draw(beyonds()),
         contact=draw(rich_contacts(plate, whole)),
         supports=supports,
         columns=stand,

@@ -159,7 +159,7 @@ class Part(BaseModel):
             if sound.keys() >= needs:
                 findings += check(**{name: sound[name] for name in needs})
         if made is None or findings:
-            raise Wrong(*findings)
+            raise Wrong(*_first(findings))
         return made
 
 
@@ -240,6 +240,14 @@ def _translate(cls: type[Part], error: ValidationError) -> list[Finding]:
     if len(lines) > MOST_FAULTS:
         findings.append(Finding((), f"{len(lines)} faults", f"at most {MOST_FAULTS} of them to be told"))
     return findings
+
+
+def _first(findings: list[Finding]) -> list[Finding]:
+    """Return as many findings as can be told of one part, and that there are more."""
+    if len(findings) <= MOST_FAULTS + 1:  # of what it holds, so many have been told already
+        return findings
+    more = Finding((), f"{len(findings)} faults", f"at most {MOST_FAULTS} of them to be told")
+    return [*findings[:MOST_FAULTS], more]
 
 
 def _no_table(place: tuple[str | int, ...], value: object) -> Finding:

@@ -145,9 +145,12 @@ def parse(text: str, dimension: str) -> float:
     if powers != DIMENSIONS[dimension].powers:
         raise QuantityError(expected, f'"{match["unit"]}" is no unit of {DIMENSIONS[dimension].phrase}')
     # Decimal, so that "700 mm" is the float nearest to 0.7 and not 700 * 0.001
-    value = float(_EXACT.multiply(Decimal(match["number"]), size))
+    number = Decimal(match["number"])
+    value = float(_EXACT.multiply(number, size))
     if not math.isfinite(value):
         raise QuantityError(expected, "the number is too large")
+    if value == 0 and number != 0:
+        raise QuantityError(expected, "the number is too near to zero")
     return value
 
 
