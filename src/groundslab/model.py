@@ -51,7 +51,16 @@ from groundslab.soil import (
     Vlasov,
     Winkler,
 )
-from groundslab.strata import Borehole, GapPoint, SoilZone, boreholes_match, gaps_apart, zones_match, zones_near
+from groundslab.strata import (
+    Borehole,
+    GapPoint,
+    SoilZone,
+    boreholes_match,
+    depth_fits,
+    gaps_apart,
+    zones_match,
+    zones_near,
+)
 from groundslab.supports import (
     AnySupport,
     LineSupport,
@@ -372,6 +381,7 @@ class Model(Part):
         _settlements_have_a_support,
         zones_match,
         zones_near,
+        depth_fits,
         boreholes_match,
         output_on_plate,
         bars_within,

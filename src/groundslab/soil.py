@@ -81,7 +81,7 @@ class SoilLayer(Part):
     ] = None
     variation: Annotated[Variation, Choice(Variation, "how the modulus varies from E to E_bottom")] = "linear"
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
-    thickness: Annotated[float, Quantity("length", "h", "thickness", POSITIVE)]
+    thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000))]
     sublayers: Annotated[
         int, Whole("equal parts to divide the layer into, for consistent coupling only", at_most=100)
     ] = 1

@@ -16,6 +16,8 @@ from groundslab.soil import AnyGround, Ground, InterfaceLayer, Layered, SoilLaye
 
 #: Zones of soil reach no further from the plate, in lengths of its longer side.
 FARTHEST = 1000
+#: The base lies no deeper than so many lengths of the plate's longer side: modes have an element for each decay.
+DEEPEST = 2000
 
 
 class SoilZone(Part):
@@ -71,6 +73,20 @@ def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Findi
             yield Finding(
                 ("soil_zones", position, "shape"), f"a zone that reaches {reach:g} m from the plate", expected, mend
             )
+
+
+def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[Finding]:
+    """Find soil so deep beside the plate that what the plate does to it is over far above the base."""
+    most = DEEPEST * max(plate.sides)
+    holes = {("boreholes", n, "layers"): hole.layers for n, hole in enumerate(boreholes)}
+    described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {**holes}
+    if isinstance(ground, Vlasov | Layered):
+        described["ground", "layers"] = ground.layers
+    for place, layers in described.items():
+        depth = sum(layer.thickness for layer in layers if isinstance(layer, SoilLayer))
+        if depth > most:
+            expected = f"at most {most:g} m, {DEEPEST} times the plate's longer side"
+            yield Finding(place, f"layers of {depth:g} m", expected, "leave out what lies too deep to matter")
 
 
 def boreholes_match(
