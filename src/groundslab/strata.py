@@ -78,8 +78,9 @@ def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Findi
 def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[Finding]:
     """Find soil so deep beside the plate that what the plate does to it is over far above the base."""
     most = DEEPEST * max(plate.sides)
-    holes = {("boreholes", n, "layers"): hole.layers for n, hole in enumerate(boreholes)}
-    described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {**holes}
+    described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
+    for position, hole in enumerate(boreholes):
+        described["boreholes", position, "layers"] = hole.layers
     if isinstance(ground, Vlasov | Layered):
         described["ground", "layers"] = ground.layers
     for place, layers in described.items():
