@@ -56,6 +56,8 @@ LARGE = 400_000
 
 #: What is looked into before it is solved has a mesh of at most so many elements.
 CHECKED = 20_000
+#: Of more loads than this it is not asked there whether they are their own mirror image.
+COMPARED = 10_000
 
 OnStep = Callable[[Step], None]
 OnCombination = Callable[[Combination], None]
@@ -70,6 +72,8 @@ def check(model: Model) -> None:
     if model.analysis.solver != "auto":
         linear.choose(model.analysis.solver)
     coarser = max(0, math.ceil(math.log2(plate_elements(model.plate, model.mesh) / CHECKED) / 2))
+    if len(model.loads) > COMPARED:
+        model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
     ground = discretise(model, coarser, loaded=False).ground
     if not isinstance(ground, Column):
         ground.column(ground.gamma or GAMMA_START)
