@@ -150,7 +150,7 @@ SMALL: dict[str, tuple[str, str]] = {
     ),
     "a long chain of blocks": (nested(1000, 1, ROUND), "too many blocks in blocks"),
     "huge bulges": (
-        document(polyline([(0, 0, 1e8), (1, 0, 1e8)]), outline=False), r"a bulge of 1e\+08, expected at most 1000"
+        document(polyline([(0, 0, 1e8), (1, 0, 1e8)]), outline=False), r"a bulge of 1e\+08, expected at most 100"
     ),
     "huge coordinates": (
         document(polyline([(1e300, 0, 0), (1e301, 0, 0), (1e301, 1e301, 0)]), outline=False),

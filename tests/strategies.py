@@ -52,10 +52,16 @@ from groundslab.model import (
 )
 from groundslab.schema import Part, key_of
 
+
+def numbers(low: float, high: float) -> st.SearchStrategy[float]:
+    """Return numbers between two limits that are zero or clear of it: others that are nearly zero are refused."""
+    return st.floats(low, high).map(lambda value: value if abs(value) > 1e-12 else 0.0)
+
+
 MODULI_OF_SOIL = st.floats(5e6, 2e8)
 STIFFNESSES = st.floats(5e6, 2e8)  # k0 [Pa/m]
 SHEAR_STIFFNESSES = st.floats(1e5, 1e8)  # k1 [Pa m]
-POISSON = st.just(0) | st.floats(0.0, 0.45)
+POISSON = st.just(0) | numbers(0.0, 0.45)
 GAMMAS = st.just("iterate") | st.floats(0.3, 5.0)
 
 
@@ -144,14 +150,9 @@ def grounds() -> st.SearchStrategy[Winkler | Pasternak | Vlasov | Layered]:
 
 
 @st.composite
-def beyonds(draw: st.DrawFn, ground: Winkler | Pasternak | Vlasov | Layered) -> Beyond:
-    """Return what may lie beyond the plate on the given ground."""
-    kinds = ["none"]
-    if not isinstance(ground, Winkler):
-        kinds.append("margin")
-        if not isinstance(ground, Pasternak) or ground.k1 > 0:
-            kinds.append("infinite")
-    kind = draw(st.sampled_from(kinds))
+def beyonds(draw: st.DrawFn) -> Beyond:
+    """Return what may lie beyond the plate."""
+    kind = draw(any_of(Beyond, "kind"))
     sides = draw(st.lists(st.sampled_from(["left", "right", "bottom", "top"]), min_size=1, unique=True))
     if kind == "none":
         return Beyond()
@@ -163,8 +164,8 @@ def beyonds(draw: st.DrawFn, ground: Winkler | Pasternak | Vlasov | Layered) -> 
 @st.composite
 def extents(draw: st.DrawFn, length: float) -> tuple[float, float]:
     """Return start and end of a stretch of a side of the plate."""
-    start = draw(st.sampled_from([-0.5, -0.25]) | st.floats(-0.5, 0.4))
-    end = draw(st.sampled_from([0.5, start + 0.1]) | st.floats(start + 0.05, 0.5))
+    start = draw(st.sampled_from([-0.5, -0.25]) | numbers(-0.5, 0.4))
+    end = draw(st.sampled_from([0.5, start + 0.1]) | numbers(start + 0.05, 0.5))
     return start * length, min(end, 0.5) * length
 
 
@@ -174,7 +175,7 @@ def contacts(plate: Plate) -> st.SearchStrategy[Contact]:
     return (
         st.just(Contact())
         | st.just(Contact(tensionless=False))
-        | st.builds(Contact, gap=st.just(0) | st.floats(0.0, 1e-2), voids=st.lists(voids, max_size=2))
+        | st.builds(Contact, gap=st.just(0) | numbers(0.0, 1e-2), voids=st.lists(voids, max_size=2))
     )
 
 
@@ -182,7 +183,7 @@ def loads(plate: Plate) -> st.SearchStrategy[list[UniformLoad | PatchLoad | Poin
     """Return loads that all press downwards, so that there is always an equilibrium."""
     x, y = plate.length_x, plate.length_y
     name = st.just("") | any_of(PointLoad, "name")
-    fraction = st.sampled_from([-0.5, 0.0, 0.5]) | st.floats(-0.5, 0.5)
+    fraction = st.sampled_from([-0.5, 0.0, 0.5]) | numbers(-0.5, 0.5)
     uniform = st.builds(UniformLoad, name=name, q=st.floats(1e3, 1e5))
     patch = st.builds(PatchLoad, name=name, q=st.floats(1e3, 1e6), x=extents(x), y=extents(y))
     point = st.builds(
@@ -223,7 +224,7 @@ def models(draw: st.DrawFn) -> Model:
         title=draw(any_of(Model, "title")),
         plate=plate,
         ground=ground,
-        beyond=draw(beyonds(ground)),
+        beyond=draw(beyonds()),
         contact=draw(contacts(plate)),
         loads=draw(loads(plate)),
         mesh=draw(meshes(plate)),
@@ -301,7 +302,7 @@ def columns(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Column]:
     """Return columns that stand on the plate, round and rectangular."""
     made = []
     for name in names:
-        x, y = draw(st.floats(-0.4, 0.4)) * plate.length_x, draw(st.floats(-0.4, 0.4)) * plate.length_y
+        x, y = draw(numbers(-0.4, 0.4)) * plate.length_x, draw(numbers(-0.4, 0.4)) * plate.length_y
         size = st.floats(0.02, 0.19).map(lambda share: share * min(plate.sides))
         keys = draw(st.builds(lambda d: {"diameter": d}, size)
                     | st.builds(lambda a, b: {"width_x": a, "width_y": b}, size, size))  # fmt: skip
@@ -365,9 +366,9 @@ def rich_contacts(draw: st.DrawFn, plate: Plate, whole: bool) -> Contact:
     void = st.builds(Void, depth=depth, x=extents(plate.length_x), y=extents(plate.length_y)) | st.builds(
         Void, depth=depth, shape=shapes(plate)
     )
-    gap_point = st.builds(GapPoint, x=st.floats(-5, 5), y=st.floats(-5, 5), gap=st.floats(-1e-3, 1e-2))
+    gap_point = st.builds(GapPoint, x=numbers(-5, 5), y=numbers(-5, 5), gap=numbers(-1e-3, 1e-2))
     return Contact(
-        gap=draw(st.just(0) | st.floats(0.0, 1e-2)),
+        gap=draw(st.just(0) | numbers(0.0, 1e-2)),
         voids=draw(st.lists(void, max_size=2)),
         gaps=draw(st.lists(gap_point, max_size=3, unique_by=lambda point: (point.x, point.y))) if whole else (),
         limit_pressure=draw(st.none() | st.floats(2e4, 2e6)),
@@ -394,7 +395,7 @@ def load_cases(draw: st.DrawFn) -> list[LoadCase]:
     for name in _unique_names(draw, draw(st.integers(0, 3)), "case ", False):
         shares = sorted((draw(st.floats(0.1, 1)), draw(st.floats(0.1, 1))))
         variable = draw(st.booleans()) and bool(made)
-        keys = {"psi_0": draw(st.floats(0, 1)), "psi_1": shares[1], "psi_2": shares[0]} if variable else {}
+        keys = {"psi_0": draw(numbers(0, 1)), "psi_1": shares[1], "psi_2": shares[0]} if variable else {}
         group = draw(st.sampled_from(["", "wind"])) if variable else ""
         made.append(LoadCase(name=name, action="variable" if variable else "permanent", group=group, **keys))
     return made
@@ -417,7 +418,7 @@ def any_of_each(part: type[Part], name: str) -> st.SearchStrategy[Any]:
 @st.composite
 def outputs(draw: st.DrawFn, plate: Plate) -> Output:
     """Return points, lines and strips on the plate."""
-    share = st.floats(-0.5, 0.5)
+    share = numbers(-0.5, 0.5)
 
     def place() -> tuple[float, float]:
         return draw(share) * plate.length_x, draw(share) * plate.length_y
@@ -448,7 +449,7 @@ def varied_ground(draw: st.DrawFn, ground: Any, plate: Plate) -> dict[str, Any]:
         return {}
     soil = isinstance(ground, Vlasov | Layered) and all(isinstance(layer, SoilLayer) for layer in ground.layers)
     if soil and draw(st.booleans()) and not (isinstance(ground, Vlasov) and ground.formulas == "as printed"):
-        places = st.tuples(st.floats(-20, 20), st.floats(-20, 20))
+        places = st.tuples(numbers(-20, 20), numbers(-20, 20))
         holes = []
         for x, y in draw(st.lists(places, min_size=1, max_size=3, unique=True)):
             layers = [layer.replace(E=draw(MODULI_OF_SOIL), thickness=draw(st.floats(0.1, 9.0)), nu=draw(POISSON))
@@ -485,7 +486,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     return Model(
         plate=plate,
         ground=ground,
-        beyond=draw(beyonds(ground)),
+        beyond=draw(beyonds()),
         contact=draw(rich_contacts(plate, whole)),
         supports=supports,
         columns=stand,

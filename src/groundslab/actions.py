@@ -5,14 +5,16 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, Protocol
 
 from pydantic import Discriminator, Tag
 
 from groundslab.columns import Column, footprint, one_footprint
 from groundslab.findings import Finding, describe, one_of, suggestion
-from groundslab.keys import Number, Quantity, Range, Several, Text
+from groundslab.keys import Number, Quantity, Several, Text
 from groundslab.outline import CHORD, AcrossX, AcrossY, AnyShape, Place, Shape
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
     from groundslab.shape import Array
 
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
-LARGEST_BULGE = 1e3  # of a line load's arc: 359.8 degrees; a whole circle is a shape
+LARGEST_BULGE = 100.0  # of an arc, as of the edges of outlines; a whole circle is a shape
 ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
 
 LoadName = Annotated[str, Text("name of the load, for people")]
@@ -413,10 +415,51 @@ class Placed(Protocol):
         ...
 
 
-def on_plate(plate: Plate, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+class Covered:
+    """What of the plan a plate covers, found once for all that may lie on it."""
+
+    def __init__(self, plate: Plate) -> None:
+        self.plate = plate
+        self.bounds = plate.bounds
+        x0, x1, y0, y1 = self.bounds
+        self.size = max(x1 - x0, y1 - y0)
+        #: Whether nothing but the rectangle counts.
+        self.plain = plate.outline is None and not plate.openings
+
+    @property
+    def near(self) -> float:
+        """Return how far off the plate a place may lie by rounding [m]."""
+        return ON_PLATE * self.size
+
+    @property
+    def chord(self) -> float:
+        """Return how far off an arc its chords may be [m]."""
+        return CHORD * self.size
+
+    @cached_property
+    def area(self) -> BaseGeometry:
+        """The plate without its openings."""
+        from shapely import union_all
+
+        openings = union_all([opening.ring().polygon(self.chord) for opening in self.plate.openings])
+        return self.plate.ring().polygon(self.chord).difference(openings)
+
+    @cached_property
+    def reach(self) -> BaseGeometry:
+        """What a part must not leave, wider than the plate by what rounding and chords may take."""
+        from shapely import prepare
+
+        rings = (self.plate.ring(), *(opening.ring() for opening in self.plate.openings))
+        reach = self.area.buffer(self.near if all(ring.straight for ring in rings) else 2 * self.chord)
+        prepare(reach)
+        return reach
+
+
+def on_plate(plate: Plate | Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
     """Find a part that does not lie on the plate."""
-    x0, x1, y0, y1 = plate.bounds
-    near = ON_PLATE * max(plate.sides)
+    covered = plate if isinstance(plate, Covered) else Covered(plate)
+    x0, x1, y0, y1 = covered.bounds
+    near, plate = covered.near, covered.plate
     mend = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
@@ -427,31 +470,26 @@ def on_plate(plate: Plate, part: Placed, place: tuple[str | int, ...]) -> Iterat
             yield Finding((*place, axis), got, f"a position on the plate, from {low!r} m to {high!r} m", mend)
             outside = True
     # for points and what runs along the sides of a rectangle that is all
-    plain = plate.outline is None and not plate.openings
-    if not outside and not (plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
-        yield from _on_shape(plate, part, place, near)
+    if not outside and not (covered.plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
+        yield from _on_shape(covered, part, place)
 
 
 def _has_footprint(part: Placed) -> bool:
     return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
 
 
-def _on_shape(plate: Plate, part: Placed, place: tuple[str | int, ...], near: float) -> Iterator[Finding]:
+def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
     """Find a part that does not lie on the plate, be it within the rectangle around it."""
     expected = "a place on the plate, not in an opening nor beside the outline"
-    chord, (x0, x1, y0, y1), far = CHORD * max(plate.sides), plate.bounds, max(plate.sides)
+    (x0, x1, y0, y1), far = covered.bounds, covered.size
     # arcs drawn roughly: chords so short would be too many for what is so large
     left, low, right, high = part.drawn(math.inf).bounds
     if not (x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far):
         yield Finding(place, "a part that reaches far off the plate", expected)
         return
-    outline, openings, loaded = plate.ring(), [opening.ring() for opening in plate.openings], part.drawn(chord)
-    covered = outline.polygon(chord)
-    for opening in openings:
-        covered = covered.difference(opening.polygon(chord))
-    curved = not all(ring.straight for ring in (outline, *openings))
-    if not covered.buffer(2 * chord if curved else near).covers(loaded):
-        left = loaded.difference(covered)
+    loaded = part.drawn(covered.chord)
+    if not covered.reach.covers(loaded):
+        left = loaded.difference(covered.area)
         off = left.representative_point()
         got, mend = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
         if _has_footprint(part) and left.area < loaded.area:
@@ -466,16 +504,18 @@ def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding
     A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
     edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
     """
+    covered = Covered(plate)
     for position, load in enumerate(loads):
         if isinstance(load, PointLoad) and not load.column:
-            yield from on_plate(plate, load, ("loads", position))
+            yield from on_plate(covered, load, ("loads", position))
 
 
 def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[Finding]:
     """Find loads on columns that are not there."""
     names = [column.name for column in columns]
+    known = set(names)
     for position, load in enumerate(loads):
-        if isinstance(load, PointLoad) and load.column and load.column not in names:
+        if isinstance(load, PointLoad) and load.column and load.column not in known:
             expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
             place = ("loads", position, "column")
             yield Finding(place, describe(load.column), expected, suggestion(load.column, names))
@@ -483,5 +523,6 @@ def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...])
 
 def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[Finding]:
     """Find voids that do not lie under the plate."""
+    covered = Covered(plate)
     for position, void in enumerate(voids):
-        yield from on_plate(plate, void, ("contact", "voids", position))
+        yield from on_plate(covered, void, ("contact", "voids", position))

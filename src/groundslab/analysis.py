@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -13,6 +14,7 @@ from groundslab import contact, forecast, linear
 from groundslab.bearings import CLOSED, YIELDING, Contact, slipped
 from groundslab.checks import certificate, decay_squared, worst
 from groundslab.conditioning import require_digits
+from groundslab.discretise import discretise
 from groundslab.errors import (
     Fault,
     GroundslabError,
@@ -28,7 +30,7 @@ from groundslab.ladder import Known, Ladder, Level
 from groundslab.lanes import side_by_side
 from groundslab.layout import coarsest
 from groundslab.loadcases import Combination, combinations_of
-from groundslab.model import Model
+from groundslab.model import Model, plate_elements
 from groundslab.problem import System, W, bearings, nodal, right_hand_side
 from groundslab.recover import increment, recover
 from groundslab.results import Combined, Results, Step
@@ -54,8 +56,29 @@ LANES = 4
 #: Only if each has no more unknowns than this: every one of them needs memory for a factor.
 LARGE = 400_000
 
+#: What is looked into before it is solved has a mesh of at most so many elements.
+CHECKED = 20_000
+#: Of more loads than this it is not asked there whether they are their own mirror image.
+COMPARED = 10_000
+
 OnStep = Callable[[Step], None]
 OnCombination = Callable[[Combination], None]
+
+
+def check(model: Model) -> None:
+    """Raise InputError for what `solve_combinations` refuses in a model before it solves anything.
+
+    The arrays of a problem are made as they are for solving, all but those of the loads, whose places the model has
+    looked into already; of a mesh of more than CHECKED elements a coarser one is made.
+    """
+    if model.analysis.solver != "auto":
+        linear.choose(model.analysis.solver)
+    coarser = max(0, math.ceil(math.log2(plate_elements(model.plate, model.mesh) / CHECKED) / 2))
+    if len(model.loads) > COMPARED:
+        model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
+    ground = discretise(model, coarser, loaded=False).ground
+    if not isinstance(ground, Column):
+        ground.column(ground.gamma or GAMMA_START)
 
 
 def solve(model: Model, on_step: OnStep | None = None) -> Results:
@@ -194,7 +217,7 @@ def _solve_each(
         yield from (_outcome(model, each, ladders, name, told) for each in wanted)
         return
     # what the lanes share is made before
-    for ladder in ladders if model.beyond.kind == "infinite" else [finest]:
+    for ladder in ladders if _infinite(model) else [finest]:
         for coarsening in _meshes(ladder, wanted):
             ladder.level(coarsening)
     finest.level(0).frame(model)
@@ -224,7 +247,7 @@ def _outcome(
     factors = _factors(model, combination)
     try:
         *earlier, solution = _nested(finest, combination.name, factors, report)
-        effect = _margin_effect(margins, combination.name, factors) if model.beyond.kind == "infinite" else None
+        effect = _margin_effect(margins, combination.name, factors) if _infinite(model) else None
         frame, before = finest.frame(solution), _under_their_share(earlier)
         proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
         increments = tuple(increment(model, each, frame, share) for share, each in before)
@@ -233,6 +256,11 @@ def _outcome(
     except (IllConditioned, NoEquilibrium, NotConverged, SingularMatrix) as refusal:
         # what it was raised in holds meshes and factors, which nobody needs any more
         return refusal.with_traceback(None)
+
+
+def _infinite(model: Model) -> bool:
+    """Return whether infinite ground has an effect beyond the plate."""
+    return model.beyond.kind == "infinite" and model.ground_reaches
 
 
 def _under_their_share(earlier: Sequence[Solution]) -> list[tuple[float, Solution]]:

@@ -15,6 +15,9 @@ from groundslab.model import Model
 from groundslab.schema import Part, key_of, nested
 
 LARGEST = 10_000_000  # bytes of a file
+MOST_KEYS = 10  # joined by dots; those of a case are five at most, and tomllib's time grows with their square
+_KEY = r"""(?:[\w-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
+_DOTTED = re.compile(rf"{_KEY}(?:[ \t]*+\.[ \t]*+{_KEY})*+")
 _PLACE = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
 _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
@@ -55,6 +58,7 @@ def tables(text: str, name: str = "the text") -> dict[str, Any]:
     """Return the tables of a TOML text; ``name`` stands for the file in messages; raises InputError."""
     if len(text) > LARGEST:
         raise _unreadable(name, "a longer text", f"at most {LARGEST:,} characters")
+    _require_short_keys(text, name)
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -63,6 +67,15 @@ def tables(text: str, name: str = "the text") -> dict[str, Any]:
         raise _unreadable(name, "lists or tables nested too deeply", "the tables of an input file") from None
     except ValueError as error:  # such as a number of very many digits
         raise _unreadable(name, f"a value that cannot be read ({error})", "TOML") from None
+
+
+def _require_short_keys(text: str, name: str) -> None:
+    """Raise InputError for keys of very many parts, wherever they stand; what a text says is not understood yet."""
+    for match in _DOTTED.finditer(text):
+        if match.end() - match.start() > MOST_KEYS and (parts := match.group().count(".")) > MOST_KEYS:
+            line = text.count("\n", 0, match.start()) + 1
+            got = f"{parts + 1} names joined by dots"
+            raise InputError([Fault(f"{name}, line {line}", got, f"at most {MOST_KEYS}, as the tables of a file need")])
 
 
 def from_table(data: Mapping[str, Any]) -> Model:

@@ -325,6 +325,9 @@ def _check(options: argparse.Namespace) -> int:
         answer("\n".join(study.described(Path(options.case))))
         return FINE
     model = casefile.from_table(tables)
+    from groundslab import analysis
+
+    analysis.check(model)
     plate = model.plate
     lines = [
         f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "

@@ -7,7 +7,6 @@ import numpy as np
 from groundslab import plate
 from groundslab.assembly import number
 from groundslab.bearing import fixed_nodes, ground_bearing, joined, support_bearing
-from groundslab.errors import Fault, InputError
 from groundslab.layout import AXIS, OUTWARD, Layout, Meshes, layout
 from groundslab.loading import loadings, materials
 from groundslab.mesh import sides_on_boundary
@@ -31,22 +30,22 @@ def discretise(
     meshes: Meshes | None = None,
     factors: Factors | None = None,
     like: tuple[Model, Problem] | None = None,
+    loaded: bool = True,
 ) -> Problem:
     """Return the arrays of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond.
 
     The mesh is taken from `meshes` if one of that shape was made before, the loading from a model that is like this one
-    if what acts on it is the same. `factors` multiply constants of the ground from place to place.
+    if what acts on it is the same. `factors` multiply constants of the ground from place to place. Not `loaded`, it is
+    the problem with nothing acting on it.
     """
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
-    cases = _known_cases(model, plan, element, present.shape[1], like) or loadings(
-        model, plan, element, present.shape[1]
+    fields = present.shape[1]
+    cases = _known_cases(model, plan, element, fields, like) or (
+        loadings(model, plan, element, fields) if loaded else (_nothing(model, plan, fields),)
     )
-    if not any(case.load.any() or case.settlement.any() for case in cases):
-        fault = Fault("loads", "loads that are all zero", "at least one load that is not", "nothing would settle")
-        raise InputError([fault])
     unknown = number(plan.rank, present)
     below = depths(model, plan, ground, coarsening == 0)
     gap = initial_gap(model, plan)
@@ -75,6 +74,13 @@ def discretise(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
+    )
+
+
+def _nothing(model: Model, plan: Layout, fields: int) -> Loading:
+    """Return the loading of no load; fields is F."""
+    return Loading(
+        np.zeros((len(plan.mesh.nodes), fields)), np.zeros(len(plan.plate_elements)), np.zeros(len(model.supports)), 0.0
     )
 
 
@@ -150,9 +156,5 @@ def _hold_outline(present: Flags, sheet: Plate, plan: Layout) -> None:
     near = SAME_PLACE * max(sheet.sides)
     for edge in ring.segments():
         on_edge = sides[(edge.distance(nodes[sides].reshape(-1, 2)) <= near).reshape(-1, 3).all(axis=1)]
-        (x0, y0), (x1, y1) = edge.start, edge.end
-        if sheet.support == "hinged" and (not edge.straight or (x0 != x1 and y0 != y1)):
-            where = f"the edge from ({x0:g}, {y0:g}) to ({x1:g}, {y1:g}) m"
-            expected = 'edges along x or y, or support = "soft" (w = 0) or "clamped"'
-            raise InputError([Fault("plate.support", f'"hinged" on {where}', expected)])
-        _hold(present, on_edge.ravel(), sheet.support, 0 if y0 == y1 else 1)
+        # a hinged edge runs along x or y; the others hold all rotations or none
+        _hold(present, on_edge.ravel(), sheet.support, 0 if edge.start[1] == edge.end[1] else 1)

@@ -9,61 +9,21 @@ import itertools
 import math
 import numbers
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, get_args
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, get_args
 
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from groundslab import units
+from groundslab import ranges, units
 from groundslab.findings import Finding, Wrong, describe, listed, quote, suggestion, wrong
+from groundslab.ranges import ANY, Range
 
 #: Validation context of what comes from a file: there units are mandatory, a key without effect a fault.
 FROM_FILE = {"from_file": True}
 MOST_FAULTS = 100  # reported for one table
+MOST_VALUES = 10_000  # of a list, unless its key says otherwise
 LARGEST_WHOLE = 2**31 - 1
-
-
-@dataclass(frozen=True, slots=True)
-class Range:
-    """The numbers that a key may take."""
-
-    above: float | None = None
-    at_least: float | None = None
-    below: float | None = None
-    at_most: float | None = None
-
-    def holds(self, value: float) -> bool:
-        """Whether a number lies in the range."""
-        return (
-            (self.above is None or value > self.above)
-            and (self.at_least is None or value >= self.at_least)
-            and (self.below is None or value < self.below)
-            and (self.at_most is None or value <= self.at_most)
-        )
-
-    def words(self) -> str:
-        """Return the range in words, empty if there is none."""
-        named = (
-            ("above", self.above),
-            ("at least", self.at_least),
-            ("below", self.below),
-            ("at most", self.at_most),
-        )
-        return " and ".join(f"{name} {limit:g}" for name, limit in named if limit is not None)
-
-    def signs(self) -> str:
-        """Return the range in signs, empty if there is none."""
-        named = (("> ", self.above), (">= ", self.at_least), ("< ", self.below), ("<= ", self.at_most))
-        return ", ".join(f"{sign}{limit:g}" for sign, limit in named if limit is not None)
-
-    def schema(self) -> dict[str, Any]:
-        """Return the range as JSON schema says it."""
-        named = {
-            "exclusiveMinimum": self.above, "minimum": self.at_least,
-            "exclusiveMaximum": self.below, "maximum": self.at_most,
-        }  # fmt: skip
-        return {name: limit for name, limit in named.items() if limit is not None}
 
 
 class Key:
@@ -140,7 +100,7 @@ class Quantity(Key):
     dimension: str
     symbol: str
     meaning: str
-    range: Range = Range()
+    range: Range = ANY
 
     def read(self, value: Any, from_file: bool) -> float:
         """Return the quantity in SI units."""
@@ -154,9 +114,19 @@ class Quantity(Key):
             raise wrong(value, self.expected(), "" if isinstance(value, bool) else mend)
         else:
             number = _number(value, f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si}")
-        if not self.range.holds(number):
-            raise wrong(value, f"{units.DIMENSIONS[self.dimension].phrase} {self.range.words()}")
+        limits = ranges.of_quantity(self.range, self.dimension)
+        if not limits.holds(number):
+            raise wrong(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
         return number
+
+    def _limit(self, value: float) -> str:
+        """Return a limit for messages."""
+        if value == 0:
+            return "0"
+        known = units.DIMENSIONS[self.dimension]
+        if known.smallest < abs(value) < known.largest and abs(value) >= 1e-3:
+            return units.show(value, self.dimension)
+        return f"{ranges.short(value)} {known.si}"
 
     def expected(self) -> str:
         """Return an example."""
@@ -171,8 +141,8 @@ class Quantity(Key):
         return f"{self.dimension} (`{quote(units.DIMENSIONS[self.dimension].example)}`)"
 
     def range_words(self) -> str:
-        """Return the range."""
-        return self.range.signs()
+        """Return the range with its unit."""
+        return f"{ranges.of_quantity(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
 
     def json_schema(self) -> dict[str, Any]:
         """Return a string with a number at its front; the unit's dimension is left to the program."""
@@ -182,7 +152,7 @@ class Quantity(Key):
             "maxLength": units.LONGEST,
             "examples": [units.DIMENSIONS[self.dimension].example],
             "x-dimension": self.dimension,
-            **({"x-range": self.range.signs()} if self.range.signs() else {}),
+            "x-range": self.range_words(),
         }
 
 
@@ -192,7 +162,7 @@ class Number(Key):
 
     symbol: str
     meaning: str
-    range: Range = Range()
+    range: Range = ANY
     words: tuple[str, ...] = ()
 
     def read(self, value: Any, from_file: bool) -> float | str:  # noqa: ARG002
@@ -201,8 +171,10 @@ class Number(Key):
             return value
         mend = "write it without quotes" if isinstance(value, str) and _looks_like_number(value) else ""
         number = _number(value, self.expected(), mend)
-        if not self.range.holds(number):
-            raise wrong(value, self.expected())
+        limits = ranges.of_number(self.range)
+        if not limits.holds(number):
+            own = replace(self.range, smallest=0.0).holds(number)
+            raise wrong(value, f"a number {limits.wanted(number)}" if own else self.expected())
         return number
 
     def expected(self) -> str:
@@ -219,33 +191,34 @@ class Number(Key):
 
     def range_words(self) -> str:
         """Return the range."""
-        return self.range.signs()
+        return ranges.of_number(self.range).signs()
 
     def json_schema(self) -> dict[str, Any]:
         """Return a number, or the words."""
-        number = {"type": "number", **self.range.schema()}
+        number = {"type": "number", **ranges.of_number(self.range).schema()}
         return {"anyOf": [number, {"enum": list(self.words)}]} if self.words else number
 
 
 @dataclass(frozen=True)
 class Whole(Key):
-    """A whole number from ``at_least`` on."""
+    """A whole number from ``at_least`` to ``at_most``."""
 
     meaning: str
     at_least: int = 1
+    at_most: int = LARGEST_WHOLE
 
     def read(self, value: Any, from_file: bool) -> int:  # noqa: ARG002
         """Return the number as int."""
         if isinstance(value, bool) or not isinstance(value, numbers.Integral):
             raise wrong(value, self.expected())
         number = int(value)
-        if not self.at_least <= number <= LARGEST_WHOLE:
+        if not self.at_least <= number <= self.at_most:
             raise wrong(value, self.expected())
         return number
 
     def expected(self) -> str:
         """Return the range in words."""
-        return f"a whole number from {self.at_least} to {LARGEST_WHOLE}"
+        return f"a whole number from {self.at_least} to {self.at_most}"
 
     def write(self, value: int) -> str:
         """Return the digits."""
@@ -257,11 +230,11 @@ class Whole(Key):
 
     def range_words(self) -> str:
         """Return the range."""
-        return f">= {self.at_least}"
+        return f">= {self.at_least}" if self.at_most == LARGEST_WHOLE else f"{self.at_least} to {self.at_most}"
 
     def json_schema(self) -> dict[str, Any]:
         """Return an integer."""
-        return {"type": "integer", "minimum": self.at_least, "maximum": LARGEST_WHOLE}
+        return {"type": "integer", "minimum": self.at_least, "maximum": self.at_most}
 
 
 @dataclass(frozen=True)
@@ -370,11 +343,18 @@ class Several(Key):
     rising: bool = False
     unique: bool = False
     least: int = 1  # values, where no length is fixed
+    most: int = MOST_VALUES
+
+    @property
+    def _most(self) -> int:
+        return self.length or (len(self.each.words) if self.unique and isinstance(self.each, Choice) else self.most)
 
     def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
         """Return the values as a tuple."""
-        if not isinstance(value, list | tuple) or len(value) != (self.length or max(self.least, len(value))):
+        if not isinstance(value, list | tuple) or not (self.length or self.least) <= len(value):
             raise wrong(value, self.expected())
+        if len(value) > self._most:
+            raise wrong(value, f"at most {self._most} values" if self.length is None else self.expected())
         kept, findings = [], []
         for position, item in enumerate(value):
             try:
@@ -402,8 +382,8 @@ class Several(Key):
 
     def type_words(self) -> str:
         """Return how many of what."""
-        least = {0: "any number", 1: "one or more"}.get(self.least, f"{self.least} or more")
-        return f"list of {self.length or least}: {self.each.type_words()}"
+        count = self.length or (f"{self.least} to {self._most}" if self.least else f"up to {self._most}")
+        return f"list of {count}: {self.each.type_words()}"
 
     def range_words(self) -> str:
         """Return each value's range and the order."""
@@ -412,7 +392,7 @@ class Several(Key):
 
     def json_schema(self) -> dict[str, Any]:
         """Return an array."""
-        count = {"minItems": self.length or self.least} | ({"maxItems": self.length} if self.length else {})
+        count = {"minItems": self.length or self.least, "maxItems": self._most}
         return {
             "type": "array",
             "items": self.each.json_schema(),
@@ -425,10 +405,12 @@ class Several(Key):
 class Factors(Key):
     """A table of numbers by names that the file is free to choose, kept as pairs in the order of the file."""
 
+    EACH: ClassVar = Number("", "")
+
     symbol: str
     meaning: str
 
-    def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:  # noqa: ARG002
+    def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:
         """Return the pairs of name and number; a tuple of pairs is taken as well."""
         pairs = tuple(value.items()) if isinstance(value, Mapping) else value
         sound = isinstance(pairs, tuple) and bool(pairs)
@@ -441,7 +423,7 @@ class Factors(Key):
                 findings.append(Finding((name,), "a second factor", "one factor for each name"))
             seen.add(name)
             try:
-                kept.append((name, _number(number, "a number", "")))
+                kept.append((name, float(self.EACH.read(number, from_file))))
             except Wrong as error:
                 findings += [finding.below((name,)) for finding in error.findings]
         if findings:
@@ -462,4 +444,4 @@ class Factors(Key):
 
     def json_schema(self) -> dict[str, Any]:
         """Return an object of numbers."""
-        return {"type": "object", "additionalProperties": {"type": "number"}, "minProperties": 1}
+        return {"type": "object", "additionalProperties": self.EACH.json_schema(), "minProperties": 1}

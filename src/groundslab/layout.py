@@ -252,7 +252,7 @@ def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple
 
 def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
     """Return the width of the meshed ground beyond the plate [m]; of several grounds, the widest decides."""
-    if model.beyond.kind == "none":
+    if not model.ground_reaches:
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
@@ -276,7 +276,7 @@ def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> f
     largest = _size(model)
     if model.mesh.counts is not None:
         largest = max(length / count for length, count in zip(model.plate.sides, model.mesh.counts, strict=True))
-    if model.beyond.kind != "none":
+    if model.ground_reaches:
         wanted = [EDGE_SHARE * edge_decay(column) for column in _columns(grounds)]
         largest = min(largest, max(min(wanted, default=largest), EDGE_LEAST * largest))
     return largest * 2.0**coarsening
@@ -381,7 +381,7 @@ def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple
         [np.zeros((0, 3), dtype=np.int64)],
         [np.zeros(0, dtype=np.int64)],
     )
-    for side in model.beyond.sides if model.beyond.kind != "none" else ():
+    for side in model.beyond.sides if model.ground_reaches else ():
         axis = AXIS[side]
         if symmetry[axis] and OUTWARD[side] < 0:
             continue

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.errors import InputError
 from groundslab.findings import Finding, describe, one_of, suggestion
-from groundslab.keys import Choice, Factors, Number, Range, Several, Text
+from groundslab.keys import Choice, Factors, Number, Several, Text
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ Kind = Literal["permanent", "variable"]
 LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
 
 SHARE = Range(at_least=0, at_most=1)
+PARTIAL = Range(at_least=0, at_most=100)
 
 
 def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[Finding]:
@@ -78,7 +80,7 @@ class Combine(Part):
     permanent: Annotated[
         tuple[float, float],
         Several(
-            Number("gamma_G", "", Range(at_least=0)),
+            Number("gamma_G", "", PARTIAL),
             "gamma_G",
             "partial factors of permanent actions, unfavourable and favourable; ultimate only",
             2,
@@ -87,7 +89,7 @@ class Combine(Part):
     variable: Annotated[
         tuple[float, float],
         Several(
-            Number("gamma_Q", "", Range(at_least=0)),
+            Number("gamma_Q", "", PARTIAL),
             "gamma_Q",
             "partial factors of variable actions, unfavourable and favourable; ultimate only",
             2,
@@ -98,10 +100,11 @@ class Combine(Part):
 def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
     """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
     names = [case.name for case in cases]
+    known = set(names)
     for position, name in enumerate(named):
         if name is None or (not name and not names):
             continue
-        if name not in names:
+        if name not in known:
             expected = one_of(names) if names else "no case, as there are no [[cases]]"
             got = describe(name) if name else "no case"
             yield Finding((part, position, key), got, expected, suggestion(name, names))
@@ -113,9 +116,10 @@ def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
     if combinations and not names:
         yield Finding(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
         return
+    known = set(names)
     for position, combination in enumerate(combinations):
         for name, _ in combination.factors:
-            if name not in names:
+            if name not in known:
                 place = ("combinations", position, "factors", name)
                 yield Finding(place, "a case that is not there", one_of(names), suggestion(name, names))
 

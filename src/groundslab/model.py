@@ -16,6 +16,7 @@ from groundslab import reference
 from groundslab.actions import (
     AnyLoad,
     AreaLoad,
+    Covered,
     LineLoad,
     Load,
     PatchLoad,
@@ -32,8 +33,8 @@ from groundslab.actions import (
 )  # fmt: skip
 from groundslab.clipping import loads_reach_plate
 from groundslab.columns import Column
-from groundslab.findings import Finding, describe, listed, one_of, quote, suggestion
-from groundslab.keys import Choice, Flag, Quantity, Range, Several, Text, Whole
+from groundslab.findings import Finding, describe, one_of, quote, suggestion
+from groundslab.keys import Choice, Flag, Quantity, Several, Text, Whole
 from groundslab.loadcases import (
     Combination,
     Combine,
@@ -44,6 +45,7 @@ from groundslab.loadcases import (
     known_factors,
 )
 from groundslab.outline import Circle, Polygon, Rectangle
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table
 from groundslab.slab import Edges, Plate, Zone
 from groundslab.soil import (
@@ -58,7 +60,16 @@ from groundslab.soil import (
     Vlasov,
     Winkler,
 )
-from groundslab.strata import Borehole, GapPoint, SoilZone, boreholes_match, gaps_apart, zones_match
+from groundslab.strata import (
+    Borehole,
+    GapPoint,
+    SoilZone,
+    boreholes_match,
+    depth_fits,
+    gaps_apart,
+    zones_match,
+    zones_near,
+)
 from groundslab.supports import (
     AnySupport,
     LineSupport,
@@ -90,6 +101,7 @@ if TYPE_CHECKING:
     from groundslab.plan import Plan, Ring
 
 MOST_ELEMENTS = 4_000_000  # in all surfaces; nobody wants to fill the memory by a typing error
+MOST_SURFACES = 200  # each couples with all others at every node
 SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
 
 Reach = Literal["none", "margin", "infinite"]
@@ -114,7 +126,7 @@ def _edge_fits(kind: str, edge: str, given: set[str]) -> Iterator[Finding]:
 
 
 class Beyond(Part):
-    """The ground beyond the plate."""
+    """The ground beyond the plate; without effect where the ground carries no shear, as springs do not reach there."""
 
     checks: ClassVar[tuple[Check, ...]] = (_width_fits, _edge_fits)
 
@@ -177,7 +189,7 @@ class Contact(Part):
     ] = ()
     gaps: Annotated[
         tuple[GapPoint, ...],
-        Table("measured gaps, further to gap, a smooth surface between them; a plane stays a plane"),
+        Table("measured gaps, further to gap, a smooth surface between them; a plane stays a plane", 2000),
     ] = ()
     limit_pressure: Annotated[
         float | None,
@@ -205,7 +217,9 @@ class Mesh(Part):
         float | None,
         Quantity("length", "h", "largest side of an element; smaller at edges where needed", POSITIVE),
     ] = None
-    counts: Annotated[tuple[int, int] | None, Several(Whole(""), "n_x, n_y", "elements over the whole plate", 2)] = None
+    counts: Annotated[
+        tuple[int, int] | None, Several(Whole("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
+    ] = None
     symmetry: Annotated[
         Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")
     ] = "auto"
@@ -214,15 +228,17 @@ class Mesh(Part):
 class Analysis(Part):
     """How the equations are solved."""
 
-    increments: Annotated[int, Whole("steps in which the load is applied; the result does not depend on it")] = 1
+    increments: Annotated[
+        int, Whole("steps in which the load is applied; the result does not depend on it", at_most=1000)
+    ] = 1
     solver: Annotated[
         Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed, mumps is for many processes")
     ] = "auto"
     nested: Annotated[bool, Flag("start the contact zone from coarser meshes")] = True
-    max_iterations: Annotated[int, Whole("most contact steps on one mesh")] = 200
+    max_iterations: Annotated[int, Whole("most contact steps on one mesh", at_most=10_000)] = 200
 
 
-def _plate_elements(plate: Plate, mesh: Mesh) -> float:
+def plate_elements(plate: Plate, mesh: Mesh) -> float:
     """Return about how many elements the whole plate has."""
     if mesh.counts is not None:
         return mesh.counts[0] * mesh.counts[1]
@@ -232,7 +248,7 @@ def _plate_elements(plate: Plate, mesh: Mesh) -> float:
 
 
 def _few_elements(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
-    total = _plate_elements(plate, mesh)
+    total = plate_elements(plate, mesh)
     if total > MOST_ELEMENTS:
         key = ("counts",) if mesh.counts is not None else ("size",) if mesh.size is not None else ()
         yield Finding(("mesh", *key), f"about {total:.3g} elements", f"at most {MOST_ELEMENTS:,} elements")
@@ -241,34 +257,40 @@ def _few_elements(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
 def _few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator[Finding]:
     if isinstance(ground, Layered):
         surfaces = sum(layer.sublayers if isinstance(layer, SoilLayer) else 1 for layer in ground.layers)
-        on_plate = _plate_elements(plate, mesh)
-        if on_plate <= MOST_ELEMENTS < on_plate * surfaces:
+        on_plate = plate_elements(plate, mesh)
+        if surfaces > MOST_SURFACES:
+            yield Finding(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
+        elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
             got = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
             yield Finding(("ground", "layers"), got, f"at most {MOST_ELEMENTS:,} for the product of both")
 
 
-def _ground_reaches(ground: AnyGround, beyond: Beyond) -> Iterator[Finding]:
-    if beyond.kind == "none":
-        return
-    place, got = ("beyond", "kind"), f'"{beyond.kind}"'
+def _layers_shear(ground: AnyGround) -> list[bool]:
+    """Return whether the layers of a ground carry shear, from the top downwards."""
     if isinstance(ground, Winkler):
-        yield Finding(place, got, '"none": springs do not reach beyond the plate', 'ground.kind is "winkler"')
-    elif beyond.kind == "infinite" and isinstance(ground, Pasternak) and ground.k1 == 0:
-        yield Finding(place, got, '"none" or "margin": without shear the ground ends with the plate', "ground.k1 is 0")
-    elif beyond.kind == "infinite" and isinstance(ground, Layered):
-        dull = [n for n, layer in enumerate(ground.layers, 1) if isinstance(layer, InterfaceLayer) and layer.k1 == 0]
-        if dull:
-            names = listed((f"ground.layers[{n}].k1" for n in dull), "and")
-            mend = f"{names} {'is' if len(dull) == 1 else 'are'} 0"
-            yield Finding(place, got, '"none" or "margin": without shear a layer ends with the plate', mend)
+        return [False]
+    if isinstance(ground, Pasternak):
+        return [ground.k1 > 0]
+    return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
 
-def _zones_reach(soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[Finding]:
-    for position, zone in enumerate(soil_zones if beyond.kind == "infinite" else ()):
-        layers = zone.ground.layers if isinstance(zone.ground, Layered) else (zone.ground,)
-        if any(isinstance(layer, Pasternak | InterfaceLayer) and layer.k1 == 0 for layer in layers):
-            expected = "k1 above 0, as the ground beyond is infinite"
-            yield Finding(("soil_zones", position, "ground"), "k1 = 0", expected)
+def _all_shear_or_none(ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[Finding]:
+    """Find layers without shear beside others with it, where the ground beyond is infinite.
+
+    Ground without any shear is the limit in which it ends with the plate; of such layers beneath or beside others no
+    tail is known.
+    """
+    grounds = {("ground",): ground} | {("soil_zones", n, "ground"): zone.ground for n, zone in enumerate(soil_zones)}
+    shears = {place: _layers_shear(each) for place, each in grounds.items()}
+    if beyond.kind != "infinite" or not any(map(any, shears.values())):
+        return
+    for place, layers in shears.items():
+        for number in (number for number, shear in enumerate(layers) if not shear):
+            key = ("layers", number, "k1") if isinstance(grounds[place], Layered) else ("k1",)
+            mend = 'beyond.kind = "margin" needs no shear'
+            if isinstance(grounds[place], Winkler):
+                continue  # of another kind than the rest, which is told elsewhere
+            yield Finding((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", mend)
 
 
 def _voids_on_plate(plate: Plate, contact: Contact) -> Iterator[Finding]:
@@ -293,8 +315,9 @@ def _known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase,
 
 def _columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[Finding]:
     yield from named_once("columns", [column.name for column in columns], needed=True)
+    covered = Covered(plate)
     for position, column in enumerate(columns):
-        yield from on_plate(plate, column, ("columns", position))
+        yield from on_plate(covered, column, ("columns", position))
 
 
 def _supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
@@ -338,19 +361,31 @@ def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring |
 
 def _settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
     names = [support.name for support in supports if support.name]
+    known = set(names)
     for position, load in enumerate(loads):
-        if isinstance(load, SettlementLoad) and load.support not in names:
+        if isinstance(load, SettlementLoad) and load.support not in known:
             expected = one_of(names) if names else "a support, and [[supports]] that says where it is"
             place = ("loads", position, "support")
             yield Finding(place, describe(load.support), expected, suggestion(load.support, names))
+
+
+#: What a load may have that makes something act.
+_ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "w", "slope", "bend")
+
+
+def _something_acts(loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+    """Find loads that are all zero."""
+    given = (getattr(load, name, None) for load in loads for name in _ACTING)
+    if not any(any(value) if isinstance(value, tuple) else value for value in given):
+        yield Finding(("loads",), "loads that are all zero", "at least one load that is not", "nothing would settle")
 
 
 class Model(Part):
     """The whole description of a problem."""
 
     checks: ClassVar[tuple[Check, ...]] = (
-        _ground_reaches,
-        _zones_reach,
+        _all_shear_or_none,
+        _something_acts,
         loads_on_plate,
         loads_reach_plate,
         _voids_on_plate,
@@ -365,6 +400,8 @@ class Model(Part):
         _supports_on_plate,
         _settlements_have_a_support,
         zones_match,
+        zones_near,
+        depth_fits,
         boreholes_match,
         output_on_plate,
         bars_within,
@@ -374,16 +411,18 @@ class Model(Part):
     title: Annotated[str, Text("title of the problem")] = ""
     plate: Annotated[Plate, Table("the plate")]
     ground: Annotated[Ground, Table("the ground under the plate")]
-    beyond: Annotated[Beyond, Table("the ground beyond the plate")] = Beyond()
+    beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()
     soil_zones: Annotated[tuple[SoilZone, ...], Table("parts of the plan with other ground")] = ()
     boreholes: Annotated[tuple[Borehole, ...], Table("where the layers are known, to be interpolated between")] = ()
     supports: Annotated[tuple[Support, ...], Table("supports at points and along lines, beside the ground")] = ()
-    columns: Annotated[tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked")] = ()
+    columns: Annotated[
+        tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked", 10_000)
+    ] = ()
     cases: Annotated[
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()
-    loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one")]
+    loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one", 200_000)]
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
@@ -400,6 +439,12 @@ class Model(Part):
     def root(cls) -> str:
         """Return nothing: paths of faults start with the section."""
         return ""
+
+    @property
+    def ground_reaches(self) -> bool:
+        """Return whether ground beyond the plate has an effect: there is some, and it carries shear."""
+        grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
+        return self.beyond.kind != "none" and any(any(_layers_shear(each)) for each in grounds)
 
     @property
     def plain(self) -> bool:

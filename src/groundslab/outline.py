@@ -9,13 +9,16 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import Discriminator, Tag
 
 from groundslab.findings import Finding
-from groundslab.keys import Number, Quantity, Range, Several
+from groundslab.keys import Number, Quantity, Several
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.soil import POSITIVE
 
 if TYPE_CHECKING:
     from groundslab.plan import Ring
 
+#: Two points make a curve if one of its edges has at least this bulge.
+FLATTEST = 1e-3
 #: Arcs are judged by chords that are at most this far off, relative to the size of the curve.
 CHORD = 1e-4
 
@@ -39,7 +42,7 @@ class Rectangle(Part):
 
 
 def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[Finding]:
-    least = 2 if any(bulges) else 3
+    least = 2 if any(abs(bulge) >= FLATTEST for bulge in bulges) else 3
     if len(points) < least:
         yield Finding(("points",), f"{len(points)} points", f"at least {least}")
     if len(bulges) > len(points):
@@ -53,10 +56,12 @@ def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float
 
     if any(_few_points(points, bulges)):
         return
-    size = max(max(values) - min(values) for values in zip(*points, strict=True))
+    ring = Ring(points, bulges)
+    x0, x1, y0, y1 = box_of(ring)
+    size = max(x1 - x0, y1 - y0)
     reason = "all points at one place"
     if size > 0:
-        reason = explain_validity(Ring(points, bulges).polygon(CHORD * size))
+        reason = explain_validity(ring.polygon(CHORD * size))
     if reason != "Valid Geometry":
         got = reason.replace("[", " at (").replace("]", ") m").lower()
         yield Finding(("points",), got, "a curve that neither crosses nor touches itself")
@@ -75,7 +80,7 @@ class Polygon(Part):
     bulges: Annotated[
         tuple[float, ...],
         Several(
-            Number("b", "", Range()),
+            Number("b", "", Range(at_least=-100, at_most=100)),
             "b",
             "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
             least=0,
@@ -109,10 +114,10 @@ class Circle(Part):
 def box_of(ring: Ring) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around a curve, its arcs followed exactly [m]."""
     places = list(ring.points)
-    for edge in ring.segments():
-        for quarter in range(-8, 9):
+    for edge in () if ring.straight else ring.segments():
+        for quarter in () if edge.straight else range(-8, 9):
             turned = (quarter * math.pi / 2 - edge.angle) * math.copysign(1.0, edge.sweep)
-            if not edge.straight and 0 < turned < abs(edge.sweep):
+            if 0 < turned < abs(edge.sweep):
                 x, y = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
                 places.append((edge.centre[0] + edge.radius * x, edge.centre[1] + edge.radius * y))
     x_values, y_values = zip(*places, strict=True)

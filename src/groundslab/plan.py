@@ -29,6 +29,8 @@ ROUND = math.radians(4.0)
 #: A loaded area has its arcs replaced by chords of this angle [rad] at most, ARC_CHORDS of them at least.
 ARC_STEP = 2 * math.pi / 512
 ARC_CHORDS = 8
+#: Arcs are cut into this many chords at most, which are off by 3e-9 of the radius of a quarter circle.
+MOST_CHORDS = 10_000
 #: Section of a place that is not meshed at all; see `sections`.
 NOTHING = -2
 #: Section of a place where ground lies and no plate.
@@ -99,17 +101,23 @@ class Segment:
         return result
 
     def chords(self, tolerance: float) -> int:
-        """Return into how many chords the edge must be cut for them to be at most a tolerance [m] off it."""
+        """Return into how many chords the edge must be cut for them to be at most a tolerance [m] off it.
+
+        No more than MOST_CHORDS, however large the arc is beside the tolerance.
+        """
         if self.straight or tolerance >= self.radius:
             return 1 if self.straight else max(2, math.ceil(abs(self.sweep) / 2))
         # half the angle of a chord is acos(1 - tolerance / radius), here so that small ones keep their digits
         half = 2 * math.asin(math.sqrt(tolerance / self.radius / 2))
-        return max(1, math.ceil(abs(self.sweep) / (2 * half)))
+        return max(1, math.ceil(min(abs(self.sweep) / (2 * half), MOST_CHORDS)))
 
 
 def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
-    """Return the edge between two places; the bulge is the tangent of a quarter of the arc's angle."""
-    if bulge == 0.0:
+    """Return the edge between two places; the bulge is the tangent of a quarter of the arc's angle.
+
+    An arc that rises by less than half of FLAT over its chord is straight: rounding of its far centre would show.
+    """
+    if abs(bulge) < FLAT:
         return Segment(start, end)
     dx, dy = end[0] - start[0], end[1] - start[1]
     offset = (1 - bulge * bulge) / (4 * bulge)
@@ -165,7 +173,7 @@ class Ring:
     @property
     def straight(self) -> bool:
         """Return whether no edge is an arc."""
-        return not any(self.bulges)
+        return all(abs(bulge) < FLAT for bulge in self.bulges)
 
     @property
     def rectilinear(self) -> bool:

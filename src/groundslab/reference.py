@@ -8,7 +8,7 @@ from typing import Any
 from pydantic.fields import FieldInfo
 
 from groundslab.keys import Key
-from groundslab.schema import Part, key_of, meaning_of, nested
+from groundslab.schema import Part, key_of, meaning_of, most_of, nested
 
 
 def json_schema(root: type[Part], title: str) -> dict[str, Any]:
@@ -63,7 +63,7 @@ def _field_schema(field: FieldInfo, definitions: dict[str, Any]) -> dict[str, An
     one = references[0] if len(references) == 1 else {"oneOf": references}
     if inner.many:
         least = {"minItems": 1} if field.is_required() else {}
-        return {"description": about, "type": "array", "items": one, **least}
+        return {"description": about, "type": "array", "items": one, **least, "maxItems": most_of(field)}
     return {"description": about, "allOf": [one]} if len(references) == 1 else {"description": about, **one}
 
 
@@ -99,6 +99,7 @@ def _tables(part: type[Part], path: str, kind: str, about: str) -> Iterator[str]
             which = f"given by {', '.join(_needed(each))}" if len(inner.parts) > 1 and not tag else ""
             names = (kind if path else "", f'kind = "{tag.default}"' if tag else "", which)
             told = meaning_of(tag) if tag else meaning_of(field)
+            told += f" (at most {most_of(field):,} in the list)" if inner.many else ""
             yield from _tables(each, below, ", ".join(filter(None, names)), told)
 
 

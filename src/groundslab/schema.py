@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Annotated, Any, ClassVar, Self, get_args, get_origin
 
 from pydantic import (
@@ -23,12 +23,18 @@ from groundslab.errors import InputError
 from groundslab.findings import Finding, Wrong, describe, listed, quote, suggestion
 from groundslab.keys import MOST_FAULTS, Key, is_from_file
 
+MOST_KEYS = 1000  # of one table; those that are too many are not named one by one
+
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Says in the ``Annotated`` of a field that holds other parts (or the tag of a kind) what it means."""
+    """Says in the ``Annotated`` of a field that holds other parts (or the tag of a kind) what it means.
+
+    Of a list of parts, how many there may be at most.
+    """
 
     meaning: str
+    most: int = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +68,11 @@ def nested(field: FieldInfo) -> Nested:
 def key_of(field: FieldInfo) -> Key | None:
     """Return the kind of key that a field states, None for one that holds parts or a tag."""
     return next((item for item in field.metadata if isinstance(item, Key)), None)
+
+
+def most_of(field: FieldInfo) -> int | None:
+    """Return how many parts a field may hold, None for one that holds no list of parts."""
+    return next((item.most for item in field.metadata if isinstance(item, Table) and nested(field).many), None)
 
 
 def meaning_of(field: FieldInfo) -> str:
@@ -104,8 +115,8 @@ class Part(BaseModel):
         raise refused
 
     def replace(self, **changes: Any) -> Self:
-        """Return the part with some fields changed, checked anew."""
-        return type(self)(**{**dict(self), **changes})
+        """Return the part with some fields changed, checked anew; None takes away what is given for a field."""
+        return type(self)(**{name: value for name, value in {**dict(self), **changes}.items() if value is not None})
 
     @classmethod
     def root(cls) -> str:
@@ -123,6 +134,9 @@ class Part(BaseModel):
         """Run the checks between fields even where some fields are wrong: those that need only sound ones."""
         if isinstance(data, cls):
             return handler(data)
+        # of a list far too long nothing else is said, as all that could be takes long to find
+        if too_long := _too_long(cls, data):
+            raise Wrong(*too_long)
         made, findings = None, []
         try:
             made = handler(data)
@@ -134,17 +148,18 @@ class Part(BaseModel):
         else:
             sound = dict(made)
         from_file = is_from_file(info.context)
+        fields = cls.model_fields
         sound["given"] = {
             name
-            for name, field in cls.model_fields.items()
-            if name in data and (from_file or name not in sound or sound[name] != field.default)
+            for name in data
+            if name in fields and (from_file or name not in sound or sound[name] != fields[name].default)
         }
         for check in cls.checks:
-            needs = inspect.signature(check).parameters
-            if needs.keys() <= sound.keys():
+            needs = _needs(check)
+            if sound.keys() >= needs:
                 findings += check(**{name: sound[name] for name in needs})
         if made is None or findings:
-            raise Wrong(*findings)
+            raise Wrong(*_first(findings))
         return made
 
 
@@ -153,6 +168,32 @@ def kind_of(value: Any) -> str | None:
     kind = value.get("kind") if isinstance(value, Mapping) else getattr(value, "kind", None)
     # a kind that is no text is not handed on: pydantic would print it, however deep it is nested
     return kind if isinstance(kind, str) else None
+
+
+@cache
+def _needs(check: Check) -> frozenset[str]:
+    """Return the names of the fields that a check needs."""
+    return frozenset(inspect.signature(check).parameters)
+
+
+def _too_long(cls: type[Part], data: Any) -> list[Finding]:
+    """Return which lists of parts hold too many of them, or that there are too many keys."""
+    if not isinstance(data, Mapping):
+        return []
+    if len(data) > MOST_KEYS:
+        return [Finding((), f"a table of {len(data)} keys", f"some of {', '.join(cls.model_fields)}")]
+    given = {name: data[name] for name in _most_of_lists(cls) if isinstance(data.get(name), list | tuple)}
+    most = _most_of_lists(cls)
+    return [
+        Finding((name,), describe(value), f"at most {most[name]}") for name, value in given.items()
+        if len(value) > most[name]
+    ]  # fmt: skip
+
+
+@cache
+def _most_of_lists(cls: type[Part]) -> dict[str, int]:
+    """Return how many parts each list of a part may hold."""
+    return {name: most for name, field in cls.model_fields.items() if (most := most_of(field)) is not None}
 
 
 def _lines(error: ValidationError) -> list[Any]:
@@ -199,6 +240,14 @@ def _translate(cls: type[Part], error: ValidationError) -> list[Finding]:
     if len(lines) > MOST_FAULTS:
         findings.append(Finding((), f"{len(lines)} faults", f"at most {MOST_FAULTS} of them to be told"))
     return findings
+
+
+def _first(findings: list[Finding]) -> list[Finding]:
+    """Return as many findings as can be told of one part, and that there are more."""
+    if len(findings) <= MOST_FAULTS + 1:  # of what it holds, so many have been told already
+        return findings
+    more = Finding((), f"{len(findings)} faults", f"at most {MOST_FAULTS} of them to be told")
+    return [*findings[:MOST_FAULTS], more]
 
 
 def _no_table(place: tuple[str | int, ...], value: object) -> Finding:

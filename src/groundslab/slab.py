@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.findings import Finding, quote
-from groundslab.keys import Choice, Number, Quantity, Range
+from groundslab.keys import Choice, Number, Quantity
 from groundslab.outline import AnyShape, Rectangle, Shape, box_of
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table
 from groundslab.soil import POISSON, POSITIVE
 
@@ -62,6 +63,18 @@ def _edges_or_support(support: str, edges: Edges) -> Iterator[Finding]:
         yield Finding(("support",), quote(support), "either support or edges", "edges = {...} holds sides one by one")
 
 
+def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[Finding]:
+    """Find a hinged edge along which it cannot be said which rotation is held."""
+    if support != "hinged" or outline is None:
+        return
+    for edge in outline.ring().segments():
+        (x0, y0), (x1, y1) = edge.start, edge.end
+        if not edge.straight or (x0 != x1 and y0 != y1):
+            got = f'"hinged" on the edge from ({x0:g}, {y0:g}) to ({x1:g}, {y1:g}) m'
+            yield Finding(("support",), got, 'edges along x or y, or support = "soft" (w = 0) or "clamped"')
+            return
+
+
 def _can_be_meshed(
     length_x: float | None,
     length_y: float | None,
@@ -89,7 +102,12 @@ def _can_be_meshed(
 class Plate(Part):
     """The plate: a rectangle about the origin, or any outline."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_outline, _edges_or_support, _can_be_meshed)
+    checks: ClassVar[tuple[Check, ...]] = (
+        _one_outline,
+        _edges_or_support,
+        _hinged_along_axes,
+        _can_be_meshed,
+    )
 
     length_x: Annotated[
         float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)

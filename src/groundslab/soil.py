@@ -8,10 +8,13 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, Field, Tag
 
 from groundslab.findings import Finding, describe, quote
-from groundslab.keys import Choice, Number, Quantity, Range, Whole
+from groundslab.keys import Choice, Number, Quantity, Whole
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table, kind_of
 
 POSITIVE = Range(above=0)
+#: Stiffness against shear: none, or one whose reach is more than nothing.
+SHEAR = Range(at_least=0, smallest=1e-3)
 POISSON = Range(at_least=0, below=0.5)
 
 Variation = Literal["linear", "quadratic"]
@@ -21,7 +24,9 @@ Coupling = Literal["interface", "consistent"]
 
 Gamma = Annotated[
     float | Literal["iterate"],
-    Number("gamma", "decay of the mode over the depth; iterated by default", POSITIVE, ("iterate",)),
+    Number(
+        "gamma", "decay of the mode over the depth; iterated by default", Range(above=0, at_most=1000), ("iterate",)
+    ),
 ]
 FormulasKey = Annotated[
     Formulas, Choice(Formulas, 'formulas for k0 and k1; "as printed" repeats the misprints of the paper')
@@ -56,7 +61,7 @@ class Pasternak(Part):
 
     kind: Annotated[Literal["pasternak"], Table("springs under a shear layer, both given")] = "pasternak"
     k0: Annotated[float, Quantity("pressure per length", "k_0", "modulus of subgrade reaction", POSITIVE)]
-    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", Range(at_least=0))]
+    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", SHEAR)]
 
 
 def _variation_has_an_end(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[Finding]:
@@ -76,15 +81,17 @@ class SoilLayer(Part):
     ] = None
     variation: Annotated[Variation, Choice(Variation, "how the modulus varies from E to E_bottom")] = "linear"
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
-    thickness: Annotated[float, Quantity("length", "h", "thickness", POSITIVE)]
-    sublayers: Annotated[int, Whole("equal parts to divide the layer into, for consistent coupling only")] = 1
+    thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000))]
+    sublayers: Annotated[
+        int, Whole("equal parts to divide the layer into, for consistent coupling only", at_most=100)
+    ] = 1
 
 
 class InterfaceLayer(Part):
     """A layer given by the two stiffnesses between its top and its bottom."""
 
     k0: Annotated[float, Quantity("pressure per length", "k_0", "stiffness against compression", POSITIVE)]
-    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness against shear", Range(at_least=0))]
+    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness against shear", SHEAR)]
 
 
 def _no_sublayers(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str = "interface") -> Iterator[Finding]:

@@ -9,9 +9,15 @@ from pydantic import Field
 
 from groundslab.findings import Finding, quote
 from groundslab.keys import Quantity, Text
-from groundslab.outline import Shape
+from groundslab.outline import Shape, box_of
 from groundslab.schema import Part, Table
+from groundslab.slab import Plate
 from groundslab.soil import AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
+
+#: Zones of soil reach no further from the plate, in lengths of its longer side.
+FARTHEST = 1000
+#: The base lies no deeper than so many lengths of the plate's longer side: modes have an element for each decay.
+DEEPEST = 2000
 
 
 class SoilZone(Part):
@@ -54,6 +60,36 @@ def zones_match(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator
             yield Finding(("soil_zones", position, "ground"), "ground of another kind", expected)
 
 
+def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Finding]:
+    """Find zones of soil that reach so far off the plate that their edge near it could not be told to its digits."""
+    p0, p1, r0, r1 = plate.bounds
+    far = FARTHEST * max(p1 - p0, r1 - r0)
+    for position, zone in enumerate(soil_zones):
+        x0, x1, y0, y1 = box_of(zone.shape.ring())
+        reach = max(p0 - x0, x1 - p1, r0 - y0, y1 - r1)
+        if reach > far:
+            expected = f"at most {far:g} m, {FARTHEST} times the plate's longer side"
+            mend = "end it where the ground beyond the plate has no effect any more"
+            yield Finding(
+                ("soil_zones", position, "shape"), f"a zone that reaches {reach:g} m from the plate", expected, mend
+            )
+
+
+def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[Finding]:
+    """Find soil so deep beside the plate that what the plate does to it is over far above the base."""
+    most = DEEPEST * max(plate.sides)
+    described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
+    for position, hole in enumerate(boreholes):
+        described["boreholes", position, "layers"] = hole.layers
+    if isinstance(ground, Vlasov | Layered):
+        described["ground", "layers"] = ground.layers
+    for place, layers in described.items():
+        depth = sum(layer.thickness for layer in layers if isinstance(layer, SoilLayer))
+        if depth > most:
+            expected = f"at most {most:g} m, {DEEPEST} times the plate's longer side"
+            yield Finding(place, f"layers of {depth:g} m", expected, "leave out what lies too deep to matter")
+
+
 def boreholes_match(
     ground: AnyGround, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
 ) -> Iterator[Finding]:
@@ -70,6 +106,7 @@ def boreholes_match(
         )
     if isinstance(ground, Vlasov) and ground.formulas == "as printed":
         yield Finding(("ground", "formulas"), '"as printed" with boreholes', '"exact"')
+    seen: dict[tuple[float, float], int] = {}
     for position, hole in enumerate(boreholes):
         if len(hole.layers) != len(ground.layers):
             got = f"{len(hole.layers)} layers"
@@ -84,9 +121,9 @@ def boreholes_match(
             if layer.variation != wanted.variation:
                 place = ("boreholes", position, "layers", number, "variation")
                 yield Finding(place, quote(layer.variation), f"{quote(wanted.variation)}, as the ground's layer has")
-        for other, earlier in enumerate(boreholes[:position], start=1):
-            if (hole.x, hole.y) == (earlier.x, earlier.y):
-                yield Finding(("boreholes", position), f"the place of boreholes[{other}]", "a place of its own")
+        first = seen.setdefault((hole.x, hole.y), position)
+        if first != position:
+            yield Finding(("boreholes", position), f"the place of boreholes[{first + 1}]", "a place of its own")
 
 
 def gaps_apart(gaps: tuple[GapPoint, ...]) -> Iterator[Finding]:

@@ -8,8 +8,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Discriminator, Tag
 
 from groundslab.findings import Finding, describe
-from groundslab.keys import Choice, Quantity, Range, Several, Text
+from groundslab.keys import Choice, Quantity, Several, Text
 from groundslab.outline import Place
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
@@ -114,8 +115,10 @@ def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator
 
 def named_once(part: str, names: list[str], needed: bool) -> Iterator[Finding]:
     """Find names that are empty though needed, or given twice, among the parts of a list."""
+    seen = set[str]()
     for position, name in enumerate(names):
         if not name and needed:
             yield Finding((part, position, "name"), "no name", "a name")
-        if name and name in names[:position]:
+        if name in seen:
             yield Finding((part, position, "name"), f"{describe(name)} again", "a name of its own")
+        seen |= {name} - {""}

@@ -13,18 +13,24 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Dimension:
-    """What a group of quantities has in common: powers of length, mass, time, temperature; how it is written."""
+    """What a group of quantities has in common: powers of length, mass, time, temperature; how it is written.
+
+    Sizes below `smallest` and above `largest`, in SI units, make no physical sense: they are mistakes.
+    """
 
     phrase: str
     example: str
     si: str
     powers: tuple[int, int, int, int]
     steps: tuple[tuple[float, str], ...]  # units for people, the smallest first: size in SI units, name
+    smallest: float = 1e-6
+    largest: float = 1e18
 
 
 #: All dimensions that the input knows, by name.
 DIMENSIONS: dict[str, Dimension] = {
-    "length": Dimension("a length", "0.2 m", "m", (1, 0, 0, 0), ((1e-3, "mm"), (1.0, "m"))),
+    # coordinates of national grids have up to seven digits before the point
+    "length": Dimension("a length", "0.2 m", "m", (1, 0, 0, 0), ((1e-3, "mm"), (1.0, "m")), 1e-9, 1e7),
     "pressure": Dimension(
         "a pressure", "30 MPa", "Pa", (-1, 1, -2, 0), ((1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa"))
     ),
@@ -64,9 +70,11 @@ DIMENSIONS: dict[str, Dimension] = {
     ),
     "area per length": Dimension("an area per length", "5 cm^2/m", "m^2/m", (1, 0, 0, 0), ((1e-4, "cm^2/m"),)),
     "slope": Dimension("a slope", "2 mm/m", "m/m", (0, 0, 0, 0), ((1e-3, "mm/m"), (1.0, "m/m"))),
-    "temperature difference": Dimension("a temperature difference", "15 K", "K", (0, 0, 0, 1), ((1.0, "K"),)),
+    "temperature difference": Dimension(
+        "a temperature difference", "15 K", "K", (0, 0, 0, 1), ((1.0, "K"),), largest=1e6
+    ),
     "strain per temperature": Dimension(
-        "a strain per temperature", "1e-5 1/K", "1/K", (0, 0, 0, -1), ((1.0, "1/K"),)
+        "a strain per temperature", "1e-5 1/K", "1/K", (0, 0, 0, -1), ((1.0, "1/K"),), smallest=1e-12, largest=1.0
     ),
 }  # fmt: skip
 
@@ -137,9 +145,12 @@ def parse(text: str, dimension: str) -> float:
     if powers != DIMENSIONS[dimension].powers:
         raise QuantityError(expected, f'"{match["unit"]}" is no unit of {DIMENSIONS[dimension].phrase}')
     # Decimal, so that "700 mm" is the float nearest to 0.7 and not 700 * 0.001
-    value = float(_EXACT.multiply(Decimal(match["number"]), size))
+    number = Decimal(match["number"])
+    value = float(_EXACT.multiply(number, size))
     if not math.isfinite(value):
         raise QuantityError(expected, "the number is too large")
+    if value == 0 and number != 0:
+        raise QuantityError(expected, "the number is too near to zero")
     return value
 
 
@@ -179,6 +190,7 @@ def write(value: float, dimension: str) -> str:
     return f"{value!r} {DIMENSIONS[dimension].si}"
 
 
+@lru_cache(maxsize=1024)
 def _unit(text: str, expected: str) -> tuple[Decimal, tuple[int, ...]]:
     """Return size in SI units and the powers of length, mass, time and temperature of a unit such as kN/m^2 or 1/K."""
     size, powers, position = Decimal(1), (0, 0, 0, 0), 0

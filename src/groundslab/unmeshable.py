@@ -6,12 +6,13 @@ import math
 import re
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from groundslab.errors import Fault
 from groundslab.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, at
+from groundslab.shape import Array, Integers
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 NO_LENGTH = 1e-6
 #: What is closer than this, relative to the extent, without touching leaves a strip too narrow to mesh.
 TOO_CLOSE = 1e-3
+#: Edges of different curves that come together more often than this leave nothing of a plate to be meshed.
+MOST_MEETINGS = 50_000
 #: Two edges that meet at less than this angle [rad] leave a corner too sharp to mesh.
 TOO_SHARP = math.radians(5)
 
@@ -118,6 +121,11 @@ def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
     near = TOO_CLOSE * plan.extent
     names = [name for name in flat if name.startswith("plate.openings")]
     mend = "to cut into the plate's edge, draw the outline so"
+    polygons = _openings(flat)
+    beside: dict[int, list[int]] = {}
+    for i, k in shapely.STRtree(polygons).query(polygons, predicate="dwithin", distance=near).T.tolist():
+        if k < i:
+            beside.setdefault(i, []).append(k)
     for i, name in enumerate(names):
         own = flat[name]
         if not outline.intersects(own) or outline.touches(own):
@@ -130,7 +138,7 @@ def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
         elif (gap := outline.boundary.distance(own)) < near:
             where = shapely.shortest_line(own, outline.boundary).coords[0]
             yield _strip(name, "plate.outline", where, gap, near)
-        for other in names[:i]:
+        for other in (names[k] for k in sorted(beside.get(i, []))):
             if own.intersects(flat[other]):
                 inside = own.contains(flat[other]) or flat[other].contains(own)
                 place = "inside the other" if inside else f"at {_meeting(own, flat[other])}"
@@ -145,13 +153,17 @@ def _strip(name: str, other: str, place: Place, gap: float, near: float) -> Faul
     return Fault(name, got, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
 
 
+def _openings(flat: dict[str, Polygon]) -> Any:
+    """Return the openings as shapely takes several, none too."""
+    return np.array([polygon for name, polygon in flat.items() if name.startswith("plate.openings")], dtype=object)
+
+
 def _zone_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
     """Yield zones off the plate, and ground that does not reach all round it."""
+    import shapely
+
     outline = flat["plate.outline"]
-    plate = outline
-    for name, polygon in flat.items():
-        if name.startswith("plate.openings"):
-            plate = plate.difference(polygon)
+    plate = outline.difference(shapely.union_all(_openings(flat)))
     for name, polygon in flat.items():
         if name.startswith("plate.zones") and plate.intersection(polygon).area <= (SAME_PLACE * plan.extent) ** 2:
             yield Fault(name, "a zone that covers nothing of the plate", "one on the plate", "move it or leave it out")
@@ -167,10 +179,11 @@ def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
     """Yield points and lines that are not on the plate."""
     import shapely
 
-    plate = flat["plate.outline"].buffer(2 * FLAT * plan.extent)
-    for name, polygon in flat.items():
-        if name.startswith("plate.openings"):
-            plate = plate.difference(polygon.buffer(-2 * FLAT * plan.extent))
+    if not (plan.points or plan.lines):
+        return
+    inner = shapely.union_all(shapely.buffer(_openings(flat), -2 * FLAT * plan.extent))
+    plate = flat["plate.outline"].buffer(2 * FLAT * plan.extent).difference(inner)
+    shapely.prepare(plate)
     for i, point in enumerate(plan.points, start=1):
         if not plate.covers(shapely.Point(point)):
             yield Fault(f"plate.points[{i}]", f"a point off the plate at {at(point)}", "one on the plate")
@@ -204,14 +217,29 @@ def _near_misses(plan: Plan) -> Iterator[Fault]:
         counts[own] = shapely.intersects_xy(reach, *places[own].T)
     near = TOO_CLOSE * plan.extent
     seen: set[tuple[str, str]] = set()
-    for name, edge in edges:
-        distance = edge.distance(places)
-        close = (distance > SAME_PLACE * plan.extent) & (distance < near) & counts & (names != name)
-        for k in np.flatnonzero(close):
+    for i, k_near in _places_near(plan, [edge for _, edge in edges], places, near):
+        name, edge = edges[i]
+        k_near = k_near[counts[k_near] & (names[k_near] != name)]
+        distance = np.zeros(len(places))
+        distance[k_near] = edge.distance(places[k_near])
+        for k in k_near[(distance[k_near] > SAME_PLACE * plan.extent) & (distance[k_near] < near)]:
             pair = min(name, str(names[k])), max(name, str(names[k]))
             if pair not in seen:
                 seen.add(pair)
                 yield _strip(str(names[k]), name, (places[k, 0], places[k, 1]), float(distance[k]), near)
+
+
+def _places_near(plan: Plan, edges: list[Segment], places: Array, near: float) -> Iterator[tuple[int, Integers]]:
+    """Yield of each edge that has places (p, 2) nearer than so far [m] its number and theirs, ascending."""
+    import shapely
+
+    off = FLAT * plan.extent
+    flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(off) + 1))) for edge in edges]
+    found = shapely.STRtree(shapely.points(places)).query(flat, predicate="dwithin", distance=near + off)
+    found = found[:, np.lexsort(found[::-1])]
+    begins = np.flatnonzero(np.diff(found[0], prepend=-1))
+    for one, many in zip(found[0, begins], np.split(found[1], begins[1:]), strict=False):
+        yield int(one), many
 
 
 def _grazes(plan: Plan) -> Iterator[Fault]:
@@ -224,10 +252,22 @@ def _grazes(plan: Plan) -> Iterator[Fault]:
     same, step = 2 * FLAT * plan.extent, 10 * TOO_CLOSE * plan.extent
     flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(same / 2) + 1))) for _, edge in edges]
     seen: set[tuple[str, str]] = set()
-    for i, j in shapely.STRtree(flat).query(flat, predicate="dwithin", distance=same).T.tolist():
+    curve = np.unique([name for name, _ in edges], return_inverse=True)[1]
+    # boxes first, as there may be very many of them
+    boxes = shapely.box(*(shapely.bounds(flat) + same * np.array([-1, -1, 1, 1])).T)
+    meetings = shapely.STRtree(boxes).query(boxes)
+    meetings = meetings[:, (curve[meetings[0]] != curve[meetings[1]]) & (meetings[0] < meetings[1])]
+    if meetings.shape[1] <= MOST_MEETINGS:
+        meetings = meetings[:, shapely.dwithin(np.array(flat)[meetings[0]], np.array(flat)[meetings[1]], same)]
+    else:
+        got = f"{meetings.shape[1]:,} places where edges of openings, zones and supports come together"
+        yield Fault("plate.outline", got, f"at most {MOST_MEETINGS:,}", "draw what overlaps as one")
+        return
+    meetings = np.hstack([meetings, meetings[::-1]])
+    for i, j in meetings.T.tolist():
         (name, one), (other, two) = edges[i], edges[j]
         pair = min(name, other), max(name, other)
-        if name == other or pair in seen:
+        if pair in seen:
             continue
         place = shapely.shortest_line(flat[i], flat[j]).coords[0]
         parts = one.part(place) + np.array([-1, 1]) * step / one.length

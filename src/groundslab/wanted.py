@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-from groundslab.actions import on_plate
+from groundslab.actions import Covered, on_plate
 from groundslab.findings import Finding
-from groundslab.keys import Number, Quantity, Range, Several, Text, Whole
+from groundslab.keys import Number, Quantity, Several, Text, Whole
 from groundslab.outline import Place
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table
 from groundslab.slab import Plate
 from groundslab.soil import POSITIVE
@@ -16,6 +17,10 @@ from groundslab.supports import named_once
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
+
+#: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
+CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
+PARTIAL = Range(at_least=0.1, at_most=10)
 
 
 class OutputPoint(Part):
@@ -56,7 +61,9 @@ class OutputStrip(Part):
     start: Annotated[tuple[float, float], Place]
     end: Annotated[tuple[float, float], Place]
     width: Annotated[float, Quantity("length", "b", "its width, half of it on each side of the axis", POSITIVE)]
-    stations: Annotated[int, Whole("number of cuts across it, evenly spaced from start to end", at_least=2)] = 21
+    stations: Annotated[
+        int, Whole("number of cuts across it, evenly spaced from start to end", at_least=2, at_most=1000)
+    ] = 21
 
 
 def _points_named(points: tuple[OutputPoint, ...]) -> Iterator[Finding]:
@@ -76,27 +83,18 @@ class Output(Part):
 
     checks: ClassVar[tuple[Check, ...]] = (_points_named, _lines_named, _strips_named)
 
-    points: Annotated[tuple[OutputPoint, ...], Table("points at which all fields are listed")] = ()
+    points: Annotated[tuple[OutputPoint, ...], Table("points at which all fields are listed", 10_000)] = ()
     lines: Annotated[tuple[OutputLine, ...], Table("section lines along which all fields are listed")] = ()
     strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
-
-
-def _standard_covers(f_ck: float, f_yk: float) -> Iterator[Finding]:
-    """Find strengths that EN 1992-1-1 is not made for (3.1.2, 3.2.2(3))."""
-    for name, value, least, most in (("f_ck", f_ck, 12, 90), ("f_yk", f_yk, 400, 600)):
-        if not least * 1e6 <= value <= most * 1e6:
-            yield Finding((name,), f"{value / 1e6:g} MPa", f"a strength from {least} to {most} MPa, as in EN 1992-1-1")
 
 
 class Reinforcement(Part):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_standard_covers,)
-
-    f_ck: Annotated[float, Quantity("pressure", "f_ck", "characteristic strength of the concrete", POSITIVE)]
-    f_yk: Annotated[float, Quantity("pressure", "f_yk", "characteristic yield strength of the steel", POSITIVE)]
-    gamma_c: Annotated[float, Number("gamma_C", "partial factor of concrete", POSITIVE)] = 1.5
-    gamma_s: Annotated[float, Number("gamma_S", "partial factor of steel", POSITIVE)] = 1.15
+    f_ck: Annotated[float, Quantity("pressure", "f_ck", "characteristic strength of the concrete", CONCRETE)]
+    f_yk: Annotated[float, Quantity("pressure", "f_yk", "characteristic yield strength of the steel", STEEL)]
+    gamma_c: Annotated[float, Number("gamma_C", "partial factor of concrete", PARTIAL)] = 1.5
+    gamma_s: Annotated[float, Number("gamma_S", "partial factor of steel", PARTIAL)] = 1.15
     alpha_cc: Annotated[
         float, Number("alpha_cc", "long-term effects on the strength of concrete", Range(above=0, at_most=1))
     ] = 1.0
@@ -114,8 +112,9 @@ def output_on_plate(plate: Plate, output: Output) -> Iterator[Finding]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
     from shapely import LineString
 
+    covered = Covered(plate)
     for position, point in enumerate(output.points):
-        yield from on_plate(plate, point, ("output", "points", position))
+        yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):
         return
     outline = plate.ring().polygon(1e-4 * max(plate.sides))

@@ -29,7 +29,7 @@ from groundslab.model import (
     Vlasov,
     Winkler,
 )
-from strategies import MODULI_OF_SOIL, POISSON, models
+from strategies import MODULI_OF_SOIL, POISSON, models, numbers
 
 PLATE = Plate(length_x=6.0, length_y=4.0, thickness=0.25, E=30e9, nu=0.2)
 STIFF, SOFT = SoilLayer(E=90e6, nu=0.25, thickness=4.0), SoilLayer(E=30e6, E_bottom=50e6, nu=0.4, thickness=3.0)
@@ -134,7 +134,7 @@ def varying(draw: st.DrawFn) -> Model:
     """Return whole descriptions whose ground varies, by zones or between boreholes."""
     model = draw(models())
     ground = model.ground
-    place = st.floats(-10.0, 10.0)
+    place = numbers(-10.0, 10.0)
     by_soil = isinstance(ground, Vlasov | Layered) and all(isinstance(layer, SoilLayer) for layer in ground.layers)
     if by_soil and getattr(ground, "formulas", "") == "exact" and draw(st.booleans()):
         places = draw(st.lists(st.tuples(place, place), min_size=1, max_size=5, unique=True))
@@ -168,7 +168,7 @@ def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model
 @given(
     st.sampled_from(["consistent", "profile", "vlasov", "interface of soil", "given gamma"]),
     st.lists(
-        st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(0.2, 5.0), st.floats(0.5, 2.0)),
+        st.tuples(numbers(-9, 9), numbers(-9, 9), st.floats(0.2, 5.0), st.floats(0.5, 2.0)),
         min_size=2,
         max_size=6,
         unique_by=lambda hole: hole[:2],

@@ -88,7 +88,7 @@ def at(result: Results, points: np.ndarray, touching: np.ndarray | None = None) 
 
 def rounded(low: float, high: float) -> st.SearchStrategy[float]:
     """Return floats with few digits."""
-    return st.floats(low, high).map(lambda value: float(f"{value:.4g}"))
+    return st.floats(low, high).map(lambda value: float(f"{value:.4g}") if abs(value) > 1e-12 else 0.0)
 
 
 @st.composite

@@ -24,6 +24,8 @@ from groundslab.model import (
 from groundslab.results import Results
 
 FACTORS = [1e3, 1e6, 1e9, 1e12]
+#: The widest way that an input may have [m]; beyond it the arrays are tried.
+WIDEST = 1e7
 #: The loads press all but a corner of the plate down, so that a tolerance that is too wide can be seen.
 LOADS = [UniformLoad(q=10e3), PointLoad(P=100e3, x=0.0, y=0.0), PointLoad(P=80e3, x=2.5, y=1.5)]
 

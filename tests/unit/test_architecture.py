@@ -17,7 +17,7 @@ PACKAGE = Path(groundslab.__file__).parent
 
 #: Rooms by floor; a folder stands for all that is in it. What a room imports lies on its own floor or below.
 FLOORS = [
-    ["errors", "atomic", "provenance", "units", "dxf"],
+    ["errors", "atomic", "provenance", "units", "ranges", "dxf"],
     [
         "model",
         "slab",

@@ -153,8 +153,11 @@ ONE_FAULT = [
         case(ground={**VLASOV, "layers": [{**LAYER, "E_bottom": "0 Pa"}]}),
         "ground.layers[1].E_bottom", '"0 Pa"', "a pressure above 0",
     ),
-    (case(ground={**VLASOV, "gamma": 0}), "ground.gamma", "0", 'a number above 0 or "iterate"'),
-    (case(ground={**VLASOV, "gamma": "auto"}), "ground.gamma", '"auto"', 'a number above 0 or "iterate"'),
+    (case(ground={**VLASOV, "gamma": 0}), "ground.gamma", "0", 'a number above 0 and at most 1000 or "iterate"'),
+    (
+        case(ground={**VLASOV, "gamma": "auto"}),
+        "ground.gamma", '"auto"', 'a number above 0 and at most 1000 or "iterate"',
+    ),
     (
         case(ground={**VLASOV, "layers": [LAYER, LAYER], "mode": "sinh"}),
         "ground.mode", '"sinh" with 2 layers', 'one layer, or mode = "profile"',
@@ -173,11 +176,11 @@ ONE_FAULT = [
     ),
     (
         case(ground={**CONSISTENT, "layers": [{**LAYER, "sublayers": 0}]}),
-        "ground.layers[1].sublayers", "0", "a whole number from 1 to 2147483647",
+        "ground.layers[1].sublayers", "0", "a whole number from 1 to 100",
     ),
     (
         case(ground={**CONSISTENT, "layers": [{**LAYER, "sublayers": 1.0}]}),
-        "ground.layers[1].sublayers", "1.0", "a whole number from 1 to 2147483647",
+        "ground.layers[1].sublayers", "1.0", "a whole number from 1 to 100",
     ),
     (
         case(ground={**INTERFACE, "layers": [BY_K, LAYER]}),
@@ -232,20 +235,8 @@ ONE_FAULT = [
         "beyond.sides[2]", '"up"', '"left", "right", "bottom" or "top"',
     ),
     (
-        case(beyond={"kind": "infinite"}),
-        "beyond.kind", '"infinite"', '"none": springs do not reach beyond the plate',
-    ),
-    (
-        case(beyond={"kind": "margin", "width": "5 m"}),
-        "beyond.kind", '"margin"', '"none": springs do not reach beyond the plate',
-    ),
-    (
-        case(ground={**PASTERNAK, "k1": "0 N/m"}, beyond={"kind": "infinite"}),
-        "beyond.kind", '"infinite"', '"none" or "margin": without shear the ground ends with the plate',
-    ),
-    (
         case(ground={**INTERFACE, "layers": [BY_K, {**BY_K, "k1": "0 N/m"}]}, beyond={"kind": "infinite"}),
-        "beyond.kind", '"infinite"', '"none" or "margin": without shear a layer ends with the plate',
+        "ground.layers[2].k1", "0 N/m", "k1 above 0, as other ground has it and is infinite",
     ),
     # contact
     (case(contact__gap="-1 mm"), "contact.gap", '"-1 mm"', "a length at least 0"),
@@ -289,24 +280,28 @@ ONE_FAULT = [
     # mesh and analysis
     (case(mesh={"size": "1 m", "counts": [2, 2]}), "mesh", "both size and counts", "at most one of size and counts"),
     (case(mesh__size="0 m"), "mesh.size", '"0 m"', "a length above 0"),
-    (case(mesh__counts=[2, 0]), "mesh.counts[2]", "0", "a whole number from 1 to 2147483647"),
-    (case(mesh__counts=[2, 2.0]), "mesh.counts[2]", "2.0", "a whole number from 1 to 2147483647"),
-    (case(mesh__counts=[2, True]), "mesh.counts[2]", "true", "a whole number from 1 to 2147483647"),
+    (case(mesh__counts=[2, 0]), "mesh.counts[2]", "0", "a whole number from 1 to 100000"),
+    (case(mesh__counts=[2, 2.0]), "mesh.counts[2]", "2.0", "a whole number from 1 to 100000"),
+    (case(mesh__counts=[2, True]), "mesh.counts[2]", "true", "a whole number from 1 to 100000"),
     (
         case(mesh__counts=[2]),
-        "mesh.counts", "a list of 1", "a list of 2, each a whole number from 1 to 2147483647",
+        "mesh.counts", "a list of 1", "a list of 2, each a whole number from 1 to 100000",
     ),
     (case(mesh__counts=[2000, 2001]), "mesh.counts", "about 4e+06 elements", "at most 4,000,000 elements"),
     (case(mesh__size="1 mm"), "mesh.size", "about 2.4e+07 elements", "at most 4,000,000 elements"),
-    (case(plate__length_x="1e9 km"), "mesh", "about 1.44e+14 elements", "at most 4,000,000 elements"),
+    (case(plate__length_x="1e4 km"), "mesh", "about 1.44e+09 elements", "at most 4,000,000 elements"),
     (
-        case(ground={**CONSISTENT, "layers": [LAYER, {**LAYER, "sublayers": 99_999}]}),
-        "ground.layers", "100000 layers and sublayers on about 864 elements",
+        case(ground={**CONSISTENT, "layers": [LAYER, {**LAYER, "sublayers": 100}, {**LAYER, "sublayers": 100}]}),
+        "ground.layers", "201 layers and sublayers", "at most 200",
+    ),
+    (
+        case(mesh__size="10 mm", ground={**CONSISTENT, "layers": [LAYER, {**LAYER, "sublayers": 99}]}),
+        "ground.layers", "100 layers and sublayers on about 2.4e+05 elements",
         "at most 4,000,000 for the product of both",
     ),
-    (case(analysis__increments=0), "analysis.increments", "0", "a whole number from 1 to 2147483647"),
-    (case(analysis__increments=10**30), "analysis.increments", str(10**30), "a whole number from 1 to 2147483647"),
-    (case(analysis__max_iterations=0), "analysis.max_iterations", "0", "a whole number from 1 to 2147483647"),
+    (case(analysis__increments=0), "analysis.increments", "0", "a whole number from 1 to 1000"),
+    (case(analysis__increments=10**30), "analysis.increments", str(10**30), "a whole number from 1 to 1000"),
+    (case(analysis__max_iterations=0), "analysis.max_iterations", "0", "a whole number from 1 to 10000"),
     (case(analysis__solver="cg"), "analysis.solver", '"cg"', '"auto", "pardiso", "superlu" or "mumps"'),
 ]  # fmt: skip
 
@@ -425,8 +420,11 @@ def test_broken_section_is_not_checked_against_others() -> None:
 
 def test_flood_of_faults_is_bounded() -> None:
     """A file of nothing but mistakes gives a report that can be read."""
-    data = case() | {f"key{i}": i for i in range(100_000)}
+    data = case() | {f"key{i}": i for i in range(900)}
     assert 100 <= len(faults(data)) <= 102
+    data = case() | {f"key{i}": i for i in range(100_000)}
+    (fault,) = faults(data)
+    assert fault[:2] == ("the description", "a table of 100003 keys")
 
 
 @pytest.mark.parametrize("data", [None, 3, "text", [], [1], object(), {1: 2}, {"plate": {1: 2}}, b"x"])

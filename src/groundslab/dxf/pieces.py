@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 SAG, SAG_OF_SIZE = 1e-3, 1e-5
 MOST_LINES = 10_000  # that splines are made into
 HIGHEST = 25  # degree of a spline
-LARGEST_BULGE = 1e3  # of an arc, all but a whole circle
+LARGEST_BULGE = 100.0  # of an arc, as in a case file; all but a whole circle
 MOST_HALVINGS = 16  # of a spline's span
 LINES_MADE = "lines that splines are made into"
 FLAT = 1e-9  # bulge of a straight edge, at most

@@ -49,9 +49,11 @@ def rectilinear(
 
 
 def _apart(values: Array, extent: float) -> Array:
-    """Return values ascending, of those that are one place only the first."""
-    ascending = np.unique(values)
-    different: Array = ascending[np.concatenate([[True], np.diff(ascending) > 1e-8 * extent])]
+    """Return values ascending, of those that are one place only the first given: an edge before a support on it."""
+    ascending, given = np.unique(values, return_index=True)
+    place = np.concatenate([[0], np.cumsum(np.diff(ascending) > 1e-8 * extent)])
+    order = np.lexsort((given, place))
+    different: Array = ascending[order[np.unique(place[order], return_index=True)[1]]]
     return different
 
 

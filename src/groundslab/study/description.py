@@ -9,7 +9,8 @@ from pydantic import Field
 
 from groundslab import reference
 from groundslab.findings import Finding, describe, one_of, quote, suggestion
-from groundslab.keys import Choice, Flag, Number, Quantity, Range, Several, Text, Whole
+from groundslab.keys import Choice, Flag, Number, Quantity, Several, Text, Whole
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table
 from groundslab.study.amounts import Amount, OneOrTwo, Raw
 from groundslab.study.distributions import DistributionOf

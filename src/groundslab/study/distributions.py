@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, Tag
 
 from groundslab.findings import Finding, Wrong, describe, quote, suggestion
-from groundslab.keys import Factors, Number, Range, Text
+from groundslab.keys import Factors, Number, Text
+from groundslab.ranges import Range
 from groundslab.schema import Check, Part, Table, kind_of
 from groundslab.study.amounts import Amount, Raw
 

@@ -242,6 +242,8 @@ def description_of_ground(results: Results) -> Section:
     constants = results.constants
     several = len(constants.k0) > 1
     rows = [Row("kind", "model", results.model.ground.kind)]
+    if results.model.beyond.kind != "none" and not results.model.ground_reaches:
+        rows.append(Row("beyond", "beyond the plate", "no effect, as the ground carries no shear"))
     for name, unit, meaning, values in (
         ("k0", STIFFNESS, "compression", constants.k0),
         ("k1", SHEAR_STIFFNESS, "shear", constants.k1),

@@ -1,0 +1,31 @@
+"""What `solve` refuses before it solves anything, `check` refuses too."""
+
+from __future__ import annotations
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from groundslab.analysis import check
+from groundslab.discretise import discretise
+from groundslab.errors import InputError
+from groundslab.model import Model
+from strategies import models, rich_models
+
+FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
+
+
+def refusal(work: object, model: Model) -> set[str]:
+    """Return the faults for which a model is refused, none if it is not."""
+    try:
+        work(model)  # type: ignore[operator]
+    except InputError as error:
+        return {fault.where for fault in error.faults}
+    return set()
+
+
+@settings(FUZZ, max_examples=120)
+@given(st.one_of(models(), rich_models(), rich_models(whole=True)))
+def test_what_is_refused_in_solving_is_refused_in_checking(model: Model) -> None:
+    """Of random models of every kind, check names the same faults as the making of the arrays to be solved."""
+    found = refusal(discretise, model)
+    assert found <= refusal(check, model)
