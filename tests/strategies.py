@@ -337,7 +337,7 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
         start = inside_x, inside_y
         if start == far:
             far = plate.length_x / 2, plate.length_y / 2
-        bulges = draw(st.just(()) | st.tuples(st.floats(-1.5, 1.5)))
+        bulges = draw(st.just(()) | st.tuples(numbers(-1.5, 1.5)))
         q_end = draw(st.none() | st.sampled_from([0.0, 2e4, -5e3]))
         return LineLoad(q=q, q_end=q_end, points=[start, far], bulges=bulges, **keys)
     moments = {"M_x": draw(st.just(0) | SHARES) * q * size / 2,

@@ -116,6 +116,7 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
         initial_gap=problem.initial_gap[back],
         depths=replace(below, first=below.first[back], area=below.area[back], mass=below.mass[turn]),
         bearing=replace(b, law=law, node=new[b.node]),
+        plate_edges=new[problem.plate_edges],
         edges=new[problem.edges],
         corners=new[problem.corners],
     )

@@ -151,25 +151,5 @@ def test_most_random_models_have_a_solution() -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_hard_files_end_well(path: Path) -> None:
-    """Thin plates and ground at its limit, on which a plain iteration does not end.
-
-    One is far too thin for double precision and one can rock about a line: see the next test.
-    """
-    refused = {"too_thin_zone", "all_ground_at_its_limit"}
-    assert (settled(load(path)) is None) is (path.stem in refused)
-
-
-def test_what_is_called_neutral_has_many_solutions() -> None:
-    """All ground under the strip yields and only a line support is left: rocking about it changes no energy.
-
-    Checked without the solver: forces of the bearings do no work on the motion, and none of them changes with it.
-    """
-    described = load(FILES[0].with_name("all_ground_at_its_limit.toml"))
-    with pytest.raises(NeutralEquilibrium, match="rock about the line y = 0 m"):
-        solve(described)
-    # the ground carries less than its limit on all of the strip, and the support does the rest on one line
-    problem = discretise(described)
-    ground = problem.bearing.support < 0
-    assert problem.load[:, W].sum() < problem.bearing.law.capacity[ground].sum()
-    assert np.abs(problem.mesh.nodes[problem.bearing.node[~ground], 1]).max() < 1e-12
-    assert abs(problem.load[:, W] @ problem.mesh.nodes[:, 1]) < 1e-9 * problem.loading.size
+    """Thin plates and ground at its limit, on which a plain iteration does not end; one is too thin for 16 digits."""
+    assert (settled(load(path)) is None) is (path.stem == "too_thin_zone")

@@ -41,14 +41,16 @@ def test_too_rigid_is_named_before_anything_is_solved() -> None:
     """Where 16 digits cannot tell the ground beside the plate the error says so, and no step is taken."""
     steps: list[Any] = []
     with pytest.raises(IllConditioned, match=r"times as stiff as the ground.*plate\.E"):
-        solve(loaded(1e20, 1.0), on_step=steps.append)
+        solve(loaded(1e18, 1.0), on_step=steps.append)
     assert not steps
 
 
 def test_a_held_plate_may_be_as_stiff_as_it_likes() -> None:
-    """Edges that hold the plate spare the ground: its stiffness beside the plate's is no matter."""
-    plate = solve(loaded(1e20, 1.0, edges=Edges(left="clamped", right="clamped"))).plate
-    assert 0 < plate.settlement.max() < 1e-12
+    """Edges that hold the plate spare the ground: settlements go with 1 / E, whatever the ground's stiffness beside it."""
+    stiff, stiffer = (
+        solve(loaded(E, 1.0, edges=Edges(left="clamped", right="clamped"))).plate.settlement for E in (1e15, 1e18)
+    )
+    np.testing.assert_allclose(1e3 * stiffer, stiff, rtol=0, atol=1e-3 * stiff.max())
 
 
 def test_too_thin_is_named_before_anything_is_solved() -> None:

@@ -123,7 +123,7 @@ class TestRows:
             tmp_path,
             'case = "slab.toml"\n[sampling]\nkind = "list"\n'
             '[[vary]]\npath = "plate.nu"\nvalues = [0.2, 0.2, 0.2, 0.2]\n'
-            '[[vary]]\npath = "loads[2].x[2]"\nvalues = ["2 m", "5 m", "2 m", "0.5 m"]\n'
+            '[[vary]]\npath = "loads[2].x[2]"\nvalues = ["2 m", "0.4 m", "2 m", "0.5 m"]\n'
             '[[vary]]\npath = "loads[1].q"\nvalues = ["2 kPa", "2 kPa", "-300 kPa", "2 kPa"]\n'
             '[[keep]]\nof = "load"\ncombination = "service"\n[[keep]]\nname = "all"\nof = "load"\n',
         )

@@ -248,16 +248,16 @@ def test_varying_ground_is_solved_as_a_whole(keys: dict[str, Any]) -> None:
 def test_zones_that_cannot_be_joined() -> None:
     """Zones with another kind, number of layers or mode, and zones without shear beside infinite ground, are faults."""
     two = Layered(coupling="interface", layers=[InterfaceLayer(k0=1e7, k1=1e6), InterfaceLayer(k0=1e7, k1=0)])
-    for base, other, beyond in (
-        (Winkler(k=1e7), Pasternak(k0=1e7, k1=1e6), "none"),
-        (Vlasov(layers=[SOFT]), Vlasov(layers=[SOFT, STIFF]), "none"),
-        (Vlasov(layers=[SOFT], mode="sinh"), Vlasov(layers=[SOFT], mode="profile"), "none"),
-        (Pasternak(k0=1e7, k1=1e6), Pasternak(k0=1e7, k1=0), "infinite"),
-        (two.replace(layers=[two.layers[0]] * 2), two, "infinite"),
+    for base, other, beyond, where in (
+        (Winkler(k=1e7), Pasternak(k0=1e7, k1=1e6), "none", ""),
+        (Vlasov(layers=[SOFT]), Vlasov(layers=[SOFT, STIFF]), "none", ""),
+        (Vlasov(layers=[SOFT], mode="sinh"), Vlasov(layers=[SOFT], mode="profile"), "none", ""),
+        (Pasternak(k0=1e7, k1=1e6), Pasternak(k0=1e7, k1=0), "infinite", ".k1"),
+        (two.replace(layers=[two.layers[0]] * 2), two, "infinite", ".layers[2].k1"),
     ):
         with pytest.raises(InputError) as told:
             model(ground=base, soil_zones=[SoilZone(shape=box(0, 1), ground=other)], beyond=Beyond(kind=beyond))
-        assert [fault.where for fault in told.value.faults] == ["soil_zones[1].ground"]
+        assert [fault.where for fault in told.value.faults] == [f"soil_zones[1].ground{where}"]
 
 
 def test_boreholes_that_do_not_match() -> None:

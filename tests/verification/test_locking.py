@@ -163,7 +163,7 @@ def square_plate(kind: str, t: float) -> Model:
     edges = Edges(left=kind, right=kind, bottom=kind, top=kind)
     return Model(
         plate=Plate(length_x=1.0, length_y=1.0, thickness=t, E=30e9, nu=NU, edges=edges),
-        ground=Winkler(k=1e-6 * D),
+        ground=Winkler(k=max(1e-6 * D, 1e-6)),
         contact=Contact(tensionless=False),
         loads=[UniformLoad(q=D)],
         mesh=Mesh(counts=(16, 16)),

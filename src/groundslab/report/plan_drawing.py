@@ -88,6 +88,8 @@ def _places(plan: Data) -> Iterator[Point]:
         yield from ((x, y) for each in plan[name] for x, y in (each["start"], each["end"]))
     for each in plan["supports"]:
         yield from ((x, y) for x, y in each["points"])
+    for each in plan["loads"]:
+        yield from ((x, y) for x, y in each.get("ring") or each.get("points", ()))
 
 
 def _ground(plan: Data, sheet: Sheet, labels: Labels) -> Iterator[Markup]:

@@ -79,9 +79,9 @@ class Labels:
     taken: list[tuple[float, float, float, float]] = field(default_factory=list)
 
     def beside(self, at: Point, words: str, class_: str, reach: float = 7.0) -> Markup:
-        """Return words beside a place, where there is room, else at its upper right."""
-        wide = width_of(words)
-        x, y = at
+        """Return words beside a place, or beside the edge for one outside, where there is room, else upper right."""
+        wide, (x0, y0, x1, y1) = width_of(words), self.within
+        x, y = min(max(at[0], x0), x1), min(max(at[1], y0), y1)
         right, left, middle = x + reach, x - reach - wide, x - wide / 2
         above, level, below = (y - 0.3 * SIZE + 1.25 * SIZE * row for row in (-1, 0, 1))
         offered = [
