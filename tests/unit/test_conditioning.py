@@ -46,7 +46,7 @@ def test_too_rigid_is_named_before_anything_is_solved() -> None:
 
 
 def test_a_held_plate_may_be_as_stiff_as_it_likes() -> None:
-    """Edges that hold the plate spare the ground: settlements go with 1 / E, whatever the ground's stiffness beside it."""
+    """Edges that hold the plate spare the ground: settlements go with 1 / E, however soft the ground is beside it."""
     stiff, stiffer = (
         solve(loaded(E, 1.0, edges=Edges(left="clamped", right="clamped"))).plate.settlement for E in (1e15, 1e18)
     )

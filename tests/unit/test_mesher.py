@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import builtins
+import subprocess
+import sys
 from collections import Counter
 from typing import Any
 
@@ -232,3 +234,19 @@ def test_what_gmsh_says_becomes_our_error() -> None:
     with pytest.raises(InputError, match="Gmsh refuses"), session() as opened:
         opened.model.occ.addPlaneSurface([99])
     assert not gmsh.isInitialized()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
+@pytest.mark.parametrize("thread", [False, True], ids=["main thread", "another thread"])
+def test_a_broken_pipe_stays_an_error(thread: bool) -> None:
+    """After a session of Gmsh, which sets the signal anew, writing to nobody is an error, not the program's end."""
+    pytest.importorskip("gmsh")
+    program = (
+        "import os, threading\nfrom groundslab.mesher import door\n"
+        "def use():\n    with door.session():\n        pass\n"
+        + ("t = threading.Thread(target=use)\nt.start()\nt.join()\n" if thread else "use()\n")
+        + "a, b = os.pipe()\nos.close(a)\n"
+        "try:\n    os.write(b, b'x')\nexcept BrokenPipeError:\n    print('still here')\n"
+    )
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stdout) == (0, "still here\n")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import ctypes
+import os
+import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -37,6 +40,7 @@ def session() -> Iterator[Any]:
     ours = not gmsh.isInitialized()
     if ours:
         gmsh.initialize([], readConfigFiles=False, run=False, interruptible=False)
+    _ignore_broken_pipes()
     before = {} if ours else {name: gmsh.option.getNumber(name) for name in OPTIONS}
     current = "" if ours else gmsh.model.getCurrent()
     try:
@@ -58,6 +62,15 @@ def session() -> Iterator[Any]:
             gmsh.model.setCurrent(current)
             for name, value in before.items():
                 gmsh.option.setNumber(name, value)
+
+
+def _ignore_broken_pipes() -> None:
+    """Let a broken pipe be an error again, as everywhere in Python: Gmsh lets it end the process without a word.
+
+    Python still thinks that it ignores the signal, and only its main thread may set one: hence the C library.
+    """
+    if os.name == "posix" and signal.getsignal(signal.SIGPIPE) == signal.SIG_IGN:
+        ctypes.CDLL(None).signal(signal.SIGPIPE, int(signal.SIG_IGN))
 
 
 def load() -> Any:
