@@ -302,7 +302,13 @@ def _nested(ladder: Ladder, combination: str, factors: Array, report: OnStep) ->
                 return _increments(model, s, level, like, report, True)
     for coarsening in _coarsenings(max(_first(model), ladder.finest), ladder.finest):
         level = ladder.level(coarsening)
-        before = _increments(model, loaded(level), level, before, report, coarsening == ladder.finest)
+        if coarsening == ladder.finest:
+            before = _increments(model, loaded(level), level, before, report, True)
+        else:
+            # what cannot be balanced on a few nodes, or is not solved there, only gives the next mesh no start
+            start, before = before, []
+            with suppress(NoEquilibrium, NotConverged, SingularMatrix):
+                before = _increments(model, loaded(level), level, start, report, False)
     ladder.remember(combination, before)
     return before
 
