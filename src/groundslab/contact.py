@@ -29,6 +29,8 @@ HOLD = 1e-6
 #: So many steps in which no fewer bearings are wrong than before, and the interior point method takes over: it needs
 #: about as many again as a slow but steady iteration from here.
 PATIENCE = 12
+#: The interior point method has ended if no more than this share of the largest force is left over.
+BALANCED = 1e-4
 #: The latest factor may serve for so many steps of conjugate gradients: about what another factor costs.
 STEPS = 8
 #: If they lead to something so many times larger than where they began, the plate may float.
@@ -83,10 +85,19 @@ def solve(
             if inside is not None or not progress.lost:
                 continue
         elif inside is not None:
-            return inside
+            if _balanced(A, f, b, inside):
+                return inside
+            break
         inside = interior_point.solve(A, f, latest, b, count)
         state, last, near, progress = inside.state, inside.u, None, _Progress(len(b))
     raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN})
+
+
+def _balanced(A: Symmetric, f: Array, b: Bearings, found: Contact) -> bool:
+    """Return whether the interior point method has come to an end: nothing is left over at unknowns free to move."""
+    left = f - A @ found.u + total(b.at, b.sign * found.force, A.size)
+    left[b.at[b.both_ways]] = 0.0
+    return bool(np.abs(left).max(initial=0.0) <= BALANCED * max(np.abs(f).max(initial=0.0), np.abs(found.force).max()))
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""States of one-sided bearings by an interior point method, which ends in some thirty steps whatever the problem.
+"""States of one-sided bearings by an interior point method, which takes some thirty steps for plates of any kind.
 
 For 1/2 u.A u - f.u with bearings (module `bearings`): the force p of a bearing, what that lacks to its capacity,
 q = F - p, the way g by which it is open and the way y by which it has slipped at its capacity fulfil
