@@ -1,59 +1,69 @@
 # Every target does its own set-up: Python 3.11 or newer (with venv and pip) and make are all it takes.
 PYTHON ?= python3
 VENV   := .venv
-BIN    := $(VENV)/bin
+BIN    := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 JOBS   ?= 2
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 
-.PHONY: demo test lint types check lock pages pages-test bench clean help
+INSTALL   := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
+# Node.js of lock/node.txt, where the machine has none that is recent enough
+WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
+COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate
+
+.PHONY: demo test test-fast test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
 
 help:                   ## list the targets
-	@sed -n 's/^\([a-z]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
+	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
 
-$(VENV)/run.stamp: lock/run.txt pyproject.toml
-	@$(PYTHON) -c 'import sys; v = sys.version_info; sys.exit(0 if v >= (3, 11) else "groundslab needs Python 3.11 or newer, got %d.%d; say make PYTHON=python3.12, for instance" % v[:2])'
+$(VENV)/run.stamp: lock/run.txt lock/build.txt lock/node.txt pyproject.toml
+	@$(PYTHON) -c 'import sys; v = sys.version_info; sys.exit(0 if v >= (3, 11) else "groundslab needs Python 3.11 or newer, found %d.%d; choose another with make PYTHON=python3.12, for instance" % v[:2])'
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r lock/run.txt
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --editable .
+	$(INSTALL) --require-hashes -r lock/run.txt -r lock/build.txt
+	@$(BIN)/python -c 'import hatch_build; raise SystemExit(not hatch_build.has_node())' || $(INSTALL) --require-hashes -r lock/node.txt
+	$(WITH_NODE) $(INSTALL) --no-deps --no-build-isolation --editable .
 	@touch $@
 
 $(VENV)/dev.stamp: $(VENV)/run.stamp lock/dev.txt
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r lock/dev.txt
+	$(INSTALL) --require-hashes -r lock/dev.txt
 	@touch $@
+
+web/node_modules/.package-lock.json: web/package-lock.json | $(VENV)/run.stamp
+	$(WITH_NODE); cd web && npm ci
 
 demo: $(VENV)/run.stamp ## solve the paper's first example; picture, VTU and summary under out/table1
 	$(BIN)/groundslab solve examples/table1.toml --out out/table1 --plot
 
-lint: $(VENV)/dev.stamp ## ruff
+lint: $(VENV)/dev.stamp web/node_modules/.package-lock.json ## ruff, and the linter of web/
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(WITH_NODE); cd web && npm run --if-present lint
 
 types: $(VENV)/dev.stamp ## mypy, strict
 	$(BIN)/mypy
 
-test: lint types        ## lint, types and every test
-	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(JOBS)
+test: lint types pages  ## lint, types and every test
+	$(PYTEST)
 
-web/node_modules/.stamp: web/package-lock.json
-	cd web && npm ci
-	@touch $@
+pages: $(VENV)/run.stamp ## build the pages of report and workbench, if older than web/
+	$(WITH_NODE) $(BIN)/python hatch_build.py
 
-pages: web/node_modules/.stamp ## build the report's script and the workbench's page from web/
-	cd web && npm run build
+pages-test: pages web/node_modules/.package-lock.json ## test the code of the pages
+	$(WITH_NODE); cd web && npm test
 
-pages-test: pages       ## test them, and that what is built is what the repository holds
-	cd web && npm test
-	git diff --exit-code --stat -- src/groundslab/report/static src/groundslab/workbench/static
+dist: $(VENV)/run.stamp ## build sdist and wheel under dist/
+	$(WITH_NODE) $(BIN)/python -m hatchling build
 
-lock: $(VENV)/dev.stamp ## write the lock files anew from pyproject.toml
-	$(BIN)/python -m pip install --quiet uv
-	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate pyproject.toml -o lock/run.txt
-	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --group dev --all-extras pyproject.toml -o lock/dev.txt
+lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
+	$(COMPILE) pyproject.toml -o lock/run.txt
+	$(COMPILE) pyproject.toml --all-extras --group dev -o lock/dev.txt
+	$(COMPILE) --group build --constraint lock/dev.txt -o lock/build.txt
+	$(COMPILE) --group node -o lock/node.txt
 
-bench:                  ## time all sizes and the other programs, one by one, and write docs/performance.md; hours
+bench:                  ## time all sizes and the other programs, one by one, and write docs/performance.md; takes hours
 	$(PYTHON) bench/run.py $(BENCH)
 	bench/.env/own/bin/python bench/report.py
 
 clean:                  ## remove what the targets made
-	rm -rf $(VENV) web/node_modules out .mypy_cache .pytest_cache .ruff_cache .hypothesis bench/.env
+	rm -rf $(VENV) .venv-oldest dist web/node_modules out .coverage .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache bench/.env

@@ -1,0 +1,73 @@
+"""Builds the pages for the browser from web/ with Node.js, before groundslab is packed or installed."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+ROOT = Path(__file__).resolve().parent
+WEB = ROOT / "web"
+HINT = (
+    "The pages of the report and the workbench are made of web/ with Node.js and npm, which fetch their packages from "
+    "the network. Without a network, install a wheel or an sdist of groundslab: they contain the pages."
+)
+
+
+def has_node() -> bool:
+    """Return whether this machine has npm and a Node.js that Vite 8 runs on: 20.19 or newer, but not 21 nor 22.0-22.11."""
+    node = shutil.which("node")
+    if node is None or shutil.which("npm") is None:
+        return False
+    printed = subprocess.run([node, "--version"], capture_output=True, text=True, check=False).stdout
+    major, minor = map(int, re.findall(r"\d+", printed)[:2] or (0, 0))
+    return (major, minor) >= (22, 12) or (major == 20 and minor >= 19)
+
+
+def are_pages_current() -> bool:
+    """Return whether all pages are built and newer than their sources; those of an sdist always are."""
+    if (ROOT / "PKG-INFO").is_file():
+        return True
+    configurations = [file.read_text(encoding="utf-8") for file in WEB.glob("vite*.config.ts")]
+    folders = re.findall(r"src/groundslab/[\w/]+", "".join(configurations))
+    pages = [[file.stat().st_mtime for file in (ROOT / folder).glob("*.*")] for folder in folders]
+    sources = [file.stat().st_mtime for file in [*WEB.glob("*.*"), *(WEB / "src").rglob("*.*")]]
+    return all(pages) and min(map(min, pages)) >= max(sources)
+
+
+def build_pages() -> None:
+    """Build the pages where they are not current; RuntimeError with a hint if that fails."""
+    if are_pages_current():
+        return
+    npm = shutil.which("npm") or "npm"
+    installed, locked = WEB / "node_modules" / ".package-lock.json", WEB / "package-lock.json"
+    try:
+        if not installed.is_file() or installed.stat().st_mtime < locked.stat().st_mtime:
+            subprocess.run([npm, "ci"], cwd=WEB, check=True)
+        subprocess.run([npm, "run", "build"], cwd=WEB, check=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise RuntimeError(f"{error}\n{HINT}") from error
+
+
+class PagesHook(BuildHookInterface):  # type: ignore[type-arg]
+    """Hatchling's hook for sdists, wheels and editable installs."""
+
+    def dependencies(self) -> list[str]:
+        """Return what the build needs: Node.js from PyPI where the machine has none that is recent enough."""
+        if are_pages_current() or has_node():
+            return []
+        project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+        return list(project["dependency-groups"]["node"])
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Build the pages."""
+        build_pages()
+
+
+if __name__ == "__main__":
+    build_pages()
