@@ -1,12 +1,16 @@
 # Every target does its own set-up: Python 3.11 or newer (with venv and pip) and make are all it takes.
 PYTHON ?= python3
 VENV   := .venv
-BIN    := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
+OLDEST := .venv-oldest
+TRIAL  := .venv-dist
+SCRIPTS := $(if $(filter Windows_NT,$(OS)),Scripts,bin)
+BIN    := $(VENV)/$(SCRIPTS)
 JOBS   ?= 2
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 
-INSTALL   := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+QUIET     := --quiet --disable-pip-version-check
+INSTALL   := $(BIN)/python -m pip install $(QUIET)
 PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 # Node.js of lock/node.txt, where the machine has none that is recent enough
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
@@ -46,6 +50,17 @@ types: $(VENV)/dev.stamp ## mypy, strict
 test: lint types pages  ## lint, types and every test
 	$(PYTEST)
 
+test-fast: $(VENV)/dev.stamp pages ## all tests but the slow ones
+	$(PYTEST) -m "not slow"
+
+coverage: $(VENV)/dev.stamp pages ## every test, and how much of the code they run
+	$(PYTEST) --cov --cov-report=term
+
+test-oldest: $(VENV)/dev.stamp pages ## the fast tests with the oldest dependencies that pyproject.toml allows
+	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(OLDEST)
+	$(BIN)/uv pip install --quiet --python $(OLDEST) --resolution lowest-direct --all-extras --group dev -r pyproject.toml
+	PYTHONPATH=src OMP_NUM_THREADS=1 $(OLDEST)/$(SCRIPTS)/python -m pytest -n $(JOBS) -m "not slow"
+
 pages: $(VENV)/run.stamp ## build the pages of report and workbench, if older than web/
 	$(WITH_NODE) $(BIN)/python hatch_build.py
 
@@ -53,7 +68,16 @@ pages-test: pages web/node_modules/.package-lock.json ## test the code of the pa
 	$(WITH_NODE); cd web && npm test
 
 dist: $(VENV)/run.stamp ## build sdist and wheel under dist/
-	$(WITH_NODE) $(BIN)/python -m hatchling build
+	$(WITH_NODE) $(BIN)/python -m hatchling build --clean
+
+dist-test: dist         ## install both without the repository, one after the other, and run them
+	$(PYTHON) -m venv --clear $(TRIAL)
+	$(TRIAL)/$(SCRIPTS)/python -m pip install $(QUIET) --require-hashes -r lock/run.txt -r lock/build.txt
+	set -e; for file in dist/*; do \
+	  $(TRIAL)/$(SCRIPTS)/python -m pip install $(QUIET) --force-reinstall --no-deps --no-build-isolation $$file; \
+	  $(TRIAL)/$(SCRIPTS)/groundslab solve examples/table1.toml --quiet --out out/dist; \
+	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
+	done
 
 lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 	$(COMPILE) pyproject.toml -o lock/run.txt
@@ -66,4 +90,4 @@ bench:                  ## time all sizes and the other programs, one by one, an
 	bench/.env/own/bin/python bench/report.py
 
 clean:                  ## remove what the targets made
-	rm -rf $(VENV) .venv-oldest dist web/node_modules out .coverage .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache bench/.env
+	rm -rf $(VENV) $(OLDEST) $(TRIAL) dist web/node_modules out .coverage .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache bench/.env

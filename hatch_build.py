@@ -20,7 +20,7 @@ HINT = (
 
 
 def has_node() -> bool:
-    """Return whether this machine has npm and a Node.js that Vite 8 runs on: 20.19 or newer, but not 21 nor 22.0-22.11."""
+    """Return whether there are npm and a Node.js that Vite 8 supports: 20.19 and newer 20, 22.12 and newer."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         return False
@@ -64,7 +64,7 @@ class PagesHook(BuildHookInterface):  # type: ignore[type-arg]
         project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
         return list(project["dependency-groups"]["node"])
 
-    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002
         """Build the pages."""
         build_pages()
 
