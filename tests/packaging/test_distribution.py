@@ -16,7 +16,7 @@ import pytest
 import groundslab
 
 pytest.importorskip("hatchling")
-import hatch_build  # noqa: E402
+import hatch_build
 
 ROOT = Path(__file__).resolve().parents[2]
 
