@@ -59,7 +59,7 @@ coverage: $(VENV)/dev.stamp pages ## every test, and how much of the code they r
 test-oldest: $(VENV)/dev.stamp pages ## the fast tests with the oldest dependencies that pyproject.toml allows
 	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(OLDEST)
 	$(BIN)/uv pip install --quiet --python $(OLDEST) --resolution lowest-direct --all-extras --group dev -r pyproject.toml
-	PYTHONPATH=src OMP_NUM_THREADS=1 $(OLDEST)/$(SCRIPTS)/python -m pytest -n $(JOBS) -m "not slow"
+	PYTHONPATH=src OMP_NUM_THREADS=1 $(OLDEST)/$(SCRIPTS)/python -m pytest -n $(JOBS) -m "not slow" -W ignore::DeprecationWarning
 
 pages: $(VENV)/run.stamp ## build the pages of report and workbench, if older than web/
 	$(WITH_NODE) $(BIN)/python hatch_build.py
