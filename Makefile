@@ -44,7 +44,7 @@ pages: web/node_modules/.stamp ## build the report's script and the workbench's 
 
 pages-test: pages       ## test them, and that what is built is what the repository holds
 	cd web && npm test
-	git diff --exit-code --stat -- src/groundslab/report/static src/groundslab/workbench/static
+	git diff --exit-code --stat -- src/groundslab/views/report/static src/groundslab/workbench/static
 
 lock: $(VENV)/dev.stamp ## write the lock files anew from pyproject.toml
 	$(BIN)/python -m pip install --quiet uv
