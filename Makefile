@@ -39,9 +39,10 @@ web/node_modules/.package-lock.json: web/package-lock.json | $(VENV)/run.stamp
 demo: $(VENV)/run.stamp ## solve the paper's first example; picture, VTU and summary under out/table1
 	$(BIN)/groundslab solve examples/table1.toml --out out/table1 --plot
 
-lint: $(VENV)/dev.stamp web/node_modules/.package-lock.json ## ruff, and the linter of web/
+lint: $(VENV)/dev.stamp web/node_modules/.package-lock.json ## ruff, the order of imports, and the linter of web/
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/lint-imports
 	$(WITH_NODE); cd web && npm run --if-present lint
 
 types: $(VENV)/dev.stamp ## mypy, strict

@@ -13,13 +13,13 @@ import time
 from job import model_of, settlements
 
 import groundslab
-from groundslab import analysis
+from groundslab.analysis import driver
 
 
 def main(unknowns: int) -> None:
     """Solve the plate and print the figures."""
     start = time.perf_counter()
-    results = analysis.solve(model_of("winkler", unknowns))
+    results = driver.solve(model_of("winkler", unknowns))
     figures = {
         "program": "groundslab",
         "version": groundslab.__version__,

@@ -30,10 +30,13 @@ from typing import Any
 
 import numpy as np
 
-from groundslab import analysis, casefile, contact, ladder, linear, problem
-from groundslab.discretise import discretise
-from groundslab.model import Model
-from groundslab.results import Results
+from groundslab.analysis import driver, mesh_hierarchy
+from groundslab.case import casefile
+from groundslab.discretize.discretize import discretise
+from groundslab.fem import problem
+from groundslab.model.model import Model
+from groundslab.results.results import Results
+from groundslab.solvers import contact, factorization
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "table1.toml"
 KINDS: dict[str, dict[str, Any]] = {
@@ -62,18 +65,18 @@ COMBINATIONS = {
 }
 #: What is timed inside an analysis: the name of the phase, where the function lives, its name there.
 PHASES: list[tuple[str, Any, str]] = [
-    ("mesh, loads, supports", ladder, "discretise"),
-    ("equilibrium possible", analysis, "require_equilibrium"),
-    ("assembly", ladder, "system"),
-    ("assembly", ladder, "stiffness"),
-    ("assembly", analysis, "right_hand_side"),
-    ("forecast", analysis.forecast, "from_coarser"),
-    ("forecast", analysis.forecast, "along_the_border"),
+    ("mesh, loads, supports", mesh_hierarchy, "discretise"),
+    ("equilibrium possible", driver, "require_equilibrium"),
+    ("assembly", mesh_hierarchy, "system"),
+    ("assembly", mesh_hierarchy, "stiffness"),
+    ("assembly", driver, "right_hand_side"),
+    ("forecast", driver.forecast, "from_coarser"),
+    ("forecast", driver.forecast, "along_the_border"),
     ("contact, all meshes and strips", contact, "solve"),
-    ("of which analysis and factorisations", linear.Latest, "factor"),
-    ("of which solutions with the factor", linear._Pardiso, "solve"),
-    ("recovery", analysis, "recover"),
-    ("certificate", analysis, "certificate"),
+    ("of which analysis and factorisations", factorization.Latest, "factor"),
+    ("of which solutions with the factor", factorization._Pardiso, "solve"),
+    ("recovery", driver, "recover"),
+    ("certificate", driver, "certificate"),
 ]
 #: Variants of the ground: how many are solved each time, and by how much k0 and k1 scatter.
 VARIANTS, SCATTER = 10, 0.3
@@ -202,7 +205,7 @@ def memory(model: Model) -> dict[str, float]:
     Of an MPI run with another solver each process tells its own.
     """
     held: list[float] = []
-    factor = linear._Pardiso.factor
+    factor = factorization._Pardiso.factor
 
     def watched(self: Any, data: Any) -> Any:
         found = factor(self, data)
@@ -210,9 +213,9 @@ def memory(model: Model) -> dict[str, float]:
         held.append((int(self.handle.get_iparm(16)) + int(self.handle.get_iparm(17))) / 1024)
         return found
 
-    linear._Pardiso.factor = watched  # type: ignore[method-assign]
+    factorization._Pardiso.factor = watched  # type: ignore[method-assign]
     start = time.perf_counter()
-    results = analysis.solve(model)
+    results = driver.solve(model)
     spent, peak = time.perf_counter() - start, largest_memory()
     return {
         "unknowns": results.unknowns,
@@ -224,11 +227,11 @@ def memory(model: Model) -> dict[str, float]:
 
 def written(results: Results) -> float:
     """Return the time [s] that writing the results takes, all files but the picture."""
-    from groundslab.views import store  # not needed by whoever times a whole process
+    from groundslab.views.files import results_folder  # not needed by whoever times a whole process
 
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        store.write(results, Path(folder) / "results")
+        results_folder.write(results, Path(folder) / "results")
         return time.perf_counter() - start
 
 
@@ -245,7 +248,7 @@ def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any
         puts.append(assembly(model))
         spent.clear()
         start = time.perf_counter()
-        results = analysis.solve(model)
+        results = driver.solve(model)
         totals.append(time.perf_counter() - start)
         phases.append(dict(spent))
     assert results is not None
@@ -270,14 +273,14 @@ def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any
 def gamma(unknowns: int, times: int) -> dict[str, Any]:
     """Return what it costs to look for gamma: iterated, in turn with the gamma that comes out given."""
     iterated = model_of("gamma", unknowns)
-    results = analysis.solve(iterated)
+    results = driver.solve(iterated)
     known = iterated.replace(ground={**SOIL, "gamma": results.constants.gamma})
     ratios, totals = [], []
     for _ in range(times):
         each = []
         for model in (known, iterated):
             start = time.perf_counter()
-            results = analysis.solve(model)
+            results = driver.solve(model)
             each.append(time.perf_counter() - start)
         totals.append(each[1])
         ratios.append(each[1] / each[0])
@@ -299,7 +302,7 @@ def combinations(unknowns: int, times: int) -> dict[str, Any]:
         each = []
         for one in (first, model):
             start = time.perf_counter()
-            combined = analysis.solve_combinations(one)
+            combined = driver.solve_combinations(one)
             each.append(time.perf_counter() - start)
         totals.append(each[1])
         ratios.append((each[1] - each[0]) / (len(COMBINATIONS) - 1) / each[0])
@@ -315,14 +318,14 @@ def combinations(unknowns: int, times: int) -> dict[str, Any]:
 
 def variants(unknowns: int, times: int) -> dict[str, Any]:
     """Return what a variant of the ground costs on one thread, beside a cold solution of the same model."""
-    linear.use_threads(linear.choose("auto")[1], 1)
+    factorization.use_threads(factorization.choose("auto")[1], 1)
     base = model_of("pasternak", unknowns)
-    alike, draw, ratios, totals = analysis.Variants(base), np.random.default_rng(1), [], []
+    alike, draw, ratios, totals = driver.Variants(base), np.random.default_rng(1), [], []
     for _ in range(times * VARIANTS):
         k0, k1 = draw.lognormal(sigma=SCATTER, size=2) * (32.7862e6, 20.660e6)
         model = base.replace(ground={"kind": "pasternak", "k0": k0, "k1": k1})
         each, unknowns_there = [], 0
-        for solve in (analysis.solve_combinations, alike.solve_combinations):
+        for solve in (driver.solve_combinations, alike.solve_combinations):
             start = time.perf_counter()
             (results,) = solve(model).results.values()
             each.append(time.perf_counter() - start)
@@ -342,8 +345,9 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
     The efficiency has in it whatever these processes, the one that keeps the rows and the rest of the machine take from
     each other.
     """
-    from groundslab.study import files, running
-    from groundslab.study.description import StudyFile
+    from groundslab.study.definition import files
+    from groundslab.study.definition.schema import StudyFile
+    from groundslab.study.execution import runner
 
     case, count = model_of("pasternak", unknowns), STUDY * 6734 // unknowns
     cov = {"kind": "lognormal", "cov": SCATTER}
@@ -364,8 +368,8 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
         for workers, paces in found.items():
             seen: list[tuple[float, int]] = []
             with tempfile.TemporaryDirectory() as folder:
-                running.run(
-                    read, Path(folder) / "study", running.Where(workers), False,
+                runner.run(
+                    read, Path(folder) / "study", runner.Where(workers), False,
                     lambda progress, seen=seen: seen.append((time.perf_counter(), progress.rows)),
                 )  # fmt: skip
             (begin, first), (end, last) = next(each for each in seen if each[1]), seen[-1]
@@ -373,7 +377,7 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
             paces.append((last - first) / (end - begin))
     one, two = (statistics.median(found[workers]) for workers in (1, 2))
     return {
-        "unknowns": next(iter(analysis.solve_combinations(case).results.values())).unknowns,
+        "unknowns": next(iter(driver.solve_combinations(case).results.values())).unknowns,
         "total [s]": count / two,
         "variants per second, one worker": one,
         "variants per second, two workers": two,
@@ -389,7 +393,7 @@ def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
     if kind == "combinations":
         return {"kind": kind, **combinations(unknowns, times)}
     if kind == "variants":
-        with linear.one_thread():
+        with factorization.one_thread():
             return {"kind": kind, **variants(unknowns, times)}
     if kind == "study":
         return {"kind": kind, **study(unknowns, times)}

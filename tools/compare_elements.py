@@ -10,9 +10,10 @@ import numpy as np
 from scipy.sparse import coo_array, diags_array
 from scipy.sparse.linalg import splu
 
-from groundslab import plate
-from groundslab.mesh import grid
-from groundslab.shape import COLUMN, ROW, Array, Integers, gauss, jacobian, lagrange, q9
+from groundslab.arrays import Array, Integers
+from groundslab.fem import plate
+from groundslab.fem.mesh import grid
+from groundslab.fem.shape_functions import COLUMN, ROW, gauss, jacobian, lagrange, q9
 
 #: Settlement of the centre over q L^4 / D; Poisson's ratio has no part in it.
 THIN = 0.00126532

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from groundslab.model import docs_table, json_schema
-from groundslab.study import description
+from groundslab.model.model import docs_table, json_schema
+from groundslab.study.definition import schema
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 
@@ -16,8 +16,8 @@ def contents() -> dict[Path, str]:
     return {
         DOCS / "input.md": _page("input.md", keys=docs_table()),
         DOCS / "groundslab.schema.json": json.dumps(json_schema(), indent=2) + "\n",
-        DOCS / "study.md": _page("study.md", keys=description.docs_table(), kept=description.kept_table()),
-        DOCS / "study.schema.json": json.dumps(description.json_schema(), indent=2) + "\n",
+        DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.kept_table()),
+        DOCS / "study.schema.json": json.dumps(schema.json_schema(), indent=2) + "\n",
     }
 
 

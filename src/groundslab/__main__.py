@@ -36,7 +36,7 @@ def main() -> int:
             signal.signal(signal.SIGINT, note)
         sys.excepthook = show
         open_missing_streams()
-        from groundslab.cli import main as run
+        from groundslab.cli.main import main as run
 
         code = run()
     except SystemExit:

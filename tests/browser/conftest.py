@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, chromium, missing
+from helpers.browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, chromium, missing
 
 
 def pytest_terminal_summary(terminalreporter: Any) -> None:

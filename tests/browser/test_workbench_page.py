@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from browsing import Bench, Server, free_port
+from helpers.browsing import Bench, Server, free_port
 
 
 def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, tmp_path: Path) -> None:

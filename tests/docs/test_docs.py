@@ -13,9 +13,9 @@ from pathlib import Path
 
 import pytest
 
-from groundslab import casefile
+from groundslab.case import casefile
+from helpers.paths import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 README = ROOT / "README.md"
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
 MODULES = sorted((ROOT / "src" / "groundslab").rglob("*.py"))

@@ -6,13 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from groundslab.analysis import solve, solve_combinations
-from groundslab.casefile import load
+from groundslab.analysis.driver import solve, solve_combinations
+from groundslab.case.casefile import load
+from helpers.paths import EXAMPLES
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
+CASES = sorted(EXAMPLES.glob("*.toml"))
 
 
-@pytest.mark.parametrize("path", [path for path in EXAMPLES if path.stem != "l_raft"], ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", [path for path in CASES if path.stem != "l_raft"], ids=lambda path: path.stem)
 def test_examples_are_solved(path: Path) -> None:
     """Every example has a certified result."""
     assert solve(load(path)).certificate.holds
@@ -20,7 +21,7 @@ def test_examples_are_solved(path: Path) -> None:
 
 def test_the_raft_weighs_what_its_comment_says() -> None:
     """All eight combinations are solved, with the sums of loads that the comment works out by hand; the flood lifts."""
-    model = load(EXAMPLES[0].parent / "l_raft.toml")
+    model = load(EXAMPLES / "l_raft.toml")
     coarse = solve_combinations(model.replace(mesh=model.mesh.replace(size=1.0)))
     assert not coarse.refused
     permanent, live, flood = 5340e3 + 8628e3, 5442e3, -6624e3
@@ -36,7 +37,7 @@ def test_the_raft_weighs_what_its_comment_says() -> None:
     }
     found = {name: results.certificate.load for name, results in coarse.results.items()}
     assert found == pytest.approx(wanted, rel=1e-12)
-    comment = (EXAMPLES[0].parent / "l_raft.toml").read_text(encoding="utf-8")
+    comment = (EXAMPLES / "l_raft.toml").read_text(encoding="utf-8")
     for name, sum_of_loads in wanted.items():
         assert f"{sum_of_loads / 1e3:.1f}".removesuffix(".0") in comment, name
     assert coarse["ULS live"].plate.area.sum() == pytest.approx(414, rel=1e-12)

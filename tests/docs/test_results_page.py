@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
-from groundslab.loadcases import combinations_of
-from groundslab.model import Model
-from groundslab.results import Combined
-from groundslab.tables import tables_of
-from groundslab.tables.quantities import FIELDS, LISTED
+from groundslab.design.tables import tables_of
+from groundslab.design.tables.quantities import FIELDS, LISTED
+from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.model import Model
+from groundslab.results.results import Combined
+from helpers.paths import DOCS
 
-PAGE = (Path(__file__).resolve().parents[2] / "docs" / "results.md").read_text(encoding="utf-8")
+PAGE = (DOCS / "results.md").read_text(encoding="utf-8")
 ROW = re.compile(r"^\| ([^|]+?) \|(?: ([^|]*?) ?)?\| ", re.MULTILINE)
 QUANTITIES = [about.head for about in LISTED.values()]
 #: The same with what has extremes only.

@@ -8,15 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from groundslab.analysis import solve
-from groundslab.casefile import load
-from groundslab.reinforcement import Concrete
-from groundslab.study import files
-from groundslab.study.first_order import Margin, design_point, values_of
-from groundslab.study.sampling import sample_of
-from groundslab.study.variant import Worker
+from groundslab.analysis.driver import solve
+from groundslab.case.casefile import load
+from groundslab.design.reinforcement import Concrete
+from groundslab.study.definition import files
+from groundslab.study.evaluation.form import Margin, design_point, values_of
+from groundslab.study.execution.variant import Worker
+from groundslab.study.sampling.designs import sample_of
+from helpers.paths import EXAMPLES
 
-STUDIES = Path(__file__).parents[2] / "examples" / "studies"
+STUDIES = EXAMPLES / "studies"
 FILES = sorted(path for path in STUDIES.glob("*.toml") if "sampling" in path.read_text(encoding="utf-8"))
 CASES = sorted({*STUDIES.glob("*.toml")} - {*FILES})
 

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 import groundslab
-from groundslab.study.description import Correlogram, SamplingKind
-from groundslab.study.variant import REASONS
-from studies import run
+from groundslab.study.definition.schema import Correlogram, SamplingKind
+from groundslab.study.execution.variant import REASONS
+from helpers.paths import DOCS
+from helpers.studies import run
 
-DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGE = (DOCS / "study.md").read_text(encoding="utf-8")
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from groundslab.analysis import check
-from groundslab.discretise import discretise
+from groundslab.analysis.driver import check
+from groundslab.discretize.discretize import discretise
 from groundslab.errors import InputError
-from groundslab.model import Model
-from strategies import models, rich_models
+from groundslab.model.model import Model
+from helpers.strategies import models, rich_models
 
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 

@@ -14,12 +14,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from groundslab.analysis import check, solve_combinations
-from groundslab.casefile import from_table, loads, starter
+from groundslab.analysis.driver import check, solve_combinations
+from groundslab.case.casefile import from_table, loads, starter
+from groundslab.design.tables import tables_of
 from groundslab.errors import Fault, GroundslabError, InputError
-from groundslab.model import Model, Polygon, plate_elements
-from groundslab.plan import MOST_CHORDS
-from groundslab.tables import tables_of
+from groundslab.geometry.plan import MOST_CHORDS
+from groundslab.model.model import Model, plate_elements
+from groundslab.model.shapes import Polygon
 
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 CASE = """

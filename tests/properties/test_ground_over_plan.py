@@ -9,27 +9,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from groundslab.analysis import solve
+from groundslab.analysis.driver import solve
 from groundslab.errors import GroundslabError, InputError
-from groundslab.model import (
-    Beyond,
-    Borehole,
-    Contact,
-    InterfaceLayer,
-    Layered,
-    Mesh,
-    Model,
-    Pasternak,
-    Plate,
-    PointLoad,
-    Rectangle,
-    SoilLayer,
-    SoilZone,
-    UniformLoad,
-    Vlasov,
-    Winkler,
-)
-from strategies import MODULI_OF_SOIL, POISSON, models, numbers
+from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.loads.load_types import PointLoad, UniformLoad
+from groundslab.model.model import Beyond, Contact, Mesh, Model
+from groundslab.model.plate import Plate
+from groundslab.model.shapes import Rectangle
+from groundslab.model.varying_ground import Borehole, SoilZone
+from helpers.strategies import MODULI_OF_SOIL, POISSON, models, numbers
 
 PLATE = Plate(length_x=6.0, length_y=4.0, thickness=0.25, E=30e9, nu=0.2)
 STIFF, SOFT = SoilLayer(E=90e6, nu=0.25, thickness=4.0), SoilLayer(E=30e6, E_bottom=50e6, nu=0.4, thickness=3.0)

@@ -13,11 +13,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab.casefile import load, loads, starter, to_toml
+from groundslab.case.casefile import load, loads, starter, to_toml
 from groundslab.errors import InputError
-from groundslab.keys import FROM_FILE
-from groundslab.model import Model, docs_table
-from strategies import models, rich_models
+from groundslab.model.model import Model, docs_table
+from groundslab.schema.fields import FROM_FILE
+from helpers.strategies import models, rich_models
 
 SECOND = """
 title = "everything at once"

@@ -9,28 +9,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from groundslab.analysis import solve
+from groundslab.analysis.driver import solve
 from groundslab.errors import NoEquilibrium
-from groundslab.model import (
-    Analysis,
-    Beyond,
-    Contact,
-    Edges,
-    InterfaceLayer,
-    Layered,
-    Mesh,
-    Model,
-    Pasternak,
-    PatchLoad,
-    Plate,
-    PointLoad,
-    SoilLayer,
-    UniformLoad,
-    Vlasov,
-    Void,
-    Winkler,
-)
-from groundslab.results import Results
+from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.model import Analysis, Beyond, Contact, Mesh, Model
+from groundslab.model.plate import Edges, Plate
+from groundslab.results.results import Results
 
 
 def few(count: int) -> Any:

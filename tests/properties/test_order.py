@@ -10,19 +10,21 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from groundslab import contact, linear
-from groundslab.analysis import solve, solve_combinations
-from groundslab.bearings import CLOSED
-from groundslab.discretise import discretise
+from groundslab.analysis.driver import solve, solve_combinations
+from groundslab.arrays import Array
+from groundslab.discretize.discretize import discretise
 from groundslab.errors import InputError, NoEquilibrium
-from groundslab.ground import Column
-from groundslab.loadcases import combinations_of
-from groundslab.model import LineLoad, LineSupport, Model
-from groundslab.problem import Problem, bearings, nodal, right_hand_side, stiffness, system
-from groundslab.results import Combined
-from groundslab.shape import Array
-from groundslab.statics import require_equilibrium
-from strategies import rich_models
+from groundslab.fem.bearings import CLOSED
+from groundslab.fem.foundation import Column
+from groundslab.fem.problem import Problem, bearings, nodal, right_hand_side, stiffness, system
+from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.loads.load_types import LineLoad
+from groundslab.model.model import Model
+from groundslab.model.supports import LineSupport
+from groundslab.results.results import Combined
+from groundslab.solvers import contact, factorization
+from groundslab.solvers.equilibrium import require_equilibrium
+from helpers.strategies import rich_models
 
 FEW = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck), max_examples=10)
 SAME = 1e-6  # of the largest value: gamma is iterated to 1e-6
@@ -84,7 +86,7 @@ def solved(problem: Problem) -> Array:
     s = system(problem)
     A = stiffness(s, problem.ground)
     law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
-    latest = linear.Latest(linear.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
+    latest = factorization.Latest(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), CLOSED)
     f = right_hand_side(s, 1.0)
     return nodal(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
@@ -92,7 +94,7 @@ def solved(problem: Problem) -> Array:
 
 def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
     """Return the problem with its nodes, elements and unknowns in a random order, and each node's new number (n,)."""
-    from groundslab.assembly import number
+    from groundslab.fem.assembly import number
 
     random = np.random.default_rng(seed)
     mesh, n = problem.mesh, len(problem.mesh.nodes)

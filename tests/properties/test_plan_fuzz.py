@@ -7,8 +7,8 @@ from typing import Any
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from groundslab.analysis import solve
-from groundslab.casefile import from_table
+from groundslab.analysis.driver import solve
+from groundslab.case.casefile import from_table
 from groundslab.errors import GroundslabError
 
 NUMBERS = st.integers(-6, 6).map(float) | st.floats(-8, 8).map(lambda value: round(value, 2))

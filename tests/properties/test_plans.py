@@ -7,23 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.analysis import solve
-from groundslab.model import (
-    AreaLoad,
-    Beyond,
-    LineLoad,
-    Mesh,
-    Model,
-    Pasternak,
-    PatchLoad,
-    PointLoad,
-    Polygon,
-    Rectangle,
-    SelfWeight,
-    UniformLoad,
-    Zone,
-)
-from groundslab.results import Results
+from groundslab.analysis.driver import solve
+from groundslab.model.ground import Pasternak
+from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
+from groundslab.model.model import Beyond, Mesh, Model
+from groundslab.model.plate import Zone
+from groundslab.model.shapes import Polygon, Rectangle
+from groundslab.results.results import Results
 
 CORNERS = [(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (3.0, 2.0), (3.0, 5.0), (0.0, 5.0)]
 GROUND = Pasternak(k0=20e6, k1=8e6)

@@ -13,28 +13,21 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from groundslab.analysis import solve
-from groundslab.casefile import load
-from groundslab.discretise import discretise
+from groundslab.analysis.driver import solve
+from groundslab.case.casefile import load
+from groundslab.discretize.discretize import discretise
 from groundslab.errors import IllConditioned, NeutralEquilibrium, NoEquilibrium
-from groundslab.model import (
-    Contact,
-    Mesh,
-    Model,
-    Pasternak,
-    PatchLoad,
-    Plate,
-    PointLoad,
-    PointSupport,
-    UniformLoad,
-    Void,
-    Winkler,
-)
-from groundslab.problem import Problem, W
-from groundslab.results import Results
+from groundslab.fem.problem import Problem, W
+from groundslab.model.ground import Pasternak, Winkler
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.model import Contact, Mesh, Model
+from groundslab.model.plate import Plate
+from groundslab.model.supports import PointSupport
+from groundslab.results.results import Results
+from helpers.paths import DATA
 
 MODELS = int(os.environ.get("GROUNDSLAB_MODELS", "60"))
-FILES = sorted((Path(__file__).parents[1] / "data" / "contact").glob("*.toml"))
+FILES = sorted((DATA / "contact").glob("*.toml"))
 #: What an iteration may take: tens of steps on each mesh.
 TENS = 100
 

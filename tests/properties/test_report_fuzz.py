@@ -12,22 +12,21 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import damage
-import synthetic
-from groundslab import cli
+from groundslab.cli import main
 from groundslab.errors import InputError
-from groundslab.findings import quote
-from groundslab.keys import Quantity, Text
-from groundslab.model import Model
-from groundslab.outline import Circle, Polygon, Rectangle
-from groundslab.report.echo import Section, echo
-from groundslab.report.plan_drawing import plan_drawing
-from groundslab.scene import plan_of
-from groundslab.schema import Part, key_of
+from groundslab.model.model import Model
+from groundslab.model.shapes import Circle, Polygon, Rectangle
+from groundslab.schema.base import Part, key_of
+from groundslab.schema.fields import Quantity, Text
+from groundslab.schema.issues import quote
 from groundslab.units import QuantityError, parse
-from groundslab.views import store
-from pages import page
-from strategies import models, rich_models
+from groundslab.views.files import results_folder
+from groundslab.views.report.input_echo import Section, echo
+from groundslab.views.report.plan_drawing import plan_drawing
+from groundslab.views.scene.plan import plan_of
+from helpers import damage, synthetic
+from helpers.pages import page
+from helpers.strategies import models, rich_models
 
 
 def leaves(part: Part) -> Iterator[tuple[Any, Any]]:
@@ -105,7 +104,7 @@ def test_every_plan_can_be_drawn(model: Model) -> None:
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder of results."""
-    return store.write(synthetic.results(shear=True), tmp_path_factory.mktemp("whole") / "raft")
+    return results_folder.write(synthetic.results(shear=True), tmp_path_factory.mktemp("whole") / "raft")
 
 
 @settings(derandomize=True, max_examples=60, deadline=None, database=None)
@@ -135,10 +134,10 @@ def test_damaged_results_are_reported_as_they_are_or_refused(folder: Path, data:
             content[:at] + data.draw(st.binary(max_size=20)) + content[at + data.draw(st.integers(0, 50)) :]
         )
     try:
-        store.load(damaged)
+        results_folder.load(damaged)
     except InputError:
-        assert cli.main(["report", str(damaged), "--out", str(folder.with_name("none.html"))]) == 2
+        assert main.main(["report", str(damaged), "--out", str(folder.with_name("none.html"))]) == 2
         return
     out = folder.with_name("a.html")
-    assert cli.main(["report", str(damaged), "--out", str(out)]) == 0
-    assert cli.main(["plot", str(damaged), "--out", str(out.with_suffix(".svg"))]) == 0
+    assert main.main(["report", str(damaged), "--out", str(out)]) == 0
+    assert main.main(["plot", str(damaged), "--out", str(out.with_suffix(".svg"))]) == 0

@@ -10,21 +10,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.analysis import solve
-from groundslab.model import (
-    Contact,
-    GapPoint,
-    Mesh,
-    Model,
-    Pasternak,
-    Plate,
-    PointLoad,
-    PointSupport,
-    UniformLoad,
-    Void,
-    Winkler,
-)
-from groundslab.results import Results
+from groundslab.analysis.driver import solve
+from groundslab.model.ground import Pasternak, Winkler
+from groundslab.model.loads.load_types import PointLoad, UniformLoad, Void
+from groundslab.model.model import Contact, Mesh, Model
+from groundslab.model.plate import Plate
+from groundslab.model.supports import PointSupport
+from groundslab.model.varying_ground import GapPoint
+from groundslab.results.results import Results
 
 FACTORS = [1e3, 1e6, 1e9, 1e12]
 #: The loads press all but a corner of the plate down, so that a tolerance that is too wide can be seen.

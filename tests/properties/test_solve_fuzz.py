@@ -13,16 +13,17 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import linprog
 
-import synthetic
-from groundslab.analysis import solve, solve_combinations
-from groundslab.discretise import discretise
+from groundslab.analysis.driver import solve, solve_combinations
+from groundslab.discretize.discretize import discretise
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
-from groundslab.loadcases import combinations_of
-from groundslab.model import Model, UniformLoad
-from groundslab.problem import BETA_X, TOP, Problem, W
-from groundslab.statics import require_equilibrium
-from groundslab.views import store
-from strategies import models, rich_models
+from groundslab.fem.problem import BETA_X, TOP, Problem, W
+from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.loads.load_types import UniformLoad
+from groundslab.model.model import Model
+from groundslab.solvers.equilibrium import require_equilibrium
+from groundslab.views.files import results_folder
+from helpers import synthetic
+from helpers.strategies import models, rich_models
 
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 
@@ -214,7 +215,7 @@ def test_writing_results_destroys_nobodys_work(tmp_path_factory, there, listed, 
     above = tmp_path_factory.mktemp("fuzz")
     folder = above / "raft"
     if ours:
-        store.write(synthetic.results(), folder)
+        results_folder.write(synthetic.results(), folder)
     mine: list[Path] = []
     for name in there:
         path = folder / name
@@ -228,8 +229,8 @@ def test_writing_results_destroys_nobodys_work(tmp_path_factory, there, listed, 
         document = json.loads(summary.read_text())
         summary.write_text(json.dumps(document | {"files": sorted({*document["files"], *listed})}))
     with contextlib.suppress(InputError):
-        store.write(synthetic.results(lifts=False), folder)
-        assert len(store.load(folder).results) == 1
+        results_folder.write(synthetic.results(lifts=False), folder)
+        assert len(results_folder.load(folder).results) == 1
     assert all(path.read_bytes() == CONTENT for path in mine)
     assert not [path for path in above.iterdir() if path.name.startswith(".")]
     shutil.rmtree(above)

@@ -10,16 +10,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab import casefile
+from groundslab.case import casefile
 from groundslab.errors import InputError
-from groundslab.findings import Wrong
-from groundslab.keys import FROM_FILE, Factors
-from groundslab.model import Model
-from groundslab.schema import Part, key_of, nested
-from groundslab.study import paths
-from groundslab.study.description import StudyFile
-from strategies import rich_models
-from studies import CASE, STUDY
+from groundslab.model.model import Model
+from groundslab.schema.base import Part, key_of, nested
+from groundslab.schema.fields import FROM_FILE, Factors
+from groundslab.schema.issues import Wrong
+from groundslab.study.definition import case_paths
+from groundslab.study.definition.schema import StudyFile
+from helpers.strategies import rich_models
+from helpers.studies import CASE, STUDY
 
 
 def all_paths(part: Part, path: str) -> Iterator[tuple[str, Any]]:
@@ -48,13 +48,13 @@ def test_every_key_can_be_reached(model: Model, number: int) -> None:
     """Each key of a case is found by its path, and the case with its own values put in is the same case."""
     places = {}
     for path, held in all_paths(model, ""):
-        place = paths.place_of(model, path)
-        assert paths.value_at(model, place) == held
+        place = case_paths.place_of(model, path)
+        assert case_paths.value_at(model, place) == held
         places[place] = held
     one = list(places)[number % len(places)]
-    assert paths.changed(model, {one: places[one]}) == model
+    assert case_paths.changed(model, {one: places[one]}) == model
     whole = {place: held for place, held in places.items() if not isinstance(place.steps[-1], int)}
-    assert paths.changed(model, whole) == model
+    assert case_paths.changed(model, whole) == model
 
 
 @settings(max_examples=200, derandomize=True, deadline=None)
@@ -63,11 +63,11 @@ def test_paths_are_refused_in_words(path: str) -> None:
     """Any text is a path to a key, or is refused with what was expected."""
     model = casefile.loads(CASE)
     try:
-        place = paths.place_of(model, path)
+        place = case_paths.place_of(model, path)
     except Wrong as error:
         told = error.findings[0].expected
     else:
-        told = str(paths.value_at(model, place))
+        told = str(case_paths.value_at(model, place))
     assert told
 
 

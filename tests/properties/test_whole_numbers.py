@@ -13,9 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import groundslab as g
-from groundslab import design, exact, punching, reinforcement, sections, tilt
-from groundslab.analysis import Variants
-from groundslab.results import PLATE_FIELDS, Results
+from groundslab.analysis.driver import Variants
+from groundslab.design import design_moments, punching, reinforcement, section_cuts, tilt
+from groundslab.results.results import PLATE_FIELDS, Results
+from groundslab.verification import analytic
 
 
 def model(number: Callable[[int], float]) -> g.Model:
@@ -106,18 +107,18 @@ def _required(m: Any, d: Any, d_2: Any, t: Any) -> reinforcement.Reinforcement:
 
 
 CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
-    "section line": (lambda *a: sections.along(solved().plate, *a), (np.array([[-3, 0], [3, 1]]), 1)),
-    "cut": (lambda *a: sections.cut(solved().plate, *a), ((1, -2), (2, 2))),
-    "strip": (lambda *a: sections.strip(solved().plate, *a, 5), ((-3, 0), (3, 0), 2)),
+    "section line": (lambda *a: section_cuts.along(solved().plate, *a), (np.array([[-3, 0], [3, 1]]), 1)),
+    "cut": (lambda *a: section_cuts.cut(solved().plate, *a), ((1, -2), (2, 2))),
+    "strip": (lambda *a: section_cuts.strip(solved().plate, *a, 5), ((-3, 0), (3, 0), 2)),
     "differences": (lambda a: tilt.between(solved().plate, a), ({"A": (1, 1), "B": (-2, 1)},)),
     "punching": (_punching, (0, 0, 1, 1, 100_000)),
-    "principal moments": (design.principal_moments, (np.array([1, 2]), np.array([4, -5]), np.array([1, 0]))),
-    "design moments": (design.wood_armer, (np.array([1, -3]), np.array([-5, 0]), np.array([1, 2]))),
+    "principal moments": (design_moments.principal_moments, (np.array([1, 2]), np.array([4, -5]), np.array([1, 0]))),
+    "design moments": (design_moments.wood_armer, (np.array([1, -3]), np.array([-5, 0]), np.array([1, 2]))),
     "reinforcement": (_required, (np.array([100_000, 90_000_000, 0]), 3, 1, 4)),
-    "Navier": (exact.navier, (1, 1, 6, 4, 1, 30_000_000_000, 0, 1, 1000, 20_000_000, 1_000_000)),
-    "circular plate": (exact.circular_plate, (1, 3, 1, 30_000_000_000, 0, 1, 1000, True)),
+    "Navier": (analytic.navier, (1, 1, 6, 4, 1, 30_000_000_000, 0, 1, 1000, 20_000_000, 1_000_000)),
+    "circular plate": (analytic.circular_plate, (1, 3, 1, 30_000_000_000, 0, 1, 1000, True)),
     "strip on two springs": (
-        exact.strip_on_two_springs, (1, 1, 30_000_000_000, 1, 1000, 20_000_000, 10_000_000),
+        analytic.strip_on_two_springs, (1, 1, 30_000_000_000, 1, 1000, 20_000_000, 10_000_000),
     ),
 }  # fmt: skip
 

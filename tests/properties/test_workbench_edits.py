@@ -5,19 +5,18 @@ from __future__ import annotations
 import copy
 import re
 import tomllib
-from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab import casefile
-from groundslab.workbench import writing
-from groundslab.workbench.document import Document
-from groundslab.workbench.history import History
+from groundslab.case import casefile
+from groundslab.workbench.editing import toml_writer
+from groundslab.workbench.editing.document import Document
+from groundslab.workbench.editing.undo import History
+from helpers.paths import ROOT
 
-ROOT = Path(__file__).parents[2]
 EXAMPLES = {"starter": casefile.STARTER, "raft": (ROOT / "examples" / "l_raft.toml").read_text(encoding="utf-8")}
 KEYS = st.sampled_from(["a", "b", "c", "d e", "x-y", "", "ä", 'q"q'])
 WORDS = st.sampled_from(["", "m", "30 MPa", "# no comment", 'a "quote"', "two\nlines", "[x]", "a = 1, b", "\\", "ß\t"])
@@ -50,7 +49,7 @@ def layouts(draw: st.DrawFn) -> str:
     def value(what: Any) -> str:
         if isinstance(what, dict):
             pad = draw(st.sampled_from(["", " "]))
-            return "{" + pad + ", ".join(f"{writing.key(k)} = {value(v)}" for k, v in what.items()) + pad + "}"
+            return "{" + pad + ", ".join(f"{toml_writer.key(k)} = {value(v)}" for k, v in what.items()) + pad + "}"
         if isinstance(what, list):
             style = draw(st.sampled_from(["flat", "wide", "broken", "noted"]))
             items = [value(each) for each in what]
@@ -64,13 +63,13 @@ def layouts(draw: st.DrawFn) -> str:
             return "[  # noted\n    " + ",  # one\n    ".join(items) + comma + "  # last\n  ]"
         if isinstance(what, str) and "'" not in what and "\n" not in what and draw(st.booleans()):
             return f"'{what}'"
-        return writing.value(what)
+        return toml_writer.value(what)
 
     def pairs(table: dict[str, Any], path: tuple[str, ...], prefix: str, deferred: list[Any]) -> None:
         for name, each in table.items():
-            key = prefix + writing.key(name)
+            key = prefix + toml_writer.key(name)
             style = draw(st.sampled_from(["inline", "header", "header", "dotted"]))
-            tabled = isinstance(each, dict) or writing.is_list_of_tables(each)
+            tabled = isinstance(each, dict) or toml_writer.is_list_of_tables(each)
             if tabled and style == "header" and not prefix:
                 deferred.append(((*path, name), each))
             elif isinstance(each, dict) and style == "dotted":
@@ -80,7 +79,7 @@ def layouts(draw: st.DrawFn) -> str:
 
     def sections(deferred: list[Any]) -> None:
         for path, each in deferred:
-            name = ".".join(map(writing.key, path))
+            name = ".".join(map(toml_writer.key, path))
             for table in each if isinstance(each, list) else [each]:
                 header = f"[[{name}]]" if isinstance(each, list) else f"[{name}]"
                 inner: list[Any] = []
@@ -123,7 +122,7 @@ def edits(draw: st.DrawFn, data: dict[str, Any]) -> dict[str, Any]:
     if op == "new":
         return {"op": "set", "path": [*path, draw(KEYS)], "value": draw(SCALARS | LISTS | FLAT)}
     if op == "add":
-        value = draw(FLAT if writing.is_list_of_tables(there) else SCALARS)
+        value = draw(FLAT if toml_writer.is_list_of_tables(there) else SCALARS)
         return {"op": "add", "path": list(path), "value": value, "at": draw(st.integers(0, len(there)))}
     if op == "set":
         return {"op": "set", "path": list(path), "value": draw(DATA if isinstance(there, dict) else SCALARS | LISTS)}
@@ -197,7 +196,7 @@ def test_comments_of_the_examples_survive(name: str, data: st.DataObject) -> Non
         assert document.data is not None
         known = document.data
         leaves = [path for path in paths(known) if isinstance(at(known, path), str | int | float)]
-        lists = [path for path in paths(known) if writing.is_list_of_tables(at(known, path))]
+        lists = [path for path in paths(known) if toml_writer.is_list_of_tables(at(known, path))]
         lengths = [path for path in leaves if re.fullmatch(r"-?[\d.]+ m", str(at(known, path)))]
         op = data.draw(st.sampled_from(["set", "length", "add", "move", "new"]))
         edit: dict[str, Any] = {"op": op}

@@ -10,7 +10,9 @@ from typing import Any
 
 import pytest
 
-BENCH = Path(__file__).parents[2] / "bench"
+from helpers.paths import ROOT
+
+BENCH = ROOT / "bench"
 
 
 @pytest.fixture

@@ -6,24 +6,24 @@ import dataclasses
 
 import pytest
 
-from groundslab import verify
+from groundslab.verification import runner
 
-CASES = [name for name in verify.names() if name not in ("paper", "analytic", "programs")]
+CASES = [name for name in runner.names() if name not in ("paper", "analytic", "programs")]
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_every_row_of_a_case_passes(name):
     """Each row agrees with its source within its tolerance, deviates as explained, or is refuted by its proof."""
-    if not verify.can_run(verify.load(name)):
-        pytest.skip(f"{name} needs {verify.load(name).needs}, which cannot be imported here")
-    outcomes = list(verify.outcomes_of(verify.load(name)))
+    if not runner.can_run(runner.load(name)):
+        pytest.skip(f"{name} needs {runner.load(name).needs}, which cannot be imported here")
+    outcomes = list(runner.outcomes_of(runner.load(name)))
     assert outcomes
     assert [o for o in outcomes if not o.ok] == []
 
 
 def test_the_paper_is_there_in_full():
     """Tables 1 to 4 are held row by row: 27 settlements, then Table 2's, 3's and 4's numbers with k0, k1 and gamma."""
-    rows = {name: verify.load(name).rows for name in ("table1", "table2", "table3", "table4")}
+    rows = {name: runner.load(name).rows for name in ("table1", "table2", "table3", "table4")}
     settlements = [r for r in rows["table1"] if r["quantity"] == "settlement"]
     assert len(settlements) == 27
     wanted = {"table2": {"k0": 5, "k1": 5, "gamma": 4}, "table3": {"k0": 8, "k1": 4, "gamma": 4}}
@@ -34,7 +34,7 @@ def test_the_paper_is_there_in_full():
 
 
 def _with_row(name, number, **changes):
-    case = verify.load(name)
+    case = runner.load(name)
     row = {**case.rows[number], **changes}
     return dataclasses.replace(case, rows=[row])
 
@@ -42,38 +42,38 @@ def _with_row(name, number, **changes):
 def test_a_wrong_published_number_fails():
     """A row whose published number is off by one per cent is reported as failed."""
     case = _with_row("compression", 0)
-    exact = next(verify.outcomes_of(case))
+    exact = next(runner.outcomes_of(case))
     assert exact.ok
     wrong = _with_row("compression", 0, published=f"{exact.computed * 1.01:.6f}")
-    assert not next(verify.outcomes_of(wrong)).ok
+    assert not next(runner.outcomes_of(wrong)).ok
 
 
 def test_an_explained_deviation_that_changes_fails():
     """A deviation that no longer has the size that its reason explains is reported as failed."""
-    exact = next(verify.outcomes_of(_with_row("compression", 0)))
+    exact = next(runner.outcomes_of(_with_row("compression", 0)))
     published = f"{exact.computed / 1.05:.9f}"
     explained = _with_row("compression", 0, published=published, differs="5.0", why="of this test")
-    assert next(verify.outcomes_of(explained)).ok
+    assert next(runner.outcomes_of(explained)).ok
     changed = _with_row("compression", 0, published=published, differs="4.0", why="of this test")
-    assert not next(verify.outcomes_of(changed)).ok
+    assert not next(runner.outcomes_of(changed)).ok
 
 
 def test_a_tolerance_wider_than_the_value_is_an_error():
     """A row that could not fail is refused."""
     case = _with_row("compression", 0, tolerance="100 mm")
     with pytest.raises(ValueError, match="checks nothing"):
-        next(verify.outcomes_of(case))
+        next(runner.outcomes_of(case))
 
 
 def test_a_proof_that_does_not_hold_fails():
     """Calling a right number impossible is reported as failed: 13.59 mm is in equilibrium."""
-    case = verify.load("table1")
+    case = runner.load("table1")
     number = next(i for i, row in enumerate(case.rows) if "gamma 1.1316, x = 0.0" in row["label"])
     proof = case.rows[number]["proof"]
     x = proof["x"]
-    from groundslab import analysis
+    from groundslab.analysis import driver
 
-    plate = analysis.solve(verify.model_of(case, "gamma 1.1316")).plate
+    plate = driver.solve(runner.model_of(case, "gamma 1.1316")).plate
     ours = [plate.value_at("settlement", place, 0.0) * 1e3 for place in x]
     row = {**case.rows[number], "proof": {**proof, "published_mm": ours}}
-    assert not next(verify.outcomes_of(dataclasses.replace(case, rows=[row]))).ok
+    assert not next(runner.outcomes_of(dataclasses.replace(case, rows=[row]))).ok

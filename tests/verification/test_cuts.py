@@ -13,14 +13,17 @@ import numpy as np
 import pytest
 from shapely import Polygon, box
 
-from groundslab import loads
-from groundslab.analysis import solve
-from groundslab.mesh import Mesh
-from groundslab.model import Beyond, Model, Pasternak, PatchLoad, Plate, SoilLayer, Vlasov, Winkler
-from groundslab.model import Mesh as Density
-from groundslab.punching import RectangularColumn, demand
-from groundslab.results import Results
-from groundslab.sections import cut, strip
+from groundslab.analysis.driver import solve
+from groundslab.design.punching import RectangularColumn, demand
+from groundslab.design.section_cuts import cut, strip
+from groundslab.fem import load_vectors
+from groundslab.fem.mesh import Mesh
+from groundslab.model.ground import Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.loads.load_types import PatchLoad
+from groundslab.model.model import Beyond, Model
+from groundslab.model.model import Mesh as Density
+from groundslab.model.plate import Plate
+from groundslab.results.results import Results
 
 LX, LY = 6.0, 4.0
 PLATE = Plate(length_x=LX, length_y=LY, thickness=0.25, E=30e9, nu=0.2)
@@ -99,7 +102,7 @@ def by_winkler(result: Results, a: tuple[float, float], b: tuple[float, float]) 
     ahead = Polygon([start - 50 * t, start + 50 * t, start + 50 * (t + n), start + 50 * (n - t)])
     ground = result.ground
     mesh = Mesh(ground.nodes, ground.elements)
-    shares = loads.over_polygon(mesh, np.arange(len(mesh.elements)), ahead)
+    shares = load_vectors.over_polygon(mesh, np.arange(len(mesh.elements)), ahead)
     # w times the lever is not in the elements' space; what its interpolation leaves out is of third order
     pressure = K * ground.settlement[0]
     lever = (ground.nodes - start) @ n

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from groundslab import Model, NotCertified, Results, solve
-from groundslab.discretise import discretise
-from groundslab.ground import Layer as GroundLayer
-from groundslab.ground import consistent_stack, edge_decay, interface_stack, single
-from groundslab.views import summary
+from groundslab.discretize.discretize import discretise
+from groundslab.fem.foundation import Layer as GroundLayer
+from groundslab.fem.foundation import consistent_stack, edge_decay, interface_stack, single
+from groundslab.views.summary import single as summary
 
 
 def slab(beyond: dict[str, str] | None = None, **mesh: object) -> Model:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from groundslab.analysis import solve
-from groundslab.model import Analysis, Mesh, Model, Pasternak, PatchLoad, Plate, Winkler
+from groundslab.analysis.driver import solve
+from groundslab.model.ground import Pasternak, Winkler
+from groundslab.model.loads.load_types import PatchLoad
+from groundslab.model.model import Analysis, Mesh, Model
+from groundslab.model.plate import Plate
 
 GROUNDS = {"winkler": Winkler(k=20e6), "pasternak": Pasternak(k0=32.7862e6, k1=20.660e6)}
 

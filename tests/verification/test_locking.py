@@ -13,11 +13,14 @@ import numpy as np
 import pytest
 from numpy.polynomial import legendre
 
-import quads
-from groundslab import plate
-from groundslab.analysis import solve
+from groundslab.analysis.driver import solve
 from groundslab.errors import NotCertified
-from groundslab.model import Contact, Edges, Mesh, Model, Plate, UniformLoad, Winkler
+from groundslab.fem import plate
+from groundslab.model.ground import Winkler
+from groundslab.model.loads.load_types import UniformLoad
+from groundslab.model.model import Contact, Mesh, Model
+from groundslab.model.plate import Edges, Plate
+from helpers import quads
 
 THICKNESSES = [0.2, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6]
 NU = 0.3

@@ -12,17 +12,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-import quads
-from groundslab import exact, patches, plate, recover
-from groundslab.analysis import solve
-from groundslab.discretise import discretise
-from groundslab.frame import frame
-from groundslab.mesh import sides_on_boundary
-from groundslab.model import Contact, Edges, Mesh, Model, Pasternak, Plate, UniformLoad, Winkler
-from groundslab.outline import Polygon
-from groundslab.problem import BETA_X, BETA_Y, W
-from groundslab.shape import gauss, q9
-from groundslab.slab import Zone
+from groundslab.analysis.driver import solve
+from groundslab.discretize.discretize import discretise
+from groundslab.fem import plate
+from groundslab.fem.mesh import sides_on_boundary
+from groundslab.fem.problem import BETA_X, BETA_Y, W
+from groundslab.fem.shape_functions import gauss, q9
+from groundslab.model.ground import Pasternak, Winkler
+from groundslab.model.loads.load_types import UniformLoad
+from groundslab.model.model import Contact, Mesh, Model
+from groundslab.model.plate import Edges, Plate, Zone
+from groundslab.model.shapes import Polygon
+from groundslab.results import patch_recovery, recovery
+from groundslab.results.result_mesh import frame
+from groundslab.verification import analytic
+from helpers import quads
 
 E, NU, T, FACTOR = 1.0, 0.3, 0.2, 5 / 6
 D, S = plate.bending_rigidity(E, NU, T), plate.shear_rigidity(E, NU, T, FACTOR)
@@ -92,11 +96,13 @@ def errors(name: str, solve_it: bool, n: int, amount: float = 0.0, split: int = 
 
     points = gauss(2)[0]
     at_gauss = own(points)
-    at_nodes = patches.nodal(patches.around(nodes, elements, q9(points)[0] @ xy), at_gauss, recover.SIZES)
+    at_nodes = patch_recovery.nodal(
+        patch_recovery.around(nodes, elements, q9(points)[0] @ xy), at_gauss, recovery.SIZES
+    )
     edge, corner = np.zeros(len(nodes), dtype=bool), np.zeros(len(nodes), dtype=bool)
     edge[sides_on_boundary(elements)] = True
     corner[elements[:, :4]] = True
-    extrapolated = (patches.extrapolation() @ at_gauss)[:, :4]
+    extrapolated = (patch_recovery.extrapolation() @ at_gauss)[:, :4]
     found = {
         "raw": (own(CORNERS) - wanted[elements[:, :4]]).reshape(-1, 5),
         "extrapolated": (extrapolated - wanted[elements[:, :4]]).reshape(-1, 5),
@@ -167,7 +173,7 @@ def test_third_order_through_the_package_on_pasternak_ground() -> None:
     Inside, on both lines of symmetry and where they cross, where m_x is even, and on two edges, where it vanishes.
     """
     whole = {"a": 4.0, "b": 3.0, "t": 0.3, "E": 30e9, "nu": 0.2, "factor": FACTOR, "q": 1e5, "k0": 20e6, "k1": 10e6}
-    wanted = np.array([exact.navier(x, y, **whole)["moment_x"] for x, y in PLACES])
+    wanted = np.array([analytic.navier(x, y, **whole)["moment_x"] for x, y in PLACES])
     hinged = Edges(left="hinged", right="hinged", bottom="hinged", top="hinged")
     off = []
     for n in (16, 32):
@@ -214,7 +220,7 @@ def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[
 
     own = frame(model, problem)
     mesh, node = own.mesh, own.node
-    found = recover.section_forces(problem, U, own)
+    found = recovery.section_forces(problem, U, own)
     thick = np.zeros(len(mesh.nodes), dtype=bool)
     sides = np.roll(corners, -1, axis=0) - corners
     to_centre = mesh.nodes[mesh.elements[:, 8], None] - np.array(corners)
@@ -224,10 +230,10 @@ def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[
     rigidity = 30e9 * np.where(thick, 0.4, 0.2) ** 3 / (12 * (1 - 0.2**2))
     wanted = {"moment_x": -rigidity * (a + 0.2 * b), "moment_y": -rigidity * (b + 0.2 * a)}
     scale = np.abs(wanted["moment_x"]).max()
-    for field in recover.FORCES:
+    for field in recovery.FORCES:
         np.testing.assert_allclose(found[field] / scale, wanted.get(field, 0 * x[node]) / scale, atol=1e-9)
 
-    centres = recover.centre_forces(problem, U, own)
+    centres = recovery.centre_forces(problem, U, own)
     of_centres = 30e9 * np.where(inside, 0.4, 0.2) ** 3 / (12 * (1 - 0.2**2))
     np.testing.assert_allclose(centres[:, 0] / scale, -of_centres * (a + 0.2 * b) / scale, atol=1e-9)
     np.testing.assert_allclose(centres[:, 2:] / scale, 0.0, atol=1e-9)
@@ -247,10 +253,10 @@ def test_values_at_centres_belong_to_one_element_each(name: str) -> None:
     U = np.zeros(problem.unknown.shape)
     U[problem.mesh.elements[middle, 8], BETA_X] = 1e-3
     own = frame(model, problem)
-    forces = recover.gauss_forces(problem, U, own)
+    forces = recovery.gauss_forces(problem, U, own)
     assert forces.shape == (9, 4, 5)
     assert (np.flatnonzero(np.abs(forces).max(axis=(1, 2))) == middle).all()
-    centres = recover.centre_forces(problem, U, own)
+    centres = recovery.centre_forces(problem, U, own)
     assert centres.shape == (9, 5)
     assert (np.delete(centres, middle, axis=0) == 0).all()
     # the bubble is even in x: its slope cancels

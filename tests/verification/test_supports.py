@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
-from groundslab import linear
-from groundslab.analysis import solve, solve_combinations
+from groundslab.analysis.driver import solve, solve_combinations
 from groundslab.errors import NoEquilibrium
-from groundslab.loadcases import Combination
-from groundslab.model import Model
-from groundslab.results import Results, Step
+from groundslab.model.loads.load_cases import Combination
+from groundslab.model.model import Model
+from groundslab.results.results import Results, Step
+from groundslab.solvers import factorization
 
 #: A plate that does not bend to speak of, and one that does.
 RIGID, FLEXIBLE = 3e16, 30e9
@@ -221,7 +221,7 @@ def test_combinations_are_solved_by_themselves(threads: int, beyond: str, monkey
 
     Uplift alone is refused, in a combination it is not.
     """
-    monkeypatch.setattr(linear, "threads", lambda _: threads)
+    monkeypatch.setattr(factorization, "threads", lambda _: threads)
     parts: dict[str, Any] = {
         "ground": {"kind": "pasternak", "k0": 20e6, "k1": 10e6},
         "beyond": {"kind": beyond, **({"width": 2.0} if beyond == "infinite" else {})},

@@ -8,14 +8,16 @@ import numpy as np
 import pytest
 
 import groundslab
-from groundslab.design import wood_armer
+from groundslab.design.design_moments import wood_armer
+from groundslab.design.punching import RectangularColumn, demand
+from groundslab.design.reinforcement import Axes, Concrete, Steel, slab
+from groundslab.design.section_cuts import cut
+from groundslab.design.tables import tables_of
+from groundslab.design.tables.envelopes import fields_of_envelope
+from groundslab.design.tables.table import Table
 from groundslab.errors import NoEquilibrium
-from groundslab.model import Model
-from groundslab.punching import RectangularColumn, demand
-from groundslab.reinforcement import Axes, Concrete, Steel, slab
-from groundslab.results import Combined
-from groundslab.sections import cut
-from groundslab.tables import Table, fields_of_envelope, tables_of
+from groundslab.model.model import Model
+from groundslab.results.results import Combined
 
 MODEL = Model(
     title="A small raft",

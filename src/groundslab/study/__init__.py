@@ -17,12 +17,12 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from groundslab.model import Model
-    from groundslab.study.description import StudyFile
-    from groundslab.study.first_order import reliability
-    from groundslab.study.opened import Study, open_study
-    from groundslab.study.setup import Variable
-    from groundslab.study.writing import evaluate
+    from groundslab.model.model import Model
+    from groundslab.study.definition.schema import StudyFile
+    from groundslab.study.definition.setup import Variable
+    from groundslab.study.evaluation.form import reliability
+    from groundslab.study.evaluation.study import Study, open_study
+    from groundslab.study.report.writer import evaluate
 
 __all__ = ["Study", "StudyFile", "evaluate", "open_study", "reliability", "run"]
 
@@ -30,11 +30,11 @@ __all__ = ["Study", "StudyFile", "evaluate", "open_study", "reliability", "run"]
 MOST_MISHAPS = 10
 #: Where the names live that load when they are first used.
 _HOME = {
-    "Study": "opened",
-    "open_study": "opened",
-    "StudyFile": "description",
-    "evaluate": "writing",
-    "reliability": "first_order",
+    "Study": "evaluation.study",
+    "open_study": "evaluation.study",
+    "StudyFile": "definition.schema",
+    "evaluate": "report.writer",
+    "reliability": "evaluation.form",
 }
 
 
@@ -60,15 +60,17 @@ def run(
     Where rows cannot be written, or the scheduler is lost, GroundslabError is raised; rows that were there are kept.
     """
     from groundslab.errors import Fault, InputError
-    from groundslab.study import files, opened, running, terminal
+    from groundslab.study.definition import files
+    from groundslab.study.evaluation import study as opened
+    from groundslab.study.execution import progress, runner
 
     if workers is not None and scheduler is not None:
         raise InputError([Fault("workers", "workers and a scheduler", "one of them", "a cluster has its own workers")])
     read = files.read(study, case) if isinstance(study, str | Path) else files.made(study, case)
     folder = folder_of(study, out)
-    where = running.Where(workers, scheduler, dashboard)
-    with terminal.shown(quiet) as on_progress:
-        running.run(read, folder, where, resume, on_progress)
+    where = runner.Where(workers, scheduler, dashboard)
+    with progress.shown(quiet) as on_progress:
+        runner.run(read, folder, where, resume, on_progress)
     return opened.Study(folder)
 
 
@@ -81,7 +83,7 @@ def folder_of(study: str | Path | StudyFile, out: str | Path | None) -> Path:
 
 def described(path: Path) -> list[str]:
     """Return what a study file describes, a line each; raises InputError with all that is wrong with it."""
-    from groundslab.study import files, setup
+    from groundslab.study.definition import files, setup
 
     found = files.read(path).setup
     lines = [f"{path}: fine ({found.count} variants, {found.sampling.kind})"]
@@ -117,7 +119,8 @@ def outcome(study: Study) -> list[str]:
 
 def how_to_go_on(folder: Path, command: str) -> str:
     """Return what is kept of a study that is not at its end, and the command by which it goes on."""
-    from groundslab.study import opened, store
+    from groundslab.study.evaluation import study as opened
+    from groundslab.study.execution import store
 
     if not store.is_store(folder):
         return f"nothing was begun; again: {command}"

@@ -1,0 +1,1 @@
+"""Drives an analysis: meshes from coarse to fine, load steps, gamma iteration, many models at once."""

@@ -1,0 +1,1 @@
+"""Case files: TOML to Model and back, and cases made from drawings."""

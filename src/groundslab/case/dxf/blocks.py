@@ -1,0 +1,188 @@
+"""The entities on the layers asked for, blocks resolved; how many there are is counted before any block is placed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from graphlib import CycleError, TopologicalSorter
+from typing import TYPE_CHECKING
+
+from groundslab.case.dxf.layers import Roles
+from groundslab.case.dxf.sheet import LARGEST, Sheet, Source, stop
+from groundslab.case.dxf.words import named
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing as Document
+    from ezdxf.entities import DXFEntity, DXFGraphic, Insert
+
+DEEPEST = 16  # blocks in blocks
+MOST_PLACED = 200_000  # entities of blocks, copied to where they are referred to
+FEWER = "leave only what is needed in the drawing, or resolve the blocks in the CAD program"
+
+
+@dataclass(slots=True)
+class _Content:
+    """What a block holds: its entities by the role of their layers, and references to other blocks.
+
+    Entities on layer 0 take the role of the layer that the block is referred to from; here they have the role "0".
+    """
+
+    entities: Counter[str | None] = field(default_factory=Counter)
+    references: Counter[tuple[str, str | None]] = field(default_factory=Counter)  # by block and role
+
+
+class Blocks:
+    """How many entities of each block lie on the layers asked for, and how many must be placed to get them."""
+
+    def __init__(self, document: Document, roles: Roles, sheet: Sheet) -> None:
+        self._document, self._roles = document, roles
+        contents: dict[str, _Content] = {}
+        space = self._content(document.modelspace(), contents)
+        graph = {name: {child for child, _ in content.references} for name, content in contents.items()}
+        #: By block and role of what lies on layer 0: entities taken and entities placed.
+        self._counts: dict[tuple[str, str | None], tuple[int, int]] = {}
+        try:
+            order = list(TopologicalSorter(graph).static_order())
+        except CycleError as error:
+            names = " in ".join(named(name) for name in error.args[1][:8])
+            stop(sheet, f"a block that holds itself: {names}", "blocks that can be resolved")
+        for name in order:
+            for role in (None, *roles.known):
+                self._counts[name, role] = self._sum(contents.get(name, _Content()), role)
+        taken, placed = self._sum(space, None)
+        for count, limit, words in (
+            (taken, LARGEST, "entities on the layers that are read, those of blocks included"),
+            (placed - sum(space.entities.values()), MOST_PLACED, "entities of blocks to be placed"),
+        ):
+            if count > limit:
+                shown = f"{count:,}" if count < 10**15 else f"more than {10**15:,}"
+                stop(sheet, f"{shown} {words}", f"at most {limit:,}", FEWER)
+
+    def holds(self, name: str, role: str | None) -> bool:
+        """Return whether a block has anything on the layers asked for, if its layer 0 has this role."""
+        return self._counts.get((name.lower(), role), (1, 1))[0] > 0
+
+    def _content(self, entities: Iterable[DXFEntity], contents: dict[str, _Content]) -> _Content:
+        """Return what there is, and enter the blocks that it refers to, and those that these do."""
+        first, todo = _Content(), [(entities, "")]
+        while todo:
+            some, name = todo.pop()
+            content = contents.setdefault(name, _Content()) if name else first
+            for entity in some:
+                layer = layer_of(entity)
+                role = "0" if layer == "0" and name else self._roles.get(layer.lower())
+                if entity.dxftype() != "INSERT":
+                    content.entities[role] += 1
+                    continue
+                child = str(entity.dxf.get("name")).lower()
+                content.references[child, role] += max(entity.mcount, 1)
+                content.entities[role] += _loads_of(entity, self._roles)
+                block = self._document.blocks.get(child)
+                if child not in contents and block is not None and not block.block.is_xref:
+                    contents[child] = _Content()
+                    todo.append((block, child))
+        return first
+
+    def _sum(self, content: _Content, role: str | None) -> tuple[int, int]:
+        """Return how many entities are taken and placed, if layer 0 has this role."""
+        own = {"0": role}
+        taken = sum(count for each, count in content.entities.items() if own.get(str(each), each) is not None)
+        placed = sum(content.entities.values())
+        for (child, each), count in content.references.items():
+            its = own.get(str(each), each)
+            below = (1, 1) if its == "point_loads" else self._counts.get((child, its), (0, 0))
+            if below[0]:
+                taken, placed = taken + count * below[0], placed + count * (1 + below[1])
+            else:
+                placed += 1
+        return taken, placed
+
+
+def layer_of(entity: DXFEntity) -> str:
+    """Return the layer that an entity names."""
+    return str(entity.dxf.get("layer", "0")) if entity.is_supported_dxf_attrib("layer") else "0"
+
+
+def _loads_of(insert: DXFEntity, roles: Mapping[str, str]) -> int:
+    """Return how many attributes of a block's reference lie on the layer of point loads."""
+    attributes: list[DXFEntity] = insert.attribs
+    return sum(roles.get(layer_of(each).lower()) == "point_loads" for each in attributes)
+
+
+def walk(
+    entities: Iterable[DXFEntity], roles: Roles, blocks: Blocks, sheet: Sheet, outer: tuple[Source, ...] = ()
+) -> Iterator[tuple[str, Source, DXFEntity]]:
+    """Yield what lies on the layers asked for, with blocks resolved: role, source, entity."""
+    from ezdxf.entities import Insert
+
+    for entity in entities:
+        source = _source(entity, outer)
+        role = roles.get(source.layer.lower())
+        if not isinstance(entity, Insert):
+            if role:
+                yield role, source, entity
+            continue
+        if role != "point_loads" and not _enter(entity, source, role, blocks, sheet):
+            continue
+        for single in entity.multi_insert() if entity.mcount > 1 else (entity,):
+            if role == "point_loads":
+                yield role, source, single
+            else:
+                yield from _within(single, source, roles, blocks, sheet, outer)
+
+
+def _source(entity: DXFEntity, outer: tuple[Source, ...]) -> Source:
+    """Return where an entity comes from; on layer 0 of a block it lies on the layer of the block's reference."""
+    layer, kind = layer_of(entity), entity.dxftype()
+    if not outer:
+        return Source(layer, kind, entity.dxf.get("handle") or "")
+    block = outer[-1].entity.removeprefix("INSERT ")
+    return Source(outer[-1].layer if layer == "0" else layer, f"{kind} in {block}", outer[0].handle)
+
+
+def _enter(insert: Insert, source: Source, role: str | None, blocks: Blocks, sheet: Sheet) -> bool:
+    """Return whether there is anything to take from a block's reference; if not, and it lies on a layer, say why."""
+    name = insert.dxf.get("name")
+    own = Source(source.layer, f"INSERT block {named(str(name))}", source.handle)
+    if not isinstance(name, str) or insert.block() is None or insert.is_xref():
+        why = "its block is an external file or is missing"
+    elif not blocks.holds(name, role):
+        why = "its block has nothing on the layers that are read"
+    else:
+        return True
+    if role:
+        sheet.tell(own, False, why)
+    return bool(insert.attribs)
+
+
+def _within(
+    insert: Insert, source: Source, roles: Roles, blocks: Blocks, sheet: Sheet, outer: tuple[Source, ...]
+) -> Iterator[tuple[str, Source, DXFEntity]]:
+    """Yield what the content of a block's reference has on the layers asked for."""
+    from ezdxf.lldxf.const import DXFError
+
+    for attribute in insert.attribs:
+        its = _source(attribute, (*outer, source))
+        if roles.get(its.layer.lower()) == "point_loads":
+            yield "point_loads", its, attribute
+    name = str(insert.dxf.get("name"))
+    own = Source(source.layer, f"INSERT block {named(name)}", source.handle)
+    if insert.block() is None or insert.is_xref() or not blocks.holds(name, roles.get(source.layer.lower())):
+        return
+    if len(outer) >= DEEPEST:
+        sheet.fault([own], None, "too many blocks in blocks", f"at most {DEEPEST} blocks in each other", FEWER)
+        return
+    inner = (*outer, own)
+    skipped: list[tuple[DXFGraphic, str]] = []
+    callback: Callable[[DXFGraphic, str], None] = lambda part, why: skipped.append((part, why))  # noqa: E731
+    try:
+        parts = list(insert.virtual_entities(skipped_entity_callback=callback))
+    except (DXFError, ArithmeticError, ValueError) as error:
+        sheet.fault([own], None, f"a block that cannot be placed ({error})", "a block with sound scales")
+        return
+    for part, why in skipped:
+        its = _source(part, inner)
+        if its.layer.lower() in roles:
+            sheet.tell(its, False, f"it cannot be placed ({why})")
+    yield from walk(parts, roles, blocks, sheet, inner)

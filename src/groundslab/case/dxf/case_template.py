@@ -1,0 +1,260 @@
+"""A case file to start from: the drawing's geometry and loads, the rest to be filled in."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from groundslab import units
+from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
+from groundslab.case.dxf.words import quote
+from groundslab.geometry.bulges import Curve, Point, Region, edges_of
+
+if TYPE_CHECKING:
+    from shapely import STRtree
+
+_ZONE = (
+    "# [[plate.zones]]",
+    '# thickness = "400 mm"        # fill in; E and nu may differ too',
+)
+_GROUND = (
+    "# The ground under the plate; groundslab new shows other kinds.",
+    "# [ground]",
+    '# kind = "vlasov"',
+    "# [[ground.layers]]            # from the top downwards, as many as there are",
+    '# E = "20 MPa"                # fill in',
+    "# nu = 0.3                    # fill in",
+    '# thickness = "2 m"           # fill in',
+)
+_LOADS = (
+    "# The loads, as many as there are.",
+    "# [[loads]]",
+    '# kind = "uniform"',
+    '# q = "6.25 kPa"              # fill in',
+)
+
+#: What differs by less than this part of a column's size is the same.
+SAME = 1e-6
+#: A coordinate so small is what rounding left of zero [m].
+NOTHING = 1e-12
+
+
+@dataclass(frozen=True, slots=True)
+class Footprint:
+    """A column that a case can hold: a rectangle along x and y, or a circle if both widths are its diameter."""
+
+    name: str
+    centre: Point
+    widths: Point
+    round: bool
+
+    def covers(self, x: float, y: float) -> bool:
+        """Return whether a place lies on it."""
+        dx, dy = abs(x - self.centre[0]), abs(y - self.centre[1])
+        reach = 0.5 + SAME
+        if self.round:
+            return math.hypot(dx, dy) <= reach * self.widths[0]
+        return dx <= reach * self.widths[0] and dy <= reach * self.widths[1]
+
+    def lines(self) -> list[str]:
+        """Return the lines of the case."""
+        # sums and differences of coordinates, freed of what rounding has left
+        x, y, width_x, width_y = (_metres(float(f"{value:.12g}")) for value in (*self.centre, *self.widths))
+        size = [f"diameter = {width_x}"] if self.round else [f"width_x = {width_x}", f"width_y = {width_y}"]
+        return ["[[columns]]", f"name = {quote(self.name)}", f"x = {x}", f"y = {y}", *size]
+
+
+def footprint_of(curve: Curve, name: str) -> Footprint | None:
+    """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
+    xs, ys = zip(*curve.points, strict=True)
+    if all(curve.bulges):
+        circles = [edge.circle() for edge in edges_of(curve)]
+        (centre, radius), *others = circles
+        turn = sum(4 * math.atan(bulge) for bulge in curve.bulges)
+        alike = all(math.dist(c, centre) + abs(r - radius) <= SAME * radius for c, r in others)
+        whole = abs(abs(turn) - 2 * math.pi) <= SAME
+        return Footprint(name, centre, (2 * radius, 2 * radius), round=True) if alike and whole else None
+    low, high = (min(xs), min(ys)), (max(xs), max(ys))
+    near = SAME * max(high[0] - low[0], high[1] - low[1])
+    corners = {(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])}
+    rectangle = len(curve.points) == 4 and not any(curve.bulges)
+    if not rectangle or any(min(math.dist(corner, each) for each in curve.points) > near for corner in corners):
+        return None
+    centre = (low[0] + high[0]) / 2, (low[1] + high[1]) / 2
+    return Footprint(name, centre, (high[0] - low[0], high[1] - low[1]), round=False)
+
+
+def to_case(drawing: Drawing, title: str = "") -> str:
+    """Return the text of a case file with the drawing's geometry and loads; the rest is there to be filled in."""
+    text = [
+        "# Input file of groundslab, made from a drawing. What no drawing says stands behind #. Where it says",
+        '# "fill in", give your own value and take the # away, from the other lines of that section too.',
+        "# Coordinates are the drawing's own. Loads and settlements are positive downwards.",
+        "",
+        f"title = {quote(title)}",
+        "",
+        "[plate]",
+        '# thickness = "250 mm"        # fill in',
+        '# E = "30 GPa"                # fill in',
+        "# nu = 0.2                    # fill in",
+        "",
+        "[plate.outline]",
+        'kind = "polygon"',
+        *_curve_lines(drawing.outline),
+    ]
+    for opening in drawing.openings:
+        text += ["", "[[plate.openings]]", 'kind = "polygon"', *_curve_lines(opening)]
+    for number, zone in enumerate(drawing.zones, 1):
+        shape = ["[plate.zones.shape]", 'kind = "polygon"', *_curve_lines(zone)]
+        text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
+    columns: list[Footprint] = []
+    plate = _Plate(drawing)
+    for number, column in enumerate(drawing.columns, 1):
+        footprint = footprint_of(column, f"C{number}") if isinstance(column, Curve) else None
+        if footprint is not None and plate.holds(footprint.centre):
+            columns.append(footprint)
+            text += ["", *footprint.lines()]
+            continue
+        if footprint is not None:
+            why = "it does not stand on the plate"
+        elif isinstance(column, Curve):
+            why = "a column is a rectangle along x and y, or a circle"
+        else:
+            why = "a point says nothing of its size"
+        text += ["", f"# Column {number} of the drawing, for information only: {why}."]
+        lines = _curve_lines(column) if isinstance(column, Curve) else [f"point = {_pair(column)}"]
+        text += [f"#   {line}" for line in lines]
+    text += ["", *_GROUND]
+    under = _tree(columns)
+    for mark in drawing.point_loads:
+        text += _load("point", mark, _value("P", mark.value, "force", "50 kN"), _where(mark, columns, under))
+    for line in drawing.line_loads:
+        text += _load("line", line, _value("q", line.value, "force per length", "20 kN/m"), _line(line))
+    for area in drawing.area_loads:
+        shapes = [*_shape("[loads.shape]", area.curve), *(row for hole in area.holes for row in _hole(hole))]
+        text += _load("area", area, _value("q", area.value, "pressure", "10 kPa"), shapes)
+    values = [load.value for load in drawing.point_loads]
+    values += [load.value for load in drawing.line_loads] + [load.value for load in drawing.area_loads]
+    if all(value is None for value in values):
+        text += ["", *_LOADS]
+    return "\n".join(text) + "\n"
+
+
+def _load(kind: str, mark: PointMark | LineMark | AreaMark, value: str, where: list[str]) -> list[str]:
+    """Return the lines of a load; one without a value is there to be filled in."""
+    name = [f"name = {quote(mark.text)}"] if mark.text else []
+    lines = ["[[loads]]", f'kind = "{kind}"', *name, value, *where]
+    return ["", *(lines if mark.value is not None else (f"# {line}" for line in lines))]
+
+
+def _value(key: str, value: float | None, dimension: str, example: str) -> str:
+    """Return the line of a value, or of one to be filled in."""
+    return f'{key} = "{units.write(value, dimension)}"' if value is not None else f'{key} = "{example}"  # fill in'
+
+
+def _line(load: LineMark) -> list[str]:
+    """Return the lines that say where a line load stands: a circle, or points and bulges."""
+    if load.closed and all(load.bulges):
+        circle = _round(Curve(load.points, load.bulges))
+        if circle is not None:
+            return ["[loads.shape]", *circle]
+    points = (*load.points, load.points[0]) if load.closed else load.points
+    return _point_lines(points, load.bulges)
+
+
+def _hole(curve: Curve) -> list[str]:
+    """Return the lines of a hole in an area."""
+    return _shape("[[loads.holes]]", curve)
+
+
+def _shape(head: str, curve: Curve) -> list[str]:
+    """Return the lines of a shape below its head."""
+    return [head, *(_round(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
+
+
+def _round(curve: Curve) -> list[str] | None:
+    """Return the lines of a circle, None if a curve is none."""
+    found = footprint_of(curve, "") if all(curve.bulges) else None
+    if found is None or not found.round:
+        return None
+    x, y, radius = (float(f"{value:.12g}") for value in (*found.centre, found.widths[0] / 2))
+    return ['kind = "circle"', f"centre = {_pair((x, y))}", f"radius = {_metres(radius)}"]
+
+
+class _Plate:
+    """The outline and the openings, to ask again and again what stands on the plate."""
+
+    def __init__(self, drawing: Drawing) -> None:
+        from shapely import STRtree, box
+
+        self._outline = Region(edges_of(drawing.outline))
+        self._openings = [Region(edges_of(opening)) for opening in drawing.openings]
+        boxes = [list(zip(*opening.boxes, strict=True)) for opening in self._openings]
+        self._tree = STRtree([box(*map(min, each[:2]), *map(max, each[2:])) for each in boxes])
+
+    def holds(self, place: Point) -> bool:
+        """Return whether a place lies inside the outline and in no opening."""
+        from shapely import Point as Place
+
+        near = self._tree.query(Place(place))
+        return self._outline.holds(place) and not any(self._openings[k].holds(place) for k in near)
+
+
+def _tree(columns: list[Footprint]) -> STRtree:
+    """Return a tree of the boxes around columns."""
+    from shapely import STRtree, box
+
+    reach = 0.5 + SAME
+    return STRtree(
+        [
+            box(x - reach * width_x, y - reach * width_y, x + reach * width_x, y + reach * width_y)
+            for (x, y), (width_x, width_y) in ((column.centre, column.widths) for column in columns)
+        ]
+    )
+
+
+def _where(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:
+    """Return the lines that say where a load acts: on the column that it lies on, or at its own place.
+
+    A load beside the column's centre keeps its moments about it. Where the force is not known yet, nor are these, and
+    the load keeps its place.
+    """
+    from shapely import Point as Place
+
+    near = sorted(tree.query(Place(mark.x, mark.y)).tolist()) if columns else []
+    own = next((columns[k] for k in near if columns[k].covers(mark.x, mark.y)), None)
+    if own is not None:
+        arms = {"M_x": mark.x - own.centre[0], "M_y": mark.y - own.centre[1]}
+        beside = {name: arm for name, arm in arms.items() if abs(arm) > SAME * max(own.widths)}
+        if mark.value is not None or not beside:
+            force = mark.value or 0.0
+            moments = [
+                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m beside the centre of the column'
+                for name, arm in beside.items()
+            ]
+            return [*moments, f"column = {quote(own.name)}"]
+    return [f"x = {_metres(mark.x)}", f"y = {_metres(mark.y)}"]
+
+
+def _curve_lines(curve: Curve) -> list[str]:
+    """Return the lines of a closed curve; bulges only if it has arcs."""
+    return _point_lines(curve.points, curve.bulges)
+
+
+def _point_lines(points: Sequence[Point], bulges: Sequence[float]) -> list[str]:
+    """Return the lines of points and of bulges, these only if there are arcs."""
+    lines = ["points = [", *(f"  {_pair(point)}," for point in points), "]"]
+    if any(bulges):
+        lines.append(f"bulges = [{', '.join(repr(bulge or 0.0) for bulge in bulges)}]")
+    return lines
+
+
+def _pair(point: Point) -> str:
+    return f"[{_metres(point[0])}, {_metres(point[1])}]"
+
+
+def _metres(value: float) -> str:
+    """Return a coordinate with all its digits; what rounding left of zero is zero."""
+    return f'"{repr(value if abs(value) > NOTHING else 0.0).removesuffix(".0")} m"'

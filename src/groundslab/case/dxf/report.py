@@ -1,0 +1,74 @@
+"""The report for people: what was taken, what was ignored, and why."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from groundslab import units
+from groundslab.case.dxf.drawing import Drawing
+from groundslab.case.dxf.spread import length
+from groundslab.case.dxf.words import safe
+from groundslab.geometry.bulges import Curve, Point, edges_of
+
+
+def report_text(drawing: Drawing) -> str:
+    """Return what was taken and what was ignored, and why, for people: counts per layer first."""
+    notes = [line for line in drawing.report if line.entity in {"LAYER", "HEADER"}]
+    lines = [line for line in drawing.report if line.entity not in {"LAYER", "HEADER"}]
+    counts: dict[str, Counter[bool]] = {}
+    for line in lines:
+        counts.setdefault(line.layer, Counter())[line.taken] += 1
+    width, depth = (max(values) - min(values) for values in zip(*_reach(drawing.outline), strict=True))
+    loads = sum(mark.value or 0.0 for mark in drawing.point_loads)
+    text = [
+        f"unit: {drawing.unit} ({drawing.scale:.6g} m)",
+        f"outline: {width:.6g} m x {depth:.6g} m, {drawing.outline.area:.6g} m^2, {len(drawing.outline.points)} edges",
+        f"openings: {len(drawing.openings)}, zones: {len(drawing.zones)}, columns: {len(drawing.columns)}, "
+        f"point loads: {len(drawing.point_loads)} (sum {units.show(loads, 'force')})",
+        *_spread(drawing),
+        "",
+        *_table(
+            ("layer", "taken", "ignored"),
+            [(layer, str(count[True]), str(count[False])) for layer, count in counts.items()],
+        ),
+    ]
+    if notes:
+        text += ["", *(f"{f'layer {safe(note.layer)}' if note.layer else 'header'}: {note.why}" for note in notes)]
+    for heading, taken in (("ignored", False), ("taken", True)):
+        rows = [(line.layer, line.entity, line.handle, line.why) for line in lines if line.taken is taken]
+        if rows:
+            text += ["", f"{heading}:", *_table(("layer", "entity", "handle", "why" if not taken else "as"), rows)]
+    return "\n".join(text) + "\n"
+
+
+def _spread(drawing: Drawing) -> Iterator[str]:
+    """Yield the counts of line and area loads with what they come to, if there are any."""
+    lines = [(line.value, length(line)) for line in drawing.line_loads]
+    areas = [(area.value, area.curve.area - sum(hole.area for hole in area.holes)) for area in drawing.area_loads]
+    for what, loads in (("line loads", lines), ("area loads", areas)):
+        if loads:
+            total = sum((value or 0.0) * size for value, size in loads)
+            missing = sum(value is None for value, _ in loads)
+            without = f", {missing} without a value" if missing else ""
+            yield f"{what}: {len(loads)} (sum {units.show(total, 'force')}{without})"
+
+
+def _reach(curve: Curve) -> list[Point]:
+    """Return points that reach as far as a curve does, arcs included."""
+    points = list(curve.points)
+    for edge in edges_of(curve):
+        if edge.bulge:
+            (x, y), r = edge.circle()
+            far = [(x + r, y), (x - r, y), (x, y + r), (x, y - r)]
+            points += [point for point in far if edge.side(point) * edge.bulge < 0]
+    return points
+
+
+def _table(heading: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
+    """Return the lines of a table, its columns as wide as they need be."""
+    cells = [heading, *((*map(safe, row[:-1]), row[-1]) for row in rows)]
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    return [
+        "  " + "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)).rstrip() for row in cells
+    ]

@@ -1,0 +1,147 @@
+"""Loads along lines and on areas, and their values."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from groundslab import units
+from groundslab.case.dxf.beside import Mark, give_texts, value_of, words_of
+from groundslab.case.dxf.chains import Found
+from groundslab.case.dxf.classify import Holders, tell_taken
+from groundslab.case.dxf.drawing import AreaMark, LineMark
+from groundslab.case.dxf.labels import DIMENSION, Label, value_behind
+from groundslab.case.dxf.layers import Roles
+from groundslab.case.dxf.nodes import Nodes
+from groundslab.case.dxf.pieces import Piece
+from groundslab.case.dxf.sheet import DOUBLE, Sheet, Source
+from groundslab.case.dxf.words import named
+from groundslab.errors import Fault
+from groundslab.geometry.bulges import Curve, Edge, Point
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+CHORDS = 16  # of an arc, to see what is near it
+
+
+def lines_of(
+    lines: Sequence[tuple[Source, Piece]], texts: Sequence[Label], roles: Roles, tolerance: float, sheet: Sheet
+) -> list[LineMark]:
+    """Return the line loads with the values that stand beside them or in the names of their layers."""
+    from shapely import LineString
+
+    nodes, middles = Nodes(tolerance), Nodes(tolerance)
+    seen: set[frozenset[tuple[int, int, int]]] = set()
+    marks: list[Mark] = []
+    edges: list[list[Edge]] = []
+    for source, piece in lines:
+        own = [
+            Edge(a, b, bulge)
+            for (a, b), bulge in zip(pairwise(piece.points), piece.bulges, strict=True)
+            if math.dist(a, b) > tolerance
+        ]
+        ends = [sorted((nodes.number(edge.a), nodes.number(edge.b))) for edge in own]
+        key = frozenset((a, b, middles.number(edge.middle())) for (a, b), edge in zip(ends, own, strict=True))
+        if not own or key in seen:
+            sheet.tell(source, False, DOUBLE if own else "it has no length")
+            continue
+        seen.add(key)
+        edges.append(own)
+        marks.append(Mark(source, own[0].a, LineString([own[0].a, *(p for edge in own for p in chords(edge))])))
+    give_texts(marks, texts, "line_loads", sheet)
+    defaults = _values_of_layers([mark.source.layer for mark in marks], "line_loads", roles, sheet)
+    found = []
+    for mark, own in zip(marks, edges, strict=True):
+        value, how = _value(mark, "line_loads", defaults, sheet)
+        sheet.tell(mark.source, True, f"line load{how}")
+        closed = len(own) > 1 and math.dist(own[0].a, own[-1].b) <= tolerance
+        points = tuple(edge.a for edge in own) + (() if closed else (own[-1].b,))
+        found.append(LineMark(points, tuple(edge.bulge for edge in own), value, words_of(mark)))
+    return found
+
+
+def areas_of(found: list[Found], texts: Sequence[Label], roles: Roles, sheet: Sheet) -> list[AreaMark]:
+    """Return the area loads with the values that stand in or beside them or in the names of their layers.
+
+    A curve without a value of its own is a hole of the area in which it lies.
+    """
+    from shapely import Polygon
+
+    marks = [
+        Mark(each.sources[0], each.curve.points[0], _valid(Polygon([p for edge in each.edges() for p in chords(edge)])),
+             each.curve.area)
+        for each in found
+    ]  # fmt: skip
+    give_texts(marks, texts, "area_loads", sheet)
+    defaults = _values_of_layers([mark.source.layer for mark in marks], "area_loads", roles, sheet)
+    numbers = {id(each): number for number, each in enumerate(found)}
+    holders = Holders(found, sheet) if found else None
+    hole_of: dict[int, int] = {}
+    for each in sorted(found, key=lambda one: -one.curve.area):
+        assert holders is not None
+        around = holders.last(each.curve.points)
+        outer = None if around is None else numbers[id(around)]
+        if outer is not None and outer not in hole_of and not marks[numbers[id(each)]].values:
+            hole_of[numbers[id(each)]] = outer
+        holders.add(each)
+    order = [number for number in range(len(found)) if number not in hole_of]
+    loads = {number: position for position, number in enumerate(order, 1)}
+    holes: dict[int, list[Curve]] = defaultdict(list)
+    for hole, outer in hole_of.items():
+        holes[outer].append(found[hole].curve)
+    areas = []
+    for number in order:
+        value, how = _value(marks[number], "area_loads", defaults, sheet)
+        tell_taken(found[number], f"area load {loads[number]}{how}", sheet)
+        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, words_of(marks[number])))
+    for hole, outer in hole_of.items():
+        tell_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value of its own", sheet)
+    return areas
+
+
+def length(load: LineMark) -> float:
+    """Return the length of a line load [m]."""
+    points = (*load.points, load.points[0]) if load.closed else load.points
+    edges = [Edge(a, b, bulge) for (a, b), bulge in zip(pairwise(points), load.bulges, strict=True)]
+    return sum(edge.circle()[1] * 4 * math.atan(abs(edge.bulge)) if edge.bulge else math.dist(edge.a, edge.b)
+               for edge in edges)  # fmt: skip
+
+
+def chords(edge: Edge) -> list[Point]:
+    """Return points along an edge, its end the last of them."""
+    if not edge.bulge:
+        return [edge.b]
+    (x, y), r = edge.circle()
+    start, sweep = math.atan2(edge.a[1] - y, edge.a[0] - x), 4 * math.atan(edge.bulge)
+    turns = [start + sweep * part / CHORDS for part in range(1, CHORDS)]
+    return [*((x + r * math.cos(turn), y + r * math.sin(turn)) for turn in turns), edge.b]
+
+
+def _valid(polygon: BaseGeometry) -> BaseGeometry:
+    """Return a polygon, or the rectangle around it if it crosses itself, of which another fault tells."""
+    return polygon if polygon.is_valid else polygon.envelope
+
+
+def _values_of_layers(names: Sequence[str], role: str, roles: Roles, sheet: Sheet) -> dict[str, float]:
+    """Return the values that stand in names of layers; what is meant as one and is none is a fault."""
+    values = {}
+    for name in dict.fromkeys(names):
+        value = value_behind(roles.behind(name), DIMENSION[role])
+        if isinstance(value, float):
+            values[name] = value
+        elif value is not None:
+            where, expected = f"{sheet.path}, layer {named(name)}", units.expectation(DIMENSION[role])
+            sheet.add(Fault(where, named(roles.behind(name)), expected, value))
+    return values
+
+
+def _value(mark: Mark, role: str, defaults: dict[str, float], sheet: Sheet) -> tuple[float | None, str]:
+    """Return the value of a load, its own or that of its layer, and what the report says of it."""
+    value, how = value_of(mark, role, sheet), ""
+    if value is None and mark.source.layer in defaults:
+        value, how = defaults[mark.source.layer], ", by the name of its layer"
+    return value, ", no value" if value is None else f" of {units.show(value, DIMENSION[role])}{how}"

@@ -1,0 +1,90 @@
+"""The command plot: what it understands, and what it does."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from groundslab.errors import Fault, InputError
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def describe(plot: argparse.ArgumentParser) -> None:
+    """Add what the command plot understands."""
+    plot.add_argument("folder", metavar="FOLDER", help="folder of results that groundslab solve wrote")
+    plot.add_argument(
+        "fields",
+        nargs="*",
+        metavar="FIELD",
+        help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
+        "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
+        "design moments bottom_x, bottom_y, top_x, top_y (default: a usual choice for the kind)",
+    )
+    plot.add_argument(
+        "--kind",
+        metavar="KIND",
+        help="plan, deformed (the plate in space), lines (values along section lines), soil (layers, moduli, mode) or "
+        "convergence (default: plan; lines if --line is given)",
+    )
+    plot.add_argument(
+        "--combination",
+        action="append",
+        metavar="NAME",
+        help="combination to draw, may be repeated (default: all that have a certified result)",
+    )
+    plot.add_argument(
+        "--envelope",
+        metavar="STATE",
+        help="draw the largest and smallest values over the combinations of a limit state: ultimate, characteristic, "
+        "frequent or quasi-permanent; for plan and lines",
+    )
+    plot.add_argument(
+        "--line",
+        action="append",
+        metavar="X1,Y1,X2,Y2",
+        help="section line in metres, may be repeated (default: those that the case names)",
+    )
+    plot.add_argument(
+        "--out",
+        metavar="FILE",
+        help="file to write, which ends with .pdf (pages of A4 width), .svg or .png (one sheet); an existing one is "
+        "replaced if groundslab drew it (default: a PDF beside the folder)",
+    )
+
+
+def draw(options: argparse.Namespace) -> str:
+    """Draw figures of a folder of results into a file, and return which file it is."""
+    from pathlib import Path
+
+    from groundslab.views import plots
+    from groundslab.views.files import results_folder
+    from groundslab.views.plots.files import check
+    from groundslab.views.plots.request import wish_of
+
+    folder = Path(os.path.realpath(options.folder))
+    lines = [_coordinates(text) for text in options.line] if options.line else None
+    if options.out is not None:
+        check(options.out)
+    combined = results_folder.load(options.folder)
+    wish = wish_of(combined, options.fields, options.kind, options.combination, options.envelope, lines)
+    what = "-".join(amount.name for amount in wish.amounts) if options.fields and wish.kind == "plan" else wish.kind
+    file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
+    check(file)
+    if folder in Path(os.path.realpath(file)).parents:
+        mend = "solve could not replace the folder any more"
+        raise InputError([Fault("--out", f"{file}, inside the folder of results", "a place outside it", mend)])
+    pages = len(plots.write(wish, file))
+    return f"wrote {file}" + (f", {pages} pages" if pages > 1 else "")
+
+
+def _coordinates(text: str) -> list[float]:
+    """Return the coordinates of a section line."""
+    try:
+        values = [float(part) for part in text.split(",")]
+    except ValueError:
+        values = []
+    if len(values) != 4:
+        raise InputError([Fault("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
+    return values

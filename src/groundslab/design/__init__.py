@@ -1,0 +1,1 @@
+"""Values for design: design moments, reinforcement, punching, section cuts, tilt, envelopes."""

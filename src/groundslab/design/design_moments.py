@@ -1,0 +1,59 @@
+"""Moments that a slab is designed for: principal moments, and Wood's moments for reinforcement along x and y."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array
+
+
+@dataclass(frozen=True, slots=True)
+class Principal:
+    """Principal moments (n,) [N m/m], m_1 >= m_2, and the direction [rad] of the strips that m_1 bends, from x."""
+
+    m_1: Array
+    m_2: Array
+    direction: Array
+
+
+@dataclass(frozen=True, slots=True)
+class DesignMoments:
+    """Moments (n,) [N m/m] for reinforcement along x and y: at the bottom >= 0, at the top <= 0."""
+
+    bottom_x: Array
+    bottom_y: Array
+    top_x: Array
+    top_y: Array
+
+
+def principal_moments(m_x: Array, m_y: Array, m_xy: Array) -> Principal:
+    """Return the principal moments of bending and twisting moments (n,), by Mohr's circle."""
+    middle, radius = (m_x + m_y) / 2, np.hypot((m_x - m_y) / 2, m_xy)
+    return Principal(middle + radius, middle - radius, np.arctan2(2 * m_xy, m_x - m_y) / 2)
+
+
+def wood_armer(m_x: Array, m_y: Array, m_xy: Array) -> DesignMoments:
+    """Return the design moments of bending and twisting moments (n,), sagging positive (Wood 1968, Armer 1968).
+
+    The least m_x* + m_y* with m_x* cos^2 + m_y* sin^2 at least the bending moment in every direction, and neither of
+    them negative at the bottom; at the top the same with all signs turned.
+    """
+    m_x, m_y, m_xy = (np.asarray(moment, dtype=float) for moment in (m_x, m_y, m_xy))
+    bottom_x, bottom_y = _bottom(m_x, m_y, m_xy)
+    top_x, top_y = _bottom(-m_x, -m_y, m_xy)
+    return DesignMoments(bottom_x, bottom_y, -top_x, -top_y)
+
+
+def _bottom(m_x: Array, m_y: Array, m_xy: Array) -> tuple[Array, Array]:
+    """Return m_x* and m_y* >= 0 (n,) for the bottom."""
+    twist = np.abs(m_xy)
+    x, y = m_x + twist, m_y + twist
+    # where one of them would be negative it is none, and the other grows by the twist that is left to it alone
+    only_y, only_x = x < 0, y < 0
+    alone_y = m_y + np.divide(m_xy**2, np.abs(m_x), out=np.zeros_like(x), where=only_y)
+    alone_x = m_x + np.divide(m_xy**2, np.abs(m_y), out=np.zeros_like(y), where=only_x)
+    star_x = np.where(only_y, 0.0, np.where(only_x, np.maximum(alone_x, 0.0), x))
+    star_y = np.where(only_x, 0.0, np.where(only_y, np.maximum(alone_y, 0.0), y))
+    return star_x, star_y

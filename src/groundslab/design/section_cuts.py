@@ -1,0 +1,265 @@
+"""Section lines through a plate, the forces on straight cuts, and design strips made of such cuts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.design_moments import wood_armer
+from groundslab.errors import Fault, InputError
+from groundslab.fem.line_traversal import ON_LINE, Pieces, continues, interpolation, pieces
+from groundslab.fem.mesh import Mesh
+from groundslab.results.results import PLATE_FIELDS
+
+if TYPE_CHECKING:
+    from groundslab.results.results import PlateResult
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """Nodal fields along a line: samples only where there is plate, in the order of the line.
+
+    Samples of one `part` can be joined by a curve. A new part begins behind an opening or a notch, and where the
+    plate's thickness or material changes: there the same place stands twice, with the values of both sides.
+    """
+
+    s: Array  # (p,): distance from the line's start, along it [m]
+    x: Array  # (p,) [m]
+    y: Array  # (p,) [m]
+    part: Integers  # (p,): from 0
+    values: dict[str, Array]  # by the names of PLATE_FIELDS, (p,) each, SI units
+
+    def parts(self) -> list[slice]:
+        """Return the samples of each part."""
+        first = np.searchsorted(self.part, np.arange(self.part[-1] + 2))
+        return [slice(int(i), int(j)) for i, j in pairwise(first)]
+
+
+@dataclass(frozen=True, slots=True)
+class CutForces:
+    """What a straight cut from a to b transfers, integrated over the part of it that lies on the plate.
+
+    The normal n points to the right of the way from a to b: a cut towards +y has n = x, m_n = m_x and q_n = q_x.
+    Together with supports, the loads and contact pressure ahead of the cut (where n points) make up its forces:
+    shear = int (load - p) dA and moment = int (p - load) lever dA, the lever being the distance from the cut.
+    """
+
+    moment: float  # int m_n ds [N m], sagging positive
+    twist: float  # int m_nt ds [N m]
+    shear: float  # int q_n ds [N]
+    length: float  # on the plate [m]
+
+    @property
+    def mean_moment(self) -> float:
+        """Return the mean of m_n [N m/m]."""
+        return self.moment / self.length
+
+    @property
+    def mean_twist(self) -> float:
+        """Return the mean of m_nt [N m/m]."""
+        return self.twist / self.length
+
+    @property
+    def mean_shear(self) -> float:
+        """Return the mean of q_n [N/m]."""
+        return self.shear / self.length
+
+
+@dataclass(frozen=True, slots=True)
+class StripResult:
+    """A design strip: at each station the forces on the cut across it, n along the strip (see CutForces).
+
+    Design moments are those of Wood and Armer for reinforcement along the strip and at right angles to it, each the
+    mean of the values at all points of the cut; at the bottom >= 0, at the top <= 0.
+    """
+
+    s: Array  # (c,): distance of the station from the strip's start [m]
+    x: Array  # (c,): the station on the axis [m]
+    y: Array  # (c,)
+    length: Array  # (c,): of the cut, on the plate [m]
+    moment: Array  # (c,): int m_n ds [N m]
+    shear: Array  # (c,): int q_n ds [N]
+    mean_moment: Array  # (c,) [N m/m]
+    mean_shear: Array  # (c,) [N/m]
+    largest: Array  # (c,): the largest m_n on the cut [N m/m]
+    least: Array  # (c,): the least m_n on the cut [N m/m]
+    bottom: Array  # (c,): design moment along the strip [N m/m]
+    top: Array  # (c,)
+    bottom_across: Array  # (c,): design moment at right angles to the strip [N m/m]
+    top_across: Array  # (c,)
+
+
+def along(plate: PlateResult, points: Array, spacing: float | None = None) -> Section:
+    """Return all nodal fields along a polyline (k, 2) [m], by the shape functions of the element that holds a sample.
+
+    Samples stand at the polyline's corners, at the ends of each part, and in between every `spacing` [m], or without
+    it at each side of an element and halfway between. A line along the border of two sections takes values from
+    either: move it by a small distance, such as a millionth of its length, to choose one.
+    """
+    ends = _legs(points)
+    if spacing is not None and not spacing > 0:
+        raise InputError([Fault("spacing", f"{spacing:g} m", "a length greater than zero")])
+    mesh = Mesh(plate.nodes, plate.elements)
+    line = _on_plate(mesh, ends, "points")
+    goes_on = continues(mesh, line)
+    piece, s = _samples(line, goes_on, spacing)
+    nodes, N = interpolation(mesh, line, piece, s)
+    values = {name: np.einsum("pa,pa->p", N, getattr(plate, name)[nodes]) for name in PLATE_FIELDS}
+    x, y = line.points(piece, s).T
+    return Section(s, x, y, (np.cumsum(~goes_on) - 1)[piece], values)
+
+
+def cut(plate: PlateResult, a: tuple[float, float] | Array, b: tuple[float, float] | Array) -> CutForces:
+    """Return the forces on the straight cut from a to b [m], which may reach beyond the plate.
+
+    Gauss points between the element sides that the cut crosses make the integrals exact for the nodal fields on
+    parallelograms. The fields are continuous but where the section changes; for a cut along such a border, move it to
+    one side by a small distance, such as a millionth of its length.
+
+    The integrals are as good as the averaged nodal fields: against loads and contact pressure the error falls with
+    the square of the element's size (tests/verification/test_cuts.py). Within an element of a line load, a point load
+    or an edge where the ground pulls by a line force, shear is smeared.
+    """
+    points = _Cut.of(plate, np.array([[a, b]], dtype=float))
+    m_n, _, m_nt, q_n = points.forces(points.gauss)
+    ds = points.ds
+    return CutForces(float(ds @ m_n), float(ds @ m_nt), float(ds @ q_n), float(ds.sum()))
+
+
+def strip(
+    plate: PlateResult,
+    start: tuple[float, float] | Array,
+    end: tuple[float, float] | Array,
+    width: float,
+    count: int,
+) -> StripResult:
+    """Return the forces on `count` evenly spaced cuts of some width [m] across the axis of a design strip.
+
+    The first cut is at the start, the last at the end; cuts that lie wholly off the plate are left out. The extremes
+    of m_n are those at the elements' sides, halfway between, and at the Gauss points. Averaging the design moments
+    (Wood 1968, Armer 1968) of all points is on the safe side of taking them from averaged moments.
+    """
+    faults = []
+    if not width > 0:
+        faults.append(Fault("width", f"{width:g} m", "a width greater than zero"))
+    if count < 2:
+        faults.append(Fault("count", f"{count}", "at least 2 stations"))
+    if faults:
+        raise InputError(faults)
+    (origin, final), *_ = _legs(np.array([start, end]))
+    s = np.linspace(0, np.linalg.norm(final - origin), count)
+    axis = (final - origin) / s[-1]
+    across = np.array([-axis[1], axis[0]])
+    centres = origin + s[:, None] * axis
+    rows, kept = [], []
+    points = _Cut.of(plate, np.stack([centres - width / 2 * across, centres + width / 2 * across], axis=1))
+    gauss_leg, edge_leg = (points.line.leg[piece] for piece in (points.gauss[0], points.edges[0]))
+    m_n, m_t, m_nt, q_n = points.forces(points.gauss)
+    at_edges = points.forces(points.edges)[0]
+    design = wood_armer(m_n, m_t, m_nt)
+    for station in np.unique(gauss_leg):
+        on = gauss_leg == station
+        ds = points.ds[on]
+        everywhere = np.concatenate([m_n[on], at_edges[edge_leg == station]])
+        totals = [float(ds @ field[on]) for field in (m_n, q_n)]
+        means = [float(ds @ field[on]) / ds.sum() for field in (m_n, q_n)]
+        wood = (design.bottom_x, design.top_x, design.bottom_y, design.top_y)
+        designed = [float(ds @ field[on]) / ds.sum() for field in wood]
+        rows.append([ds.sum(), *totals, *means, everywhere.max(), everywhere.min(), *designed])
+        kept.append(station)
+    x, y = centres[kept].T
+    return StripResult(s[kept], x, y, *np.array(rows).T)
+
+
+@dataclass(frozen=True, slots=True)
+class _Cut:
+    """The points at which straight cuts, one a leg, read the plate's fields."""
+
+    plate: PlateResult
+    mesh: Mesh
+    line: Pieces
+    gauss: tuple[Integers, Array]  # piece and s
+    ds: Array  # the Gauss points' weights [m]
+    edges: tuple[Integers, Array]  # piece and s of the pieces' ends and middles
+
+    @classmethod
+    def of(cls, plate: PlateResult, ends: Array) -> _Cut:
+        """Return the points of cuts (l, 2, 2), at least one of which must cross the plate."""
+        if not (np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) > 0).all():
+            raise InputError([Fault("cut", "two ends at one place", "two different points")])
+        mesh = Mesh(plate.nodes, plate.elements)
+        line = _on_plate(mesh, ends, "cut")
+        piece, s, ds = line.gauss()
+        each = np.arange(len(line.low))
+        edges = np.tile(each, 3), np.concatenate([line.low, line.high, (line.low + line.high) / 2])
+        return cls(plate, mesh, line, (piece, s), ds, edges)
+
+    def forces(self, at: tuple[Integers, Array]) -> tuple[Array, Array, Array, Array]:
+        """Return m_n, m_t, m_nt [N m/m] and q_n [N/m] at piece and s (k,), n to the right of t, the way of the leg."""
+        piece, s = at
+        nodes, N = interpolation(self.mesh, self.line, piece, s)
+        names = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+        m_x, m_y, m_xy, q_x, q_y = (np.einsum("pa,pa->p", N, getattr(self.plate, name)[nodes]) for name in names)
+        return turned(m_x, m_y, m_xy, q_x, q_y, self.line.along[self.line.leg[piece]])
+
+
+def turned(m_x: Array, m_y: Array, m_xy: Array, q_x: Array, q_y: Array, t: Array) -> tuple[Array, Array, Array, Array]:
+    """Return m_n, m_t, m_nt and q_n (k,) on cuts along the unit vectors t (k, 2), n to the right of t.
+
+    Moments turn as a symmetric tensor, shear forces as a vector (Timoshenko and Woinowsky-Krieger 1959).
+    """
+    t_x, t_y = t.T
+    n_x, n_y = t_y, -t_x
+    m_n = m_x * n_x**2 + m_y * n_y**2 + 2 * m_xy * n_x * n_y
+    m_t = m_x * t_x**2 + m_y * t_y**2 + 2 * m_xy * t_x * t_y
+    m_nt = m_x * n_x * t_x + m_y * n_y * t_y + m_xy * (n_x * t_y + n_y * t_x)
+    return m_n, m_t, m_nt, q_x * n_x + q_y * n_y
+
+
+def _legs(points: Array) -> Array:
+    """Return the legs (k - 1, 2, 2) of a polyline; InputError unless it has two different points in a row or more."""
+    points = np.asarray(points, dtype=float)
+    if points.ndim != 2 or points.shape[1:] != (2,) or len(points) < 2 or not np.isfinite(points).all():
+        got = f"an array of shape {points.shape}" if np.isfinite(points).all() else "places that are not finite"
+        raise InputError([Fault("points", got, "two or more places (x, y)")])
+    ends = np.stack([points[:-1], points[1:]], axis=1)
+    same = np.flatnonzero((ends[:, 0] == ends[:, 1]).all(axis=1))
+    if len(same):
+        where = [f"points[{i + 2}]" for i in same]
+        raise InputError([Fault(place, "the same place as the point before", "another one") for place in where])
+    return ends
+
+
+def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
+    """Return the pieces of legs in the plate's elements; InputError if there are none."""
+    line = pieces(mesh, ends)
+    if not len(line.low):
+        (a, b), (c, d) = ends[0, 0], ends[-1, 1]
+        got = f"a line from ({a:g}, {b:g}) to ({c:g}, {d:g}) m that does not meet the plate"
+        raise InputError([Fault(where, got, "a line that crosses the plate")])
+    return line
+
+
+def _samples(line: Pieces, goes_on: Flags, spacing: float | None) -> tuple[Integers, Array]:
+    """Return piece and s (p,) of the samples of a section."""
+    new_leg = np.diff(line.leg, prepend=-1) != 0
+    starts_here, ends_here = ~goes_on | new_leg, np.append(~goes_on[1:] | new_leg[1:], True)
+    near = ON_LINE * line.high[-1]
+    piece, s = [], []
+    for i, (low, high) in enumerate(zip(line.low, line.high, strict=True)):
+        if spacing is None:
+            inner = np.array([(low + high) / 2])
+        else:
+            # each multiple of the spacing belongs to one piece: low < s <= high
+            inner = spacing * np.arange(np.floor(low / spacing) + 1, np.floor(high / spacing) + 1)
+            inner = inner[(inner > low + near) | ~starts_here[i]]
+            inner = inner[(inner < high - near) | ~ends_here[i]]
+        last = [high] if spacing is None or ends_here[i] else []
+        here = np.concatenate([[] if goes_on[i] else [low], inner, last])
+        piece.append(np.full(len(here), i))
+        s.append(here)
+    return np.concatenate(piece), np.concatenate(s)

@@ -1,0 +1,114 @@
+"""The loads that act on a part of the plate, case by case."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.design.tables.thickness import of_elements
+from groundslab.fem import load_vectors
+from groundslab.fem.mesh import Mesh
+from groundslab.model.loads.clipping import line_on_plate
+from groundslab.model.loads.load_types import (
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    UniformLoad,
+    pressure_of,
+)
+from groundslab.model.model import Model
+from groundslab.model.plate import Plate
+from groundslab.results.results import PlateResult, Results
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+#: Arcs are replaced by chords at most this far off, relative to the plate.
+CHORD = 1e-6
+
+
+def of_column(model: Model, name: str) -> dict[str, float]:
+    """Return the sum of the point loads that name a column [N], by load case."""
+    force: dict[str, float] = defaultdict(float)
+    for load in model.loads:
+        if isinstance(load, PointLoad) and load.column == name:
+            force[load.case] += load.P
+    return force
+
+
+def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict[str, float]:
+    """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
+    mesh, chord = Mesh(plate.nodes, plate.elements), CHORD * max(model.plate.sides)
+    elements = load_vectors.near(mesh, part)
+    force: dict[str, float] = defaultdict(float)
+    for load in model.loads:
+        if isinstance(load, UniformLoad):
+            force[load.case] += float(load_vectors.over_polygon(mesh, elements, part, pressure_of(load)).sum())
+        elif isinstance(load, PatchLoad | AreaLoad):
+            for piece in _pieces(part, load.drawn(chord)):
+                force[load.case] += float(load_vectors.over_polygon(mesh, elements, piece, pressure_of(load)).sum())
+        elif isinstance(load, SelfWeight):
+            volume = load_vectors.over_polygon(mesh, elements, part).sum(axis=1) @ of_elements(model, plate)[elements]
+            force[load.case] += float(load.unit_weight * volume)
+        elif isinstance(load, LineLoad):
+            force[load.case] += _on_line(load, model.plate, part, chord)
+        elif isinstance(load, PointLoad) and load.column != column and _may_meet(load, model, part):
+            force[load.case] += _on_footprint(load.on(model.columns), part, chord)
+    return force
+
+
+def under(results: Results, force: Mapping[str, float]) -> float:
+    """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
+    factors = dict(results.factors) if results.model.cases else {"": 1.0}
+    return sum(factors.get(case, 0.0) * each for case, each in force.items())
+
+
+def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
+    """Return the polygons that two areas have in common."""
+    from shapely import get_parts, intersection
+
+    return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
+
+
+def _on_line(load: LineLoad, plate: Plate, part: Polygon, chord: float) -> float:
+    """Return the force [N] of a line load on a part of the plate."""
+    from shapely import LineString, Point, get_coordinates, get_parts, intersection
+
+    force = 0.0
+    for piece in line_on_plate(plate, load):
+        n = piece.edge.chords(chord)
+        places = np.arange(n + 1) / n
+        flat = LineString(piece.edge.at(places))
+        for inside in get_parts(intersection(flat, part)):
+            if inside.length > 0:
+                # the force of a linear q is that in the middle of the way times the length
+                ways = [flat.project(Point(end)) / flat.length for end in get_coordinates(inside)[[0, -1]]]
+                q = piece.q[0] + (piece.q[1] - piece.q[0]) * sum(ways) / 2
+                force += q * inside.length / flat.length * piece.edge.length
+    return float(force)
+
+
+def _may_meet(load: PointLoad, model: Model, part: Polygon) -> bool:
+    """Return whether a load that names a column may stand on a part of the plate, by the column's place."""
+    named = [each for each in model.columns if each.name == load.column]
+    return not named or bool(named[0].drawn(CHORD * max(model.plate.sides)).intersects(part))
+
+
+def _on_footprint(load: PointLoad, part: Polygon, chord: float) -> float:
+    """Return the force [N] of a point load on a part of the plate, by its pressure where it has a footprint."""
+    place = load.drawn(chord)
+    if place.geom_type == "Point":
+        return load.P if part.covers(place) else 0.0
+    centre, inertia = load_vectors.inertia(place)
+    slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
+    force = 0.0
+    for piece in _pieces(part, place):
+        lever = np.array(piece.centroid.coords[0]) - centre
+        force += float((load.P / place.area + lever @ slope) * piece.area)
+    return force

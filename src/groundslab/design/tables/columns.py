@@ -1,0 +1,109 @@
+"""The table of columns: what they carry, how they settle against each other, the demand of punching."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from groundslab.design.punching_resistance import at_the_face
+from groundslab.design.tables import column_loads
+from groundslab.design.tables.punching import Demand, demands
+from groundslab.design.tables.quantities import solved
+from groundslab.design.tables.reinforcement import materials
+from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.design.tilt import between
+from groundslab.model.columns import Column
+from groundslab.model.outputs import Reinforcement
+from groundslab.results.results import Combined, PlateResult
+
+_NEIGHBOURS = (
+    ("worst neighbour", ""), ("distance", "m"), ("settlement difference", "mm"), ("angular distortion", "mm/m"),
+    ("angular distortion without tilt", "mm/m"),
+)  # fmt: skip
+_PUNCHING = (
+    ("d", "mm"), ("V_Ed", "kN"), ("u", "m"), ("v_Ed", "MPa"), ("pressure inside", "kN"),
+    ("other loads inside", "kN"), ("u_0", "m"), ("v_Ed at the face", "MPa"), ("v_Rd,max", "MPa"),
+)  # fmt: skip
+
+
+def column_table(combined: Combined) -> Table:
+    """Return load, settlement, worst neighbour and demand of punching of each column in each combination."""
+    model, results = combined.model, solved(combined)
+    own = {column.name: column_loads.of_column(model, column.name) for column in model.columns}
+    steel, punched = model.reinforcement, demands(combined)
+    v_Rd_max = None if steel is None else at_the_face(materials(steel)[0])
+    rows = []
+    for each in results:
+        neighbour = _neighbours(each.plate, model.columns)
+        for column in model.columns:
+            force = column_loads.under(each, own[column.name])
+            row: list[Cell] = [each.combination, column.name, column.x, column.y, force / 1e3]
+            row += neighbour(column)
+            if v_Rd_max is not None:
+                row += _demand(punched.found.get((each.combination, column.name)), v_Rd_max)
+            rows.append(row)
+    missing = [f"no punching of column {name}: {why}" for name, why in punched.missing.items()]
+    heads = [("combination", ""), ("column", ""), ("x", "m"), ("y", "m"), ("load", "kN"), ("settlement", "mm")]
+    heads += [*_NEIGHBOURS, *(_PUNCHING if steel is not None else ())]
+    return table_of("columns", "Columns", heads, rows, [*_notes(steel), *missing])
+
+
+def _notes(steel: Reinforcement | None) -> list[str]:
+    """Return what a reader must know."""
+    notes = [
+        "The load is the sum of the point loads that name the column, with the factors of their cases.",
+        "The worst neighbour is the column with the largest angular distortion against this one: difference of "
+        "settlement (the neighbour's less this one's) over distance; without tilt, the plane of the table tilt is "
+        "taken off first.",
+    ]
+    if steel is not None:
+        notes += [
+            "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = load + other loads inside - pressure "
+            "inside, on the perimeter at 2 d; foundations need nearer perimeters checked too. beta for eccentric "
+            "forces is not in v_Ed. Supports inside are not counted.",
+            "At the face v_Ed is that of 6.4.5(3) on u_0, less the pressure under the column. Above v_Rd,max = 0.4 nu "
+            "f_cd no reinforcement helps; below it punching is not yet checked.",
+            "d is the least thickness under the column less the mean distance of the bottom bars' axes. Where the "
+            "plate gets thinner within 2 d or a little farther out, that place needs a check of its own.",
+        ]
+    return notes
+
+
+def _demand(demand: Demand | None, v_Rd_max: float) -> list[Cell]:
+    """Return the figures of punching of a column, in the order of the table; nothing where nothing punches."""
+    if demand is None:
+        return [None] * len(_PUNCHING)
+    cells: list[Cell] = [demand.d * 1e3, *[None] * 5]
+    if (far := demand.at_2d) is not None:
+        cells[1:] = [far.V_Ed / 1e3, far.u, far.v_Ed / 1e6, far.pressure / 1e3, far.others / 1e3]
+    face: list[Cell] = [None, None] if demand.face is None else [demand.face.u, demand.face.v_Ed / 1e6]
+    return [*cells, *face, v_Rd_max / 1e6]
+
+
+def _neighbours(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Column], list[Cell]]:
+    """Return the function that gives a column's settlement and its worst neighbour's figures."""
+    # columns at one place are one point
+    names: dict[tuple[float, float], str] = {}
+    for column in columns:
+        names.setdefault((column.x, column.y), column.name)
+    if len(names) < 2:
+        return lambda column: [plate.value_at("settlement", column.x, column.y) * 1e3, *[None] * 5]
+    pairs = between(plate, {name: xy for xy, name in names.items()})
+
+    def figures(column: Column) -> list[Cell]:
+        me = pairs.names.index(names[column.x, column.y])
+        mine = (pairs.first == me) | (pairs.second == me)
+        worst = int(np.argmax(np.where(mine, pairs.distortion, -1.0)))
+        forwards = pairs.first[worst] == me
+        other = int(pairs.second[worst] if forwards else pairs.first[worst])
+        return [
+            pairs.settlement[me] * 1e3,
+            pairs.names[other],
+            pairs.distance[worst],
+            pairs.difference[worst] * (1e3 if forwards else -1e3),
+            pairs.distortion[worst] * 1e3,
+            pairs.relative[worst] * 1e3,
+        ]
+
+    return figures

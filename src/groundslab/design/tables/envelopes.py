@@ -1,0 +1,94 @@
+"""Extremes over the combinations of each limit state: as a table, and at every node of the plate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import get_args
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.envelope import envelope
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.quantities import AMOUNTS, LAYERS, extreme, nodal, place, ranged, solved
+from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.errors import GroundslabError
+from groundslab.model.loads.load_cases import LimitState
+from groundslab.results.results import Combined, Results
+
+
+def envelopes(combined: Combined) -> Table:
+    """Return the least and the greatest value of every quantity over the combinations of each limit state."""
+    heads = [
+        ("limit state", ""), ("quantity", ""), ("unit", ""),
+        ("least", ""), ("x of the least", "m"), ("y of the least", "m"), ("combination of the least", ""),
+        ("greatest", ""), ("x of the greatest", "m"), ("y of the greatest", "m"), ("combination of the greatest", ""),
+    ]  # fmt: skip
+    rows = []
+    for state, group in _by_limit_state(combined):
+        nodes = group[0].plate.nodes
+        for about, name, where in ranged(group[0]):
+            e = envelope({each.combination: nodal(each, name)[where] for each in group})
+            row: list[Cell] = [state, about.label, about.unit]
+            for sign, values, by in ((-1, e.least, e.least_by), (1, e.greatest, e.greatest_by)):
+                node = extreme(nodes[where], values, sign)
+                row += [float(values[node]), *place(nodes[where], node), e.names[by[node]]]
+            rows.append(row)
+    notes = [
+        "Of nodal values, over the combinations of one limit state. Values in different rows need not belong to one "
+        "combination; design moments are those of each combination, not of enveloped moments.",
+        "Of combinations with the same value the first is named.",
+    ]
+    return table_of("envelope", "Envelope over the combinations", heads, rows, notes)
+
+
+def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
+    """Return arrays (n,) at the plate's nodes, by names with units: envelopes over each limit state, reinforcement.
+
+    "ultimate greatest settlement w [mm]" and "ultimate least ..." hold the values of each quantity;
+    "ultimate combination of greatest settlement w" holds which combination they come from: its position in
+    `combined.combinations`, from 0. With reinforcement given, "reinforcement bottom x [cm2/m]" and so on hold the
+    largest area over the ultimate combinations; it is inf where "reinforcement fails" is 1. "reinforcement needs links"
+    is 1 where bars in compression are counted on. Empty if no combination has a result.
+    """
+    number = {each.name: i for i, each in enumerate(combined.combinations)}
+    fields: dict[str, Array | Integers] = {}
+    for state, group in _by_limit_state(combined):
+        own: Integers = np.array([number[each.combination] for each in group], dtype=np.int64)
+        for name, about in AMOUNTS.items():
+            e = envelope({each.combination: nodal(each, name) for each in group})
+            fields[f"{state} greatest {about.name}"] = e.greatest
+            fields[f"{state} least {about.name}"] = e.least
+            fields[f"{state} combination of greatest {about.label}"] = own[e.greatest_by]
+            fields[f"{state} combination of least {about.label}"] = own[e.least_by]
+    if combined.model.reinforcement is not None:
+        fields |= _reinforcement(combined)
+    return fields
+
+
+def _reinforcement(combined: Combined) -> dict[str, Array | Integers]:
+    """Return the required areas [cm2/m] and flags at the plate's nodes."""
+    assert combined.model.reinforcement is not None
+    found = reinforcement.needs(combined.model, combined.model.reinforcement, reinforcement.ultimate(combined))
+    if not found:
+        return {}
+    areas = {layer: reinforcement.most(found, layer)[0] for layer in LAYERS}
+    fields: dict[str, Array | Integers] = {
+        f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * reinforcement.CM2 for layer, area in areas.items()
+    }
+    fails: Flags = np.any([np.isinf(area) for area in areas.values()], axis=0)
+    fields["reinforcement fails"] = fails.astype(np.int64)
+    fields["reinforcement needs links"] = reinforcement.links(found).astype(np.int64)
+    return fields
+
+
+def _by_limit_state(combined: Combined) -> Iterator[tuple[str, list[Results]]]:
+    """Yield each limit state that has results, with these."""
+    results = solved(combined)
+    for each in results[1:]:
+        if not np.array_equal(each.plate.nodes, results[0].plate.nodes):
+            raise GroundslabError("the combinations' results stand on different meshes; they have no envelope")
+    for state in get_args(LimitState):
+        group = [each for each in results if each.limit_state == state]
+        if group:
+            yield state, group

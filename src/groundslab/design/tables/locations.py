@@ -1,0 +1,100 @@
+"""Tables of the places that a model's output names: points, section lines, design strips."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.design.section_cuts import along, strip
+from groundslab.design.tables.quantities import LISTED, fields_of, listed, solved
+from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.errors import InputError
+from groundslab.fem.mesh import Mesh, locate
+from groundslab.fem.shape_functions import q9
+from groundslab.results.results import Combined
+
+_HEADS = [about.head for about in LISTED.values()]
+_RECOVERED = (
+    "Moments and shear forces are nodal values recovered from patches within one section of the plate, in between by "
+    "the elements' shape functions; nothing is averaged across a change of thickness or material."
+)
+
+
+def points(combined: Combined) -> Table:
+    """Return all quantities at each output point in each combination."""
+    wanted = combined.model.output.points
+    rows: list[list[Cell]] = []
+    for results in solved(combined):
+        plate = results.plate
+        mesh = Mesh(plate.nodes, plate.elements)
+        # a point on a curved edge may lie outside the elements' sides by a little
+        element, local = locate(mesh, np.array([(point.x, point.y) for point in wanted]), reach=1e-3)
+        N, nodes = q9(local)[0], mesh.elements[element]
+        fields = {name: np.einsum("pa,pa->p", N, field[nodes]) for name, field in fields_of(plate).items()}
+        values = np.column_stack(listed(fields))
+        for point, on, row in zip(wanted, element >= 0, values, strict=True):
+            rows.append([results.combination, point.name, point.x, point.y, *(row if on else [None] * len(row))])
+    notes = [_RECOVERED, "A point on the border of two sections has the values of one of them."]
+    heads = [("combination", ""), ("point", ""), ("x", "m"), ("y", "m"), *_HEADS]
+    return table_of("points", "Points", heads, rows, notes)
+
+
+def lines(combined: Combined) -> Table:
+    """Return all quantities along each output line in each combination."""
+    rows: list[list[Cell]] = []
+    missed: list[str] = []
+    for results in solved(combined):
+        for line in combined.model.output.lines:
+            try:
+                section = along(results.plate, np.array([line.start, line.end]))
+            except InputError:
+                missed.append(line.name)
+                continue
+            values = np.column_stack([section.s, section.x, section.y, *listed(section.values)])
+            for part, (s, x, y, *rest) in zip(section.part, values, strict=True):
+                rows.append([results.combination, line.name, s, x, y, int(part), *rest])
+    notes = [
+        _RECOVERED,
+        "Values of one part can be joined by a curve; a new part begins behind an opening and where the section "
+        "changes, where one place stands twice.",
+        "A line along the border of two sections has the values of either of them.",
+        *_not_met("line", missed),
+    ]
+    heads = [("combination", ""), ("line", ""), ("s", "m"), ("x", "m"), ("y", "m"), ("part", ""), *_HEADS]
+    return table_of("lines", "Section lines", heads, rows, notes)
+
+
+def strips(combined: Combined) -> Table:
+    """Return the forces on the cuts across each design strip in each combination."""
+    heads = [
+        ("combination", ""), ("strip", ""), ("s", "m"), ("x", "m"), ("y", "m"), ("width on the plate", "m"),
+        ("moment", "kNm"), ("shear", "kN"), ("mean moment", "kNm/m"), ("mean shear", "kN/m"),
+        ("greatest moment", "kNm/m"), ("least moment", "kNm/m"),
+        ("design moment bottom along", "kNm/m"), ("design moment top along", "kNm/m"),
+        ("design moment bottom across", "kNm/m"), ("design moment top across", "kNm/m"),
+    ]  # fmt: skip
+    rows: list[list[Cell]] = []
+    missed: list[str] = []
+    for results in solved(combined):
+        for each in combined.model.output.strips:
+            try:
+                f = strip(results.plate, each.start, each.end, each.width, each.stations)
+            except InputError:
+                missed.append(each.name)
+                continue
+            forces = [f.moment, f.shear, f.mean_moment, f.mean_shear, f.largest, f.least]
+            design = [f.bottom, f.top, f.bottom_across, f.top_across]
+            values = np.column_stack([f.s, f.x, f.y, f.length, *(field / 1e3 for field in (*forces, *design))])
+            rows += [[results.combination, each.name, *row] for row in values]
+    notes = [
+        "Moments bend the strip along its axis, sagging positive; moment and shear are integrals over the width that "
+        "lies on the plate, mean ones are these by that width.",
+        "Design moments (Wood and Armer) are means over the cut of the values at its points, for bars along the strip "
+        "and across it.",
+        *_not_met("strip", missed),
+    ]
+    return table_of("strips", "Design strips", heads, rows, notes)
+
+
+def _not_met(kind: str, missed: list[str]) -> list[str]:
+    """Return a note for each line or strip that does not cross the plate."""
+    return [f"{kind} {name}: it does not cross the plate" for name in dict.fromkeys(missed)]

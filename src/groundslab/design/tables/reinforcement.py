@@ -1,0 +1,228 @@
+"""The table of reinforcement: what each layer of bars needs over all ultimate combinations, where, and why."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.design_moments import DesignMoments, wood_armer
+from groundslab.design.envelope import Envelope, envelope
+from groundslab.design.reinforcement import Axes, Concrete, SlabReinforcement, Steel, minimum, required, slab
+from groundslab.design.tables.quantities import LAYERS, extreme, place, solved
+from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.design.tables.thickness import of_nodes, of_sections, section_of_nodes
+from groundslab.model.model import Model
+from groundslab.model.outputs import Reinforcement
+from groundslab.results.results import Combined, PlateResult, Results
+
+#: From m2/m to cm2/m.
+CM2 = 1e4
+
+
+def ultimate(combined: Combined) -> list[Results]:
+    """Return the results of the ultimate combinations."""
+    return [results for results in solved(combined) if results.limit_state == "ultimate"]
+
+
+def needs(model: Model, steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
+    """Return what the plate's nodes need in each combination, by its name."""
+    if not results:
+        return {}
+    t = of_nodes(model, results[0].plate)
+    axes = Axes(*steel.bottom, *steel.top)
+    concrete, bars = materials(steel)
+    return {each.combination: slab(_design(each.plate), t, axes, concrete, bars) for each in results}
+
+
+def materials(steel: Reinforcement) -> tuple[Concrete, Steel]:
+    """Return concrete and steel; InputError where EN 1992-1-1 is not made for them."""
+    return Concrete(steel.f_ck, steel.gamma_c, steel.alpha_cc), Steel(steel.f_yk, steel.gamma_s)
+
+
+def most(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
+    """Return the largest area (n,) [m2/m] of a layer over the combinations, inf where it fails, and its envelope.
+
+    The envelope is that of areas with a number larger than any in place of inf.
+    """
+    areas = {name: getattr(each, layer) for name, each in found.items()}
+    finite = {name: np.where(np.isinf(area), np.finfo(float).max, area) for name, area in areas.items()}
+    return np.max(list(areas.values()), axis=0), envelope(finite)
+
+
+def links(found: dict[str, SlabReinforcement]) -> Flags:
+    """Return where bars in compression are counted in any combination (n,), which links must hold."""
+    counted: Flags = np.any([each.links for each in found.values()], axis=0)
+    return counted
+
+
+#: What a reader of a design without partial factors must know.
+UNFACTORED = "No factor of the ultimate combinations is above 1: the loads must hold the partial factors already."
+
+#: What an area can be governed by.
+MOMENT, MINIMUM, COMPRESSION, TOO_WEAK = "moment", "minimum", "bars in compression", "concrete too weak"
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """What a layer of bars needs in one section of the plate, and the moment that governs it.
+
+    The moment [N m/m] is a design moment of its own face or, where the bars serve in compression or the concrete is too
+    weak for it, that of the other face: positive with tension at the bottom. Where the minimum governs it is the
+    largest one. Without a moment there is no place.
+    """
+
+    layer: str
+    section: int  # 0 outside all zones, else the number of the zone
+    area: float  # [m2/m]; inf where the concrete is too weak
+    governed_by: str  # MOMENT, MINIMUM, COMPRESSION, TOO_WEAK or nothing
+    moment: float | None
+    place: tuple[float, float] | None  # [m]
+    combination: str | None
+    thickness: float  # [m]
+    minimum: float  # [m2/m]
+    fails: float  # share of the plate's area where the concrete is too weak
+    links: float  # share of the plate's area where bars in compression are counted on, in any layer
+
+
+def governing(combined: Combined, steel: Reinforcement) -> list[Need]:
+    """Return what each layer needs in each section that the plate has, over all ultimate combinations.
+
+    Within a section the depth is one, so that the largest moment of each face governs: all that a layer needs grows
+    with them.
+    """
+    results = ultimate(combined)
+    found = needs(combined.model, steel, results)
+    if not found:
+        return []
+    model, plate = combined.model, results[0].plate
+    section, t, linked = section_of_nodes(model, plate), of_sections(model), links(found)
+    designs = {each.combination: _design(each.plate) for each in results}
+    largest = {layer: _largest(designs, layer) for layer in LAYERS}
+    rows = []
+    for layer in LAYERS:
+        area = most(found, layer)[0]
+        for number in np.unique(section):
+            nodes = np.flatnonzero(section == number)
+            shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
+            moments = [_peak(plate, nodes, *largest[each]) for each in (layer, _OTHER[layer])]
+            rows.append(_need(layer, int(number), float(t[number]), steel, moments, shares))
+    return rows
+
+
+_OTHER = {"bottom_x": "top_x", "bottom_y": "top_y", "top_x": "bottom_x", "top_y": "bottom_y"}
+
+#: The largest design moment of a face somewhere [N m/m], its place [m], its combination.
+_Peak = tuple[float, tuple[float, float], str]
+
+
+def _largest(designs: dict[str, DesignMoments], layer: str) -> tuple[Array, Envelope]:
+    """Return the largest size (n,) [N m/m] of a layer's design moments over the combinations, and its envelope."""
+    sizes = envelope({name: np.abs(getattr(each, layer)) for name, each in designs.items()})
+    return sizes.greatest, sizes
+
+
+def _peak(plate: PlateResult, nodes: Integers, sizes: Array, by: Envelope) -> _Peak:
+    """Return the largest of design moments (n,) on some nodes."""
+    node = nodes[extreme(plate.nodes[nodes], sizes[nodes], 1)]
+    return float(sizes[node]), place(plate.nodes, int(node)), by.names[by.greatest_by[node]]
+
+
+def _need(layer: str, section: int, t: float, steel: Reinforcement, moments: list[_Peak], shares: list[float]) -> Need:
+    """Return what a layer needs for the largest moments of its own face and of the other one."""
+    concrete, bars = materials(steel)
+    here, there = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
+    depths = t - here, t - there
+    own, other = (
+        required(np.array(peak[0]), d, concrete, bars, d_2=d_2, thickness=t)
+        for peak, d, d_2 in zip(moments, depths, (there, here), strict=True)
+    )
+    areas = {MINIMUM: own.minimum, MOMENT: own.tension, COMPRESSION: other.compression}
+    area, governed_by = max(((float(each), name) for name, each in areas.items()), key=lambda one: one[0])
+    of = 1 if governed_by == COMPRESSION else 0
+    if np.isinf(area):
+        # of two faces that are both too weak, the one that is so by more is named
+        loads = [peak[0] / d**2 * each.fails for peak, d, each in zip(moments, depths, (own, other), strict=True)]
+        governed_by, of = TOO_WEAK, int(np.argmax(loads))
+    size, where, name = moments[of]
+    at_top = layer.startswith("top") != (of == 1)
+    least, needed = float(minimum(np.array(depths[0]), concrete, bars)), area > 0
+    return Need(
+        layer=layer,
+        section=section,
+        area=area,
+        governed_by=governed_by if needed else "",
+        moment=(-size if at_top else size) if needed else None,
+        place=where if needed else None,
+        combination=name if needed else None,
+        thickness=t,
+        minimum=least,
+        fails=shares[0],
+        links=shares[1],
+    )
+
+
+def axis_of(steel: Reinforcement, layer: str) -> float:
+    """Return the distance of a layer's bars from their face [m]."""
+    face, axis = layer.split("_")
+    distance: float = getattr(steel, face)["xy".index(axis)]
+    return distance
+
+
+def reinforcement(combined: Combined, steel: Reinforcement) -> Table:
+    """Return the largest required area of each layer of bars in each section, over all ultimate combinations."""
+    heads = [
+        ("layer", ""), ("section", ""), ("required area", "cm2/m"), ("governed by", ""), ("x", "m"), ("y", "m"),
+        ("combination", ""), ("design moment", "kNm/m"), ("thickness", "m"), ("minimum area", "cm2/m"),
+        ("part of the plate that fails", "%"), ("part of the plate that needs links", "%"),
+    ]  # fmt: skip
+    rows = [_row(each) for each in governing(combined, steel)]
+    notes = [
+        "By EN 1992-1-1 for Wood's design moments of each node in each ultimate combination, not of averages. The "
+        "required area is not less than the minimum of 9.2.1.1(1) where there is a moment.",
+        "Place, combination and design moment are those that govern the area; where it is governed by the minimum, "
+        "those of the largest moment. The design moment is positive with tension at the bottom: for bars in "
+        "compression it is that of the other face.",
+        "inf: the concrete is too weak in bending for any reinforcement. Links must hold bars in compression "
+        "(9.2.1.2(3)) where these are counted on.",
+        "Minimum area of tension bars by 9.2.1.1(1) for the section. Crack widths, shear and punching are not in it.",
+    ]
+    if not rows:
+        notes.insert(0, "No ultimate combination has a result.")
+    if without_partial_factors(combined):
+        notes.append(UNFACTORED)
+    return table_of("reinforcement", "Reinforcement", heads, rows, notes)
+
+
+def without_partial_factors(combined: Combined) -> bool:
+    """Return whether there are ultimate combinations, and no factor of any of them is above 1."""
+    factors = [
+        abs(factor) for each in combined.combinations if each.limit_state == "ultimate" for _, factor in each.factors
+    ]
+    return bool(factors) and max(factors) <= 1
+
+
+def section_name(section: int) -> str:
+    """Return what a section of the plate is called: the plate's own, or a zone by its number."""
+    return f"zone {section}" if section else "plate"
+
+
+def _row(need: Need) -> list[Cell]:
+    """Return a row of the table."""
+    x, y = need.place or (None, None)
+    moment = None if need.moment is None else need.moment / 1e3
+    return [
+        need.layer.replace("_", " "), section_name(need.section), need.area * CM2, need.governed_by or None, x, y,
+        need.combination, moment, need.thickness, need.minimum * CM2, need.fails * 100, need.links * 100,
+    ]  # fmt: skip
+
+
+def _design(plate: PlateResult) -> DesignMoments:
+    """Return Wood's design moments at the plate's nodes."""
+    return wood_armer(plate.moment_x, plate.moment_y, plate.moment_xy)
+
+
+def _share(plate: PlateResult, nodes: Integers) -> float:
+    """Return the share of the plate's area that some nodes have."""
+    return float(plate.area[nodes].sum() / plate.area.sum())

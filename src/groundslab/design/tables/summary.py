@@ -1,0 +1,118 @@
+"""Tables of whole combinations: what was solved, extremes of all fields, tilt."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.design.tables.quantities import extreme, nodal, place, ranged, solved
+from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.design.tilt import tilt
+from groundslab.model.loads.load_cases import Combination
+from groundslab.results.contact_zone import contact_share, has_line_force
+from groundslab.results.results import Combined, Results
+
+EDGE_NOTE = (
+    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
+    "grows slowly as the mesh is refined."
+)
+
+
+def combinations(combined: Combined) -> Table:
+    """Return what each combination is made of, and its first figures, or why it has none."""
+    heads = [
+        ("combination", ""), ("limit state", ""), ("loads", ""), ("outcome", ""),
+        ("sum of loads", "kN"), ("reaction", "kN"), ("largest settlement", "mm"), ("largest uplift", "mm"),
+        ("area in contact", "%"), ("largest pressure", "kPa"), ("largest edge line force", "kN/m"),
+        ("worst figure of the certificate", ""), ("which figure", ""),
+    ]  # fmt: skip
+    rows = []
+    for each in combined.combinations:
+        words: list[Cell] = [each.name, each.limit_state, factors(combined, each)]
+        if each.name in combined.results:
+            rows.append([*words, "solved", *_figures(combined.results[each.name])])
+        else:
+            why = " ".join(str(combined.refused[each.name]).split())
+            rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 4)])
+    notes = [
+        "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
+        "0.01."
+    ]
+    if any(has_line_force(each) for each in combined.results.values()):
+        notes.append(EDGE_NOTE)
+    return table_of("combinations", "Combinations", heads, rows, notes)
+
+
+def factors(combined: Combined, combination: Combination) -> str:
+    """Return what a combination is made of, as in "1.35 G + 1.5 Q"."""
+    if not combined.model.cases:
+        return "all loads"
+    text = ""
+    for name, factor in combination.factors:
+        if factor != 0:
+            joint = (" - " if factor < 0 else " + ") if text else ("-" if factor < 0 else "")
+            text += f"{joint}{abs(factor):g} {name}"
+    return text
+
+
+def _figures(results: Results) -> list[Cell]:
+    """Return the figures of one combination, in the order of the table."""
+    plate, certificate = results.plate, results.certificate
+    on_edge = plate.edge_length > 0
+    line_force = float(plate.line_force[on_edge].max() / 1e3) if has_line_force(results) else None
+    limits = certificate.limits()
+    which, worst = max(certificate.limited().items(), key=lambda figure: figure[1] / limits[figure[0]])
+    return [
+        certificate.load / 1e3,
+        certificate.reaction / 1e3,
+        float(plate.settlement.max() * 1e3),
+        max(0.0, float(-plate.settlement.min() * 1e3)),
+        100 * contact_share(plate),
+        float(plate.pressure.max() / 1e3),
+        line_force,
+        worst,
+        which,
+    ]
+
+
+def extremes(combined: Combined) -> Table:
+    """Return the least and the greatest value of every quantity in each combination, with their places."""
+    heads = [
+        ("combination", ""), ("quantity", ""), ("unit", ""),
+        ("least", ""), ("x of the least", "m"), ("y of the least", "m"),
+        ("greatest", ""), ("x of the greatest", "m"), ("y of the greatest", "m"),
+    ]  # fmt: skip
+    rows = []
+    for results in solved(combined):
+        for about, name, where in ranged(results):
+            nodes, values = results.plate.nodes[where], nodal(results, name)[where]
+            row: list[Cell] = [results.combination, about.label, about.unit]
+            for sign in (-1, 1):
+                node = extreme(nodes, values, sign)
+                row += [float(values[node]), *place(nodes, node)]
+            rows.append(row)
+    notes = [
+        "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",
+        "Under a point load without a footprint, moments and shear forces grow as the mesh is refined.",
+    ]
+    if any(has_line_force(each) for each in combined.results.values()):
+        notes.append(EDGE_NOTE)
+    return table_of("extremes", "Extremes of each combination", heads, rows, notes)
+
+
+def tilts(combined: Combined) -> Table:
+    """Return the plane that fits the settlement of each combination best, and how far the plate is off it."""
+    heads = [
+        ("combination", ""), ("mean settlement", "mm"), ("tilt along x", "mm/m"), ("tilt along y", "mm/m"),
+        ("tilt", "mm/m"), ("direction of the tilt from x", "deg"),
+        ("largest deflection", "mm"), ("x of the deflection", "m"), ("y of the deflection", "m"),
+    ]  # fmt: skip
+    rows = []
+    for results in solved(combined):
+        t = tilt(results.plate)
+        slopes = [t.tilt_x * 1e3, t.tilt_y * 1e3, t.tilt * 1e3, float(np.degrees(t.direction))]
+        rows.append([results.combination, t.settlement * 1e3, *slopes, t.deflection * 1e3, *t.place])
+    notes = [
+        "Of the plane that fits best, weighed by area. The plate goes down in the direction of the tilt.",
+        "Deflections are settlements less the plane's.",
+    ]
+    return table_of("tilt", "Tilt of the plate as a whole", heads, rows, notes)

@@ -1,0 +1,50 @@
+"""The table of supports: what each carries."""
+
+from __future__ import annotations
+
+from groundslab.design.tables.quantities import solved
+from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.results.results import Combined, SupportResult
+
+
+def support_table(combined: Combined) -> Table:
+    """Return force, settlement and moments of each support in each combination."""
+    heads = [
+        ("combination", ""), ("support", ""), ("kind", ""), ("force", "kN"), ("length", "m"),
+        ("least force per length", "kN/m"), ("greatest force per length", "kN/m"),
+        ("least settlement", "mm"), ("greatest settlement", "mm"), ("moment M_x", "kNm"), ("moment M_y", "kNm"),
+    ]  # fmt: skip
+    kinds = [support.kind for support in combined.model.supports]
+    rows = [
+        [results.combination, support.name, kind, *_figures(support, kind)]
+        for results in solved(combined)
+        for support, kind in zip(results.supports, kinds, strict=True)
+    ]
+    notes = (
+        "Forces as the support pushes the plate, upwards positive. Forces per length are those of the nodes by their "
+        "share of the line; at ends and corners of rigid lines they grow as the mesh is refined.",
+        "Moments are those by which the support holds the plate's rotation, summed over its nodes, positive if they "
+        "press the side of larger x (M_x, about the y axis) or y (M_y, about the x axis) down; the lever of its forces "
+        "is not in them.",
+    )
+    return table_of("supports", "Supports", heads, rows, notes)
+
+
+def _figures(support: SupportResult, kind: str) -> list[Cell]:
+    """Return the figures of a support, in the order of the table."""
+    if not len(support.nodes):
+        return [support.total / 1e3, *[None] * 7]
+    w = support.settlement * 1e3
+    on_line = support.length > 0
+    per_length = support.force[on_line] / support.length[on_line] / 1e3
+    line = kind == "line" and len(per_length) > 0
+    return [
+        support.total / 1e3,
+        float(support.length.sum()) if line else None,
+        float(per_length.min()) if line else None,
+        float(per_length.max()) if line else None,
+        float(w.min()),
+        float(w.max()),
+        float(support.moment_x.sum() / 1e3),
+        float(support.moment_y.sum() / 1e3),
+    ]

@@ -1,0 +1,124 @@
+"""Tilt and differential settlement: the plane that fits the settlement best, slopes between pairs of points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.errors import Fault, InputError
+from groundslab.fem.mesh import Mesh, locate
+from groundslab.fem.shape_functions import q9
+
+if TYPE_CHECKING:
+    from groundslab.results.results import PlateResult
+
+
+@dataclass(frozen=True, slots=True)
+class Tilt:
+    """The plane w = settlement + tilt_x (x - x_c) + tilt_y (y - y_c) that fits best, and how far the plate is off it.
+
+    The plate goes down towards `direction`. Deflections are w less the plane's: positive where the plate is lower.
+    """
+
+    centre: tuple[float, float]  # (x_c, y_c), the area's centroid [m]
+    settlement: float  # of the plane at the centre: the mean settlement [m]
+    tilt_x: float
+    tilt_y: float
+    deflection: float  # the deflection of the largest size [m]
+    place: tuple[float, float]  # the node where it is [m]
+
+    @property
+    def tilt(self) -> float:
+        """Return the plane's largest slope, >= 0."""
+        return float(np.hypot(self.tilt_x, self.tilt_y))
+
+    @property
+    def direction(self) -> float:
+        """Return the direction in which the plane goes down [rad], counter-clockwise from x."""
+        return float(np.arctan2(self.tilt_y, self.tilt_x))
+
+
+@dataclass(frozen=True, slots=True)
+class Differences:
+    """Settlement differences of all pairs of named points, in the order of the names.
+
+    `distortion` is the angular distortion |difference| / distance. `relative` is the same for the settlements less
+    the plane's of `tilt`: a plate that tilts as a rigid body has none (EN 1997-1 Annex H: relative rotation).
+    """
+
+    names: tuple[str, ...]
+    settlement: Array  # (n,): at the points [m]
+    first: Integers  # (r,): index into names
+    second: Integers  # (r,)
+    distance: Array  # (r,) [m]
+    difference: Array  # (r,): settlement of the second less that of the first [m]
+    distortion: Array  # (r,)
+    relative: Array  # (r,)
+
+    @property
+    def worst(self) -> tuple[str, str]:
+        """Return the names of the pair with the largest distortion."""
+        pair = int(np.argmax(self.distortion))
+        return self.names[self.first[pair]], self.names[self.second[pair]]
+
+
+def tilt(plate: PlateResult) -> Tilt:
+    """Return the plane that fits the settlement best: least squares, each node weighed by its share of the area."""
+    area = plate.area / plate.area.sum()
+    centre = area @ plate.nodes
+    arm = plate.nodes - centre
+    mean = float(area @ plate.settlement)
+    slope = np.linalg.solve(arm.T @ (area[:, None] * arm), arm.T @ (area * plate.settlement))
+    off = plate.settlement - mean - arm @ slope
+    most = int(np.argmax(np.abs(off)))
+    x, y = plate.nodes[most]
+    return Tilt(
+        centre=(float(centre[0]), float(centre[1])),
+        settlement=mean,
+        tilt_x=float(slope[0]),
+        tilt_y=float(slope[1]),
+        deflection=float(off[most]),
+        place=(float(x), float(y)),
+    )
+
+
+def between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:
+    """Return the settlement differences of all pairs of named points (x, y) [m] of the plate, such as columns."""
+    names = tuple(points)
+    if len(names) < 2:
+        raise InputError([Fault("points", f"{len(names)}", "at least two points")])
+    places = np.array([points[name] for name in names], dtype=float)
+    mesh = Mesh(plate.nodes, plate.elements)
+    element, local = locate(mesh, places)
+    faults = [
+        Fault(f"points[{name!r}]", f"({x:g}, {y:g}) m", "a point on the plate")
+        for name, (x, y), where in zip(names, places, element, strict=True)
+        if where < 0
+    ]
+    first, second = np.array(list(combinations(range(len(names)), 2))).T
+    distance = np.linalg.norm(places[second] - places[first], axis=1)
+    faults += [
+        Fault(f"points[{names[second[pair]]!r}]", f"the same place as {names[first[pair]]!r}", "another place")
+        for pair in np.flatnonzero(distance == 0)
+    ]
+    if faults:
+        raise InputError(faults)
+    w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
+    plane = tilt(plate)
+    off = w - (places - plane.centre) @ np.array([plane.tilt_x, plane.tilt_y])
+    difference = w[second] - w[first]
+    return Differences(
+        names=names,
+        settlement=w,
+        first=first,
+        second=second,
+        distance=distance,
+        difference=difference,
+        distortion=np.abs(difference) / distance,
+        relative=np.abs(off[second] - off[first]) / distance,
+    )

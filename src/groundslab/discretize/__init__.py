@@ -1,0 +1,1 @@
+"""Converts a Model into the arrays of a Problem."""

@@ -1,0 +1,180 @@
+"""Borders of soil zones and voids: which of them the mesh follows, and what share of each element lies inside."""
+
+from __future__ import annotations
+
+import functools
+import re
+from bisect import bisect
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags
+from groundslab.geometry.plan import FLAT, SAME_PLACE, Plan, Ring
+from groundslab.geometry.validity import TOO_CLOSE, faults
+from groundslab.model.model import Model
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+#: So many borders are followed at most: a line of a grid for each side of more would be no mesh for a plate.
+MOST_BORDERS = 200
+#: Eight nodes around an element, in their order.
+AROUND = np.array([0, 4, 1, 5, 2, 6, 3, 7])
+#: A share of an element that differs from none or all by less than this does so by rounding.
+ROUNDING = 1e-6
+
+
+def zone_rings(model: Model) -> tuple[Ring, ...]:
+    """Return the borders of the soil zones, in their order."""
+    return tuple(zone.shape.ring() for zone in model.soil_zones)
+
+
+def void_rings(model: Model) -> tuple[Ring, ...]:
+    """Return the borders of the voids, in their order."""
+    return tuple(void.ring() for void in model.contact.voids)
+
+
+@functools.lru_cache(maxsize=64)
+def with_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
+    """Return a plan with those borders that a mesh can follow.
+
+    Borders are cut off where nothing is meshed. Those along x and y are moved onto lines of the plan, or of earlier
+    borders, that are too close to leave a strip to mesh. A border is left out if it is finer than what can be meshed,
+    grazes another curve, or is oblique or curved where nothing but grids can be made: see `shares`; so are those after
+    the first two hundred.
+    """
+    from groundslab import meshing
+
+    kept: list[Ring] = []
+    lines = _coordinates(plan)
+    curved = not plan.rectilinear or meshing.available()
+    domain = plan.domain.polygon(FLAT * plan.extent)
+    for ring in (part for each in rings[:MOST_BORDERS] for part in _clipped(each, plan, domain)):
+        own = _moved(ring, lines, TOO_CLOSE * plan.extent) if ring.rectilinear else ring
+        if _coarse_enough(own, plan) and (curved or own.rectilinear):
+            kept.append(own)
+    while kept:
+        found = Plan(plan.outline, plan.openings, plan.zones, plan.beyond, plan.points, plan.lines, tuple(kept))
+        refused = {max(map(int, named)) for fault in faults(found)
+                   if (named := re.findall(r"borders\[(\d+)\]", f"{fault.where} {fault.got}"))}  # fmt: skip
+        if not refused:
+            return found
+        kept = [ring for number, ring in enumerate(kept, start=1) if number not in refused]
+    return plan
+
+
+def _coordinates(plan: Plan) -> tuple[list[float], list[float]]:
+    """Return x and y of all corners and points of a plan."""
+    places = [point for ring in plan.rings().values() for point in ring.points]
+    places += [*plan.points, *(point for line in plan.lines for point in line)]
+    return sorted(x for x, _ in places), sorted(y for _, y in places)
+
+
+def _clipped(ring: Ring, plan: Plan, domain: Polygon) -> list[Ring]:
+    """Return the curves around what of a ring is meshed; one with arcs, or on a curved domain, as it is."""
+    import shapely
+
+    chord = FLAT * plan.extent
+    own = ring.polygon(chord)
+    if not own.is_valid or not own.boundary.intersects(domain.buffer(-2 * chord)):
+        return []
+    if not (ring.straight and plan.domain.straight) or domain.contains(own):
+        return [ring]
+    parts = shapely.get_parts(own.intersection(domain))
+    return [_ring_around(part) for part in parts if part.geom_type == "Polygon" and part.area > 0]
+
+
+def _ring_around(part: object) -> Ring:
+    """Return the curve around a polygon, without points on a straight line between two others."""
+    import shapely
+
+    places = shapely.get_coordinates(shapely.get_exterior_ring(part))[:-1]
+    before, after = places - np.roll(places, 1, axis=0), np.roll(places, -1, axis=0) - places
+    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+    corner = np.abs(turn) > SAME_PLACE * np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
+    return Ring(tuple((float(x), float(y)) for x, y in places[corner]))
+
+
+def _moved(ring: Ring, lines: tuple[list[float], list[float]], near: float) -> Ring:
+    """Return a ring along x and y, moved onto lines (ascending) nearer than `near` [m]; what is not becomes a line."""
+    moved = []
+    for place in ring.points:
+        own = []
+        for known, value in zip(lines, place, strict=True):
+            after = bisect(known, value)
+            nearest = min(known[max(after - 1, 0) : after + 1], key=lambda line: abs(line - value))
+            if abs(nearest - value) >= near:
+                nearest = value
+                known.insert(after, value)
+            own.append(nearest)
+        moved.append((own[0], own[1]))
+    return Ring(tuple(moved))
+
+
+def _coarse_enough(ring: Ring, plan: Plan) -> bool:
+    """Return whether a border is nowhere finer than what can be meshed."""
+    least = TOO_CLOSE * plan.extent
+    if len(ring.points) < (3 if ring.straight else 2) or any(edge.length < least for edge in ring.segments()):
+        return False
+    polygon = ring.polygon(FLAT * plan.extent)
+    return bool(polygon.is_valid and not polygon.buffer(-least / 2).is_empty)
+
+
+def shares(xy: Array, rings: Sequence[Ring], followed: Sequence[Ring], extent: float) -> Array:
+    """Return the share (m, 1 + r) of the area of each element (m, 9, 2) in no ring, and in each of r rings.
+
+    Where rings overlap, the last one counts. A ring that the mesh follows along arcs is judged by the centres of the
+    elements, whose sides are parabolas there; all others by area.
+    """
+    import shapely
+
+    found = np.zeros((len(xy), 1 + len(rings)))
+    polygons = [ring.polygon(FLAT * extent) for ring in rings]
+    x, y = xy[:, 8].T
+    holder, crossed = np.zeros(len(xy), dtype=np.int64), np.zeros(len(xy), dtype=bool)
+    cells = shapely.polygons(xy[:, AROUND]) if rings else np.zeros(0, dtype=object)
+    tree = shapely.STRtree(cells)
+    for number, (ring, polygon) in enumerate(zip(rings, polygons, strict=True), start=1):
+        holder[shapely.intersects_xy(polygon, x, y)] = number
+        if ring.straight or ring not in followed:
+            crossed[tree.query(polygon.boundary, predicate="intersects")] = True
+    found[np.arange(len(xy)), holder] = 1.0
+    cut = np.flatnonzero(crossed)
+    if len(cut):
+        found[cut] = _by_area(cells[cut], polygons)
+    return found
+
+
+def _by_area(cells: Array, polygons: Sequence[object]) -> Array:
+    """Return the share (c, 1 + r) of the area of cells (c,) in no polygon and in each of r, the last one counting."""
+    import shapely
+
+    whole = shapely.area(cells)
+    left, result = cells, np.zeros((len(cells), 1 + len(polygons)))
+    for number in range(len(polygons), 0, -1):
+        polygon = polygons[number - 1]
+        shapely.prepare(polygon)
+        meets: Flags = shapely.intersects(left, polygon)
+        result[meets, number] = shapely.area(shapely.intersection(left[meets], polygon)) / whole[meets]
+        left = left.copy()
+        left[meets] = shapely.difference(left[meets], polygon)
+    result[:, 0] = shapely.area(left) / whole
+    result[result < ROUNDING] = 0.0
+    exact: Array = result / result.sum(axis=1, keepdims=True)
+    return exact
+
+
+def on_lines(ring: Ring, lines: tuple[Array, Array], domain: tuple[tuple[float, float], tuple[float, float]]) -> bool:
+    """Return whether a ring runs along lines of a grid (x and y) wherever it lies inside a domain (x and y)."""
+    if not ring.rectilinear:
+        return False
+    for edge in ring.segments():
+        axis = 0 if edge.start[0] == edge.end[0] else 1
+        value = edge.start[axis]
+        near = SAME_PLACE * max(high - low for low, high in domain)
+        low, high = domain[axis]
+        if low + near < value < high - near and np.abs(lines[axis] - value).min() > near:
+            return False
+    return True

@@ -1,0 +1,181 @@
+"""From described contact and supports to what bears on single unknowns: initial gaps, limits, points, lines."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.discretize.plan_layout import Layout
+from groundslab.discretize.voids import bottoms
+from groundslab.errors import Fault, InputError
+from groundslab.fem import bearings
+from groundslab.fem.bearings import Bearings
+from groundslab.fem.foundation import Column
+from groundslab.fem.mesh import SAME_PLACE, sides_along
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
+from groundslab.fem.vlasov import Soil
+from groundslab.model.loads.load_types import SettlementLoad
+from groundslab.model.model import Model
+from groundslab.model.supports import LineSupport, PointSupport
+
+#: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
+SIMPSON = np.array([1.0, 1.0, 4.0]) / 6
+
+
+def ground_bearing(
+    model: Model, plan: Layout, unknown: Integers, found: Depths, ground: Soil | Column, gap: Array
+) -> Bearing:
+    """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure; none if glued.
+
+    The largest force is the limit pressure times the area that bears, and none over a cavity. Along edges of ground
+    that carries shear it holds for the balance of the whole only: see problem.bearings. Where ground without shear lies
+    deeper beside a node than under it, what lies deeper is a spring on the plate's settlement, at the depth below the
+    gap (n,) [m].
+    """
+    under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
+    limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
+    depth, area = found.first[under], found.at_first(found.area, under)
+    bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]
+    law = bearings.gaps(unknown[under, TOP], gap[under] + bottom)
+    capacity = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
+    law = Bearings(law.at, law.sign, law.level, law.stiffness, capacity, law.both_ways)
+    gaps = Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), np.zeros(len(under)), depth)
+    if not (found.steps and len(under)):
+        return gaps
+    assert isinstance(ground, Column)
+    node, depth, stiffness, area = bottoms(plan, found, ground)
+    there = unknown[node, W] >= 0
+    node, depth, stiffness, area = (each[there] for each in (node, depth, stiffness, area))
+    one = np.ones(len(node))
+    law = Bearings(
+        at=unknown[node, W],
+        sign=-one,
+        level=gap[node] + found.depth[depth],
+        stiffness=stiffness,
+        capacity=limit * area,
+        both_ways=np.zeros(len(node), dtype=bool),
+    )
+    return joined(gaps, Bearing(law, node, np.full(len(node), W), np.full(len(node), -1), 0 * one, depth))
+
+
+def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
+    """Return the supports as bearings on the settlement of their nodes, and on the rotation where that is elastic.
+
+    A line's stiffness and limit are shared among its nodes by Simpson's rule. Of two rigid supports at one node the
+    first one counts; they must be alike. Nodes that an edge holds already bear nothing else.
+    """
+    parts: list[Bearing] = []
+    for number, support in enumerate(model.supports):
+        if isinstance(support, PointSupport):
+            nodes, share = np.array([node_at(plan, support.x, support.y)]), np.ones(1)
+            if support.rotational_stiffness is not None:
+                parts += [_elastic_turn(number, nodes, unknown, field, support.rotational_stiffness)
+                          for field in (BETA_X, BETA_Y)]  # fmt: skip
+        else:
+            nodes, share = nodes_along(plan, support)
+        there = unknown[nodes, W] >= 0
+        nodes, share = nodes[there], share[there]
+        one, pulls = np.ones(len(nodes)), support.acts == "in tension"
+        law = Bearings(
+            at=unknown[nodes, W],
+            sign=one if pulls else -one,
+            level=-support.gap * one if pulls else support.gap * one,
+            stiffness=np.full(len(nodes), np.inf) if support.stiffness is None else support.stiffness * share,
+            capacity=np.full(len(nodes), np.inf) if support.limit is None else support.limit * share,
+            both_ways=np.full(len(nodes), support.acts == "both ways"),
+        )
+        length = np.zeros(len(nodes)) if isinstance(support, PointSupport) else share
+        field, own = np.full(len(nodes), W), np.full(len(nodes), number)
+        parts.append(Bearing(law, nodes, field, own, length, 0 * nodes))
+    return _without_doubles(model, joined(*parts)) if parts else joined()
+
+
+def joined(*parts: Bearing) -> Bearing:
+    """Return several lists of bearings as one."""
+    none = np.zeros(0, dtype=np.int64)
+
+    def each(name: str) -> list[Integers]:
+        return [none, *(getattr(part, name) for part in parts)]
+
+    return Bearing(
+        law=bearings.joined(bearings.gaps(none, np.zeros(0)), *(part.law for part in parts)),
+        node=np.concatenate(each("node")),
+        field=np.concatenate(each("field")),
+        support=np.concatenate(each("support")),
+        length=np.concatenate([np.zeros(0), *(part.length for part in parts)]),
+        depth=np.concatenate(each("depth")),
+    )
+
+
+def _elastic_turn(number: int, nodes: Integers, unknown: Integers, field: int, stiffness: float) -> Bearing:
+    """Return the elastic restraint of a rotation at a support's node."""
+    nodes = nodes[unknown[nodes, field] >= 0]
+    one, endless = np.ones(len(nodes)), np.full(len(nodes), np.inf)
+    law = Bearings(unknown[nodes, field], -one, 0 * one, stiffness * one, endless, np.ones(len(nodes), dtype=bool))
+    return Bearing(law, nodes, np.full(len(nodes), field), np.full(len(nodes), number), 0 * one, 0 * nodes)
+
+
+def _without_doubles(model: Model, b: Bearing) -> Bearing:
+    """Return the bearings without the second of two rigid ones at a node; raise InputError if these differ."""
+    rigid = np.isinf(b.law.stiffness) & (b.field == W)
+    keep, first = np.ones(len(b.law), dtype=bool), dict[int, int]()
+    faults: dict[str, Fault] = {}
+    settled = [{(load.case, load.w) for load in model.loads if isinstance(load, SettlementLoad)
+                and load.support == support.name} for support in model.supports]  # fmt: skip
+    for i in np.flatnonzero(rigid):
+        other = first.setdefault(int(b.law.at[i]), int(i))
+        if other == i:
+            continue
+        keep[i] = False
+        mine, theirs = (model.supports[b.support[j]] for j in (i, other))
+        alike = (mine.acts, mine.gap, mine.limit) == (theirs.acts, theirs.gap, theirs.limit)
+        if not alike or settled[b.support[i]] != settled[b.support[other]]:
+            where = f"supports[{b.support[i] + 1}]"
+            got = f"a rigid support that meets supports[{b.support[other] + 1}], which acts or settles otherwise"
+            faults[where] = Fault(
+                where, got, "rigid supports that are alike where they meet", "make one of them elastic"
+            )
+    if faults:
+        raise InputError(list(faults.values()))
+    names = ("at", "sign", "level", "stiffness", "capacity", "both_ways")
+    law = Bearings(*(getattr(b.law, name)[keep] for name in names))
+    return Bearing(law, b.node[keep], b.field[keep], b.support[keep], b.length[keep], b.depth[keep])
+
+
+def fixed_nodes(model: Model, plan: Layout) -> Integers:
+    """Return the nodes at which supports keep the plate from turning."""
+    found = [np.zeros(0, dtype=np.int64)]
+    for support in model.supports:
+        if support.rotation == "fixed":
+            if isinstance(support, PointSupport):
+                found.append(np.array([node_at(plan, support.x, support.y)]))
+            else:
+                found.append(nodes_along(plan, support)[0])
+    return np.unique(np.concatenate(found))
+
+
+def node_at(plan: Layout, x: float, y: float) -> int:
+    """Return the plate's node at a place that its mesh meets."""
+    under = plan.plate_nodes
+    distance = np.linalg.norm(plan.mesh.nodes[under] - [x, y], axis=1)
+    nearest = int(np.argmin(distance))
+    if distance[nearest] > 10 * SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max():
+        raise InputError([Fault("supports", f"no node at ({x:g}, {y:g}) m", "a mesh that meets every support")])
+    return int(under[nearest])
+
+
+def nodes_along(plan: Layout, support: LineSupport) -> tuple[Integers, Array]:
+    """Return the nodes along a line support, and the length that belongs to each [m]."""
+    sides = sides_along(plan.mesh, plan.mesh.elements[plan.plate_elements], list(itertools.pairwise(support.points)))
+    length = np.linalg.norm(plan.mesh.nodes[sides[:, 1]] - plan.mesh.nodes[sides[:, 0]], axis=1)
+    lengths = np.zeros(len(plan.mesh.nodes))
+    np.add.at(lengths, sides, length[:, None] * SIMPSON)
+    wanted = sum(math.dist(a, b) for a, b in itertools.pairwise(support.points))
+    if abs(length.sum() - wanted) > 1e-6 * wanted:
+        got = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
+        raise InputError([Fault("supports", got, "a mesh that meets every support")])
+    nodes = np.flatnonzero(lengths)
+    return nodes, lengths[nodes]

@@ -1,0 +1,160 @@
+"""From the description of a problem to its arrays: the one door between Model and Problem."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.arrays import Flags, Integers
+from groundslab.discretize.constraints import fixed_nodes, ground_bearing, joined, support_bearing
+from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
+from groundslab.discretize.nodal_loads import loadings, materials
+from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
+from groundslab.discretize.voids import depths, initial_gap
+from groundslab.fem import plate
+from groundslab.fem.assembly import number
+from groundslab.fem.mesh import sides_on_boundary
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
+from groundslab.model.model import Model
+from groundslab.model.plate import Plate
+
+#: Places closer than this, relative to the plate, are the same.
+SAME_PLACE = 1e-9
+#: Parts of a model on which the loading of a mesh depends.
+ACTING = ("plate", "columns", "supports", "cases", "loads")
+
+
+def discretise(
+    model: Model,
+    coarsening: int = 0,
+    margin: float = 1.0,
+    meshes: Meshes | None = None,
+    factors: Factors | None = None,
+    like: tuple[Model, Problem] | None = None,
+    loaded: bool = True,
+) -> Problem:
+    """Return the arrays of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond.
+
+    The mesh is taken from `meshes` if one of that shape was made before, the loading from a model that is like this one
+    if what acts on it is the same. `factors` multiply constants of the ground from place to place. Not `loaded`, it is
+    the problem with nothing acting on it.
+    """
+    plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
+    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed)
+    element, sections = plate.ELEMENTS[model.plate.element], materials(model)
+    present = _present(model, plan, element, surfaces_of(ground))
+    fields = present.shape[1]
+    cases = _known_cases(model, plan, element, fields, like) or (
+        loadings(model, plan, element, fields) if loaded else (_nothing(model, plan, fields),)
+    )
+    unknown = number(plan.rank, present)
+    below = depths(model, plan, ground, coarsening == 0)
+    gap = initial_gap(model, plan)
+    edges, corners = _infinite_edges(model, plan)
+    return Problem(
+        mesh=plan.mesh,
+        plate_elements=plan.plate_elements,
+        plate_nodes=plan.plate_nodes,
+        element=element,
+        bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
+        shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
+        section=plan.section,
+        ground=ground,
+        constants=constants,
+        rank=plan.rank,
+        unknown=unknown,
+        cases=cases,
+        loading=sum(cases[1:], cases[0]),
+        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.first],
+        depths=below,
+        bearing=joined(ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)),
+        tensionless=model.contact.tensionless,
+        limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
+        plate_edges=plan.plate_edges,
+        shear_at_edges=carries_shear(ground),
+        edges=edges,
+        corners=corners,
+        symmetry=plan.symmetry,
+    )
+
+
+def _nothing(model: Model, plan: Layout, fields: int) -> Loading:
+    """Return the loading of no load; fields is F."""
+    return Loading(
+        np.zeros((len(plan.mesh.nodes), fields)), np.zeros(len(plan.plate_elements)), np.zeros(len(model.supports)), 0.0
+    )
+
+
+def _known_cases(
+    model: Model, plan: Layout, element: plate.PlateElement, fields: int, like: tuple[Model, Problem] | None
+) -> tuple[Loading, ...]:
+    """Return the loading of each case of a model that is like this one, nothing if it is another one; fields is F."""
+    if like is None:
+        return ()
+    known, problem = like
+    same = (
+        problem.mesh is plan.mesh
+        and problem.element is element
+        and problem.load.shape[1] == fields
+        and all(getattr(known, name) == getattr(model, name) for name in ACTING)
+    )
+    return problem.cases if same else ()
+
+
+def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
+    """Return the outer sides (e, 3: end, end, middle) and corner nodes (c,) beyond which the ground is infinite."""
+    if model.beyond.kind != "infinite":
+        return np.zeros((0, 3), dtype=np.int64), np.zeros(0, dtype=np.int64)
+    across_x, across_y = (plan.outer[plan.outer_axis == axis] for axis in (0, 1))
+    return plan.outer, np.intersect1d(across_x, across_y)
+
+
+def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: int) -> Flags:
+    """Return which unknowns exist and are not held at zero, (n, F)."""
+    mesh, plate_elements, symmetry = plan.mesh, plan.plate_elements, plan.symmetry
+    n = len(mesh.nodes)
+    under = np.zeros(n, dtype=bool)
+    under[mesh.elements[plate_elements]] = True
+    present = np.ones((n, TOP + surfaces), dtype=bool)
+    present[:, :TOP] = under[:, None]
+    present[:, TOP] = model.contact.tensionless | ~under
+    if not element.centre_w:
+        present[mesh.elements[plate_elements, 8], W] = False
+
+    x0, x1, y0, y1 = model.plate.bounds
+    at = {"left": x0, "right": x1, "bottom": y0, "top": y1}
+    near = SAME_PLACE * max(model.plate.sides)
+    for side, axis in AXIS.items():
+        along = 1 - axis
+        if symmetry[axis] and OUTWARD[side] < 0:
+            present[mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
+            continue
+        kind = getattr(model.plate.edges, side)
+        on_edge = under & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
+        _hold(present, on_edge, kind, along)
+    if model.plate.support != "free":
+        _hold_outline(present, model.plate, plan)
+    present[fixed_nodes(model, plan), BETA_X : BETA_Y + 1] = False
+    if model.beyond.kind == "margin" and model.beyond.edge == "fixed":
+        present[plan.outer, TOP:] = False
+    return present
+
+
+def _hold(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> None:
+    """Take away the unknowns that a support along an axis holds at nodes."""
+    if kind in ("hinged", "soft", "clamped"):
+        present[nodes, W] = False
+    if kind in ("hinged", "clamped"):
+        present[nodes, BETA_X + along] = False
+    if kind == "clamped":
+        present[nodes, BETA_X + 1 - along] = False
+
+
+def _hold_outline(present: Flags, sheet: Plate, plan: Layout) -> None:
+    """Take away the unknowns that a support of the whole outline holds."""
+    sides = sides_on_boundary(plan.mesh.elements[plan.plate_elements])
+    ring, nodes = sheet.ring(), plan.mesh.nodes
+    near = SAME_PLACE * max(sheet.sides)
+    for edge in ring.segments():
+        on_edge = sides[(edge.distance(nodes[sides].reshape(-1, 2)) <= near).reshape(-1, 3).all(axis=1)]
+        # a hinged edge runs along x or y; the others hold all rotations or none
+        _hold(present, on_edge.ravel(), sheet.support, 0 if edge.start[1] == edge.end[1] else 1)

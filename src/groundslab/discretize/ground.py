@@ -1,0 +1,217 @@
+"""The described ground as the kernels know it: columns of constants, or soil whose constants follow from gamma.
+
+A table holds what describes the layers of a column, (L, 2): k0 and k1, or (L, 5): thickness, c0, c1, c2 and nu. Where
+the ground varies over the plan, (c, L, ...) are the tables of the c columns that differ. Between boreholes each element
+has the column at its centre; of zones it has the mean of their constants by the share of its area in each, which is one
+of them where the mesh follows their borders.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.discretize.borders import shares, zone_rings
+from groundslab.discretize.interpolation import interpolated
+from groundslab.errors import Fault, InputError
+from groundslab.fem.foundation import Column, Layer, Parts, consistent_stack, interface_stack
+from groundslab.fem.mesh import Mesh
+from groundslab.fem.shape_functions import areas
+from groundslab.fem.vlasov import Soil
+from groundslab.geometry.plan import Ring
+from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.model import Model
+from groundslab.model.varying_ground import Borehole
+
+#: What a constant of the ground is multiplied with at places x and y (p,) [m], by the constant's name in the file, such
+#: as "ground.k0" or "ground.layers[1].E" (layers count from 1).
+Factors = Mapping[str, Callable[[Array, Array], Array]]
+#: A Poisson's ratio this close to zero is zero but for the rounding of its interpolation.
+ROUNDING = 1e-12
+
+
+def layer_of(layer: SoilLayer) -> Layer:
+    """Return the kernel's layer of a described one."""
+    bottom = layer.E if layer.E_bottom is None else layer.E_bottom
+    change = bottom - layer.E
+    moduli = (layer.E, change, 0.0) if layer.variation == "linear" else (layer.E, 0.0, change)
+    return Layer(layer.thickness, moduli, layer.nu)
+
+
+def ground_of(model: Model) -> Soil | Column:
+    """Return the ground as [ground] says it, the same everywhere."""
+    return _made(model.ground, _table(model.ground, model))
+
+
+def grounds_of(model: Model) -> list[Soil | Column]:
+    """Return every ground that is described for some place, each as if it were the same everywhere."""
+    return [_made(model.ground, table) for table in _tables(model)]
+
+
+def varies(model: Model) -> bool:
+    """Return whether the ground differs from place to place."""
+    return bool(model.soil_zones or model.boreholes)
+
+
+def ground_under(
+    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors, followed: Sequence[Ring] = ()
+) -> tuple[Soil | Column, tuple[Array, Array]]:
+    """Return the ground under a mesh, by element where it varies, and k0 [Pa/m] and k1 [Pa m] of its layers, (L,) each.
+
+    followed are borders of zones that the mesh follows along arcs, see `borders.shares`.
+    The latter are means over the plate's area; of soil, whose constants hang on gamma, there are none. Of a consistent
+    stack they are Ec / h and G h of each sublayer, for the mean of its E.
+    """
+    none = np.zeros(0), np.zeros(0)
+    if not varies(model) and not factors:
+        tables, parts = _table(model.ground, model)[None], None
+    else:
+        tables, parts = _columns_under(model, mesh, factors, followed)
+    if parts is None or len(tables) == 1:
+        only = _made(model.ground, tables[0])
+        return only, none if isinstance(only, Soil) else _constants(model.ground, tables[0])
+    found, share = _made(model.ground, tables), _share(parts, mesh, plate_elements)
+    if isinstance(found, Soil):
+        return Soil(found.layers, found.way, found.as_printed, found.gamma, parts, share), none
+    k0, k1 = _constants(model.ground, tables)
+    return found.mixed(parts), (share @ k0, share @ k1)
+
+
+def winkler_modulus(ground: Winkler, model: Model) -> float:
+    """Return k [Pa/m], given or by Selvadurai's k = 2 E / (a ln(1 + 2 H / a)) with a the longer side (paper (3.1))."""
+    if ground.k is not None:
+        return ground.k
+    assert ground.selvadurai is not None
+    a = max(model.plate.sides)
+    return 2 * ground.selvadurai.E / (a * math.log(1 + 2 * ground.selvadurai.depth / a))
+
+
+def surfaces_of(ground: Soil | Column) -> int:
+    """Return the number of surfaces of the ground that can settle."""
+    if isinstance(ground, Column):
+        return ground.surfaces
+    return len(ground.layers) if ground.way == "interface" else 1
+
+
+def carries_shear(ground: Soil | Column) -> bool:
+    """Return whether the top surface of the ground carries shear anywhere."""
+    return not isinstance(ground, Column) or bool(ground.A1[..., 0, :].any())
+
+
+def _table(ground: AnyGround, model: Model) -> Array:
+    """Return the table of a described ground."""
+    if isinstance(ground, Winkler):
+        return np.array([[winkler_modulus(ground, model), 0.0]])
+    if isinstance(ground, Pasternak):
+        return np.array([[ground.k0, ground.k1]])
+    given = [[layer.k0, layer.k1] for layer in ground.layers if isinstance(layer, InterfaceLayer)]
+    return np.array(given) if given else _table_of_soil(ground.layers)
+
+
+def _table_of_soil(layers: tuple[SoilLayer | InterfaceLayer, ...]) -> Array:
+    soil = [layer_of(layer) for layer in layers if isinstance(layer, SoilLayer)]
+    return np.array([[layer.thickness, *layer.moduli, layer.nu] for layer in soil])
+
+
+def _tables(model: Model) -> list[Array]:
+    """Return the tables of the boreholes, or of the ground and then of its zones."""
+    if model.boreholes:
+        return [_table_of_soil(hole.layers) for hole in model.boreholes]
+    return [_table(ground, model) for ground in (model.ground, *(zone.ground for zone in model.soil_zones))]
+
+
+def _made(ground: AnyGround, table: Array) -> Soil | Column:
+    """Return the ground of a table, or of those of many columns, by the rules of the described one."""
+    if table.shape[-1] == 2:
+        return interface_stack(table[..., 0], table[..., 1])
+    layers = tuple(_layers(table))
+    assert isinstance(ground, Vlasov | Layered)
+    if isinstance(ground, Layered) and ground.coupling == "consistent":
+        return consistent_stack(sublayers(ground, layers))
+    printed = ground.formulas == "as printed"
+    gamma = None if ground.gamma == "iterate" else float(ground.gamma)
+    if isinstance(ground, Layered):
+        return Soil(layers, "interface", printed, gamma)
+    by_profile = ground.mode == "profile" or (ground.mode == "auto" and len(layers) > 1)
+    return Soil(layers, "profile" if by_profile else "sinh", printed, gamma)
+
+
+def _layers(table: Array) -> list[Layer]:
+    """Return the layers of a table (..., L, 5)."""
+    return [Layer(h, (c0, c1, c2), nu) for h, c0, c1, c2, nu in np.moveaxis(table, (-2, -1), (0, 1))]
+
+
+def sublayers(ground: Layered, layers: tuple[Layer, ...]) -> list[Layer]:
+    """Return the layers of a consistent stack, each split into the sublayers that the described ground wants."""
+    soil = [layer for layer in ground.layers if isinstance(layer, SoilLayer)]
+    return [part for layer, own in zip(soil, layers, strict=True) for part in own.split(layer.sublayers)]
+
+
+def _constants(ground: AnyGround, table: Array) -> tuple[Array, Array]:
+    """Return k0 and k1 (..., L) of a table whose ground has constants without gamma."""
+    if table.shape[-1] == 2:
+        return table[..., 0], table[..., 1]
+    assert isinstance(ground, Layered)
+    k0, k1 = zip(*(part.stiffnesses for part in sublayers(ground, tuple(_layers(table)))), strict=True)
+    return np.stack(k0, axis=-1), np.stack(k1, axis=-1)
+
+
+def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed: Sequence[Ring]) -> tuple[Array, Parts]:
+    """Return the tables (c, L, ...) that differ under a mesh, and which part of each element's area has which."""
+    tables = np.stack(_tables(model))
+    centres = mesh.nodes[mesh.elements[:, 8]]
+    if model.boreholes:
+        element, part = np.arange(len(centres)), np.ones(len(centres))
+        listed = _between_boreholes(model.boreholes, tables, centres)
+    else:
+        share = shares(mesh.xy, zone_rings(model), followed, max(model.plate.sides))
+        element, zone = np.nonzero(share)
+        part, listed = share[element, zone], tables[zone]
+    for name, factor in factors.items():
+        layer, columns = _place_of(name, model)
+        listed[:, layer, columns] *= np.broadcast_to(factor(*centres.T), len(centres))[element, None]
+    rows, of = np.unique(listed.reshape(len(listed), -1), axis=0, return_inverse=True)
+    return rows.reshape(-1, *tables.shape[1:]), Parts(element, of.ravel(), part)
+
+
+def _place_of(name: str, model: Model) -> tuple[int, slice]:
+    """Return which layer, and which columns of its row in a table, a constant of the ground stands in."""
+    ground, layer = model.ground, re.fullmatch(r"ground\.layers\[(\d+)\]\.(E|k0|k1)", name)
+    columns = {"k": slice(0, 1), "k0": slice(0, 1), "k1": slice(1, 2), "E": slice(1, 4)}
+    if layer and isinstance(ground, Vlasov | Layered) and 1 <= int(layer[1]) <= len(ground.layers):
+        soil = isinstance(ground.layers[int(layer[1]) - 1], SoilLayer)
+        if soil == (layer[2] == "E"):
+            return int(layer[1]) - 1, columns[layer[2]]
+    elif (isinstance(ground, Winkler), name) == (True, "ground.k") or (
+        isinstance(ground, Pasternak) and name in ("ground.k0", "ground.k1")
+    ):
+        return 0, columns[name.removeprefix("ground.")]
+    expected = "a constant that the ground of the case has: ground.k, ground.k0, ground.k1, ground.layers[1].E, ..."
+    raise InputError([Fault(name, f"a ground of kind {ground.kind}", expected)])
+
+
+def _share(parts: Parts, mesh: Mesh, plate_elements: Integers) -> Array:
+    """Return the part of the plate's area on each column (c,)."""
+    area = np.zeros(len(mesh.elements))
+    area[plate_elements] = areas(mesh.xy[plate_elements])
+    on_each: Array = np.bincount(parts.column, weights=area[parts.element] * parts.share) / area.sum()
+    return on_each
+
+
+def _between_boreholes(holes: tuple[Borehole, ...], tables: Array, places: Array) -> Array:
+    """Return the tables (p, L, 5) at places (p, 2), interpolated between those of the boreholes (h, L, 5)."""
+    known = np.array([(hole.x, hole.y) for hole in holes])
+    # the moduli at top and bottom stay within what is known, as no value leaves its range; their difference would not
+    # keep the modulus at the bottom positive. One of both changes is zero, as all boreholes have the same variation.
+    curved = (tables[..., 3] != 0).any(axis=0)
+    ends = tables.copy()
+    ends[..., 2], ends[..., 3] = tables[..., 1:4].sum(axis=-1), 0.0
+    found = interpolated(known, ends.reshape(len(holes), -1), places).reshape(len(places), *tables.shape[1:])
+    change = found[..., 2] - found[..., 1]
+    found[..., 2], found[..., 3] = np.where(curved, 0.0, change), np.where(curved, change, 0.0)
+    found[..., 4] = np.where(np.abs(found[..., 4]) < ROUNDING, 0.0, found[..., 4])
+    return found

@@ -1,0 +1,147 @@
+"""From described loads to arrays: forces on nodes, free curvatures of elements, settlements of supports."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.discretize.plan_layout import Layout
+from groundslab.fem import load_vectors, plate
+from groundslab.fem.assembly import scatter
+from groundslab.fem.problem import BETA_X, Loading, W
+from groundslab.model.loads.clipping import line_on_plate
+from groundslab.model.loads.load_types import (
+    AnyLoad,
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    SettlementLoad,
+    TemperatureLoad,
+    UniformLoad,
+    pressure_of,
+)
+from groundslab.model.model import Model
+
+#: Places closer than this, relative to the plate, are the same.
+SAME_PLACE = 1e-9
+#: Footprints have their arcs replaced by chords at most this far off, relative to the plate.
+ARC_CHORD = 1e-6
+
+
+def loadings(model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> tuple[Loading, ...]:
+    """Return the loading of each case of a model, of a nameless one if it has no cases; fields is F."""
+    names = [case.name for case in model.cases] or [""]
+    return tuple(_loading([load for load in model.loads if load.case == name], model, plan, element, fields)
+                 for name in names)  # fmt: skip
+
+
+def materials(model: Model) -> list[tuple[float, float, float]]:
+    """Return E [Pa], nu and thickness [m] of each section: the plate's own, then those of its zones."""
+    own = (model.plate.E, model.plate.nu, model.plate.thickness)
+    zones = [(zone.E, zone.nu, zone.thickness) for zone in model.plate.zones]
+    differing = [tuple(a if b is None else b for a, b in zip(own, zone, strict=True)) for zone in zones]
+    return [own, *differing]  # type: ignore[list-item]
+
+
+def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> Loading:
+    """Return the loading of some loads; distributed ones are integrated exactly over the meshed part of the plate."""
+    mesh, elements = plan.mesh, plan.plate_elements
+    n = len(mesh.nodes)
+    forces, couples, size = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9)), 0.0
+    length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
+    warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
+    thickness = np.array([t for _, _, t in materials(model)])[plan.section]
+    for load in acting:
+        if isinstance(load, TemperatureLoad):
+            # u = -z beta_x, and the bottom, z = t/2, is warmer by the difference
+            warp -= model.plate.thermal_expansion * load.difference / thickness
+        elif isinstance(load, SettlementLoad):
+            settlement[[support.name for support in model.supports].index(load.support)] += load.w
+        elif isinstance(load, PointLoad):
+            force, couple = _at_point(load.on(model.columns), model, plan)
+            forces, couples = forces + force, couples + couple
+            size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
+        else:
+            force = _spread(load, model, plan, thickness)
+            forces += force
+            size += float(np.abs(force).sum())
+    if not element.centre_w:
+        forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
+    table = np.zeros((n, fields))
+    table[:, W] = scatter(mesh.elements[elements], forces, n)
+    if warp.any():
+        D = np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in materials(model)])[plan.section]
+        couples = couples + plate.warping_couples(mesh.xy[elements], D, warp)
+    for axis in (0, 1):
+        if couples[axis].any():
+            table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
+    return Loading(table, warp, settlement, size)
+
+
+def _spread(
+    load: UniformLoad | PatchLoad | AreaLoad | LineLoad | SelfWeight, model: Model, plan: Layout, thickness: Array
+) -> Array:
+    """Return the nodal forces (mp, 9) [N] of a distributed load on the meshed part of the plate."""
+    mesh, elements = plan.mesh, plan.plate_elements
+    if isinstance(load, SelfWeight):
+        weight: Array = load.unit_weight * thickness[:, None] * load_vectors.over_elements(mesh, elements)
+        return weight
+    if isinstance(load, LineLoad):
+        return _along(load, model, plan)
+    pressure = pressure_of(load)
+    if isinstance(load, UniformLoad):
+        return load_vectors.over_elements(mesh, elements, pressure)
+    return load_vectors.over_polygon(mesh, elements, load.drawn(math.inf), pressure)
+
+
+def _along(load: LineLoad, model: Model, plan: Layout) -> Array:
+    """Return the nodal forces (mp, 9) [N] of a line load on the plate."""
+    total = np.zeros((len(plan.plate_elements), 9))
+    for piece in line_on_plate(model.plate, load):
+        total += load_vectors.along_line(plan.mesh, plan.plate_elements, piece.edge, piece.q)
+    return total
+
+
+def _at_point(load: PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
+    """Return nodal forces (mp, 9) [N] and couples (2, mp, 9) [N m] of a load at a point or on its footprint.
+
+    On a footprint a force is a uniform pressure, a moment one that grows linearly from the middle.
+    """
+    mesh, elements = plan.mesh, plan.plate_elements
+    place = load.drawn(ARC_CHORD * max(model.plate.sides))
+    none = np.zeros((2, len(elements), 9))
+    if place.geom_type == "Point":
+        N = _share(load, plan) * load_vectors.at_point(mesh, elements, _on_meshed_side(load, plan))
+        return load.P * N, np.array([load.M_x * N, load.M_y * N])
+    centre, inertia = load_vectors.inertia(place)
+    slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
+
+    def pressure(places: Array) -> Array:
+        q: Array = load.P / place.area + (places - centre) @ slope
+        return q
+
+    return load_vectors.over_polygon(mesh, elements, place, pressure), none
+
+
+def _share(load: PointLoad, plan: Layout) -> float:
+    """Return the share of a point load that the meshed part takes: none beyond a mirror, half on it, else all."""
+    near = SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max()
+    share = 1.0
+    for value, mirrored in zip((load.x, load.y), plan.symmetry, strict=True):
+        assert value is not None
+        if mirrored:
+            share *= 0.0 if value < -near else 0.5 if value <= near else 1.0
+    return share
+
+
+def _on_meshed_side(load: PointLoad, plan: Layout) -> Array:
+    """Return the place (2,) of a point load or of its meshed mirror image, on the plate to the last digit."""
+    given = np.array([load.x, load.y])
+    place = np.where(plan.symmetry, np.abs(given), given)
+    nodes = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements]]
+    on_plate: Array = np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))
+    return on_plate

@@ -1,0 +1,402 @@
+"""The plan of a problem as a mesh: plate, ground beyond it, lines of symmetry, outer edges."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.discretize.borders import on_lines, void_rings, with_borders, zone_rings
+from groundslab.fem.foundation import Column, edge_decay, tail
+from groundslab.fem.mesh import (
+    GRADING,
+    Mesh,
+    elimination_order,
+    extruded,
+    graded,
+    graded_towards,
+    grid,
+    sides_on_boundary,
+)
+from groundslab.fem.shape_functions import distinct
+from groundslab.fem.vlasov import Soil
+from groundslab.geometry.plan import Plan, Ring, rectangle
+from groundslab.model.loads.load_types import (
+    NO_BEND,
+    NO_SLOPE,
+    AnyLoad,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    TemperatureLoad,
+    UniformLoad,
+)
+from groundslab.model.model import SHORT_SIDE_ELEMENTS, Model, plan_of_plate
+
+#: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
+COARSEST = 3
+#: Of an infinite ground, this many decay lengths are meshed before the tails begin.
+MESHED_DECAYS = 1.0
+#: Elements at an edge with ground beyond are at most this share of the length over which the ground dies out there...
+EDGE_SHARE = 0.5
+#: ... but not smaller than this share of the largest ones: then the force along the edge is next to nothing.
+EDGE_LEAST = 1 / 16
+AXIS = {"left": 0, "right": 0, "bottom": 1, "top": 1}
+OUTWARD = {"left": -1, "right": 1, "bottom": -1, "top": 1}
+
+
+Meshed = tuple[Mesh, Integers, Integers]
+
+
+@dataclass(slots=True)
+class Meshes:
+    """Meshes by what they were made from, so that models of the same shape share them: sections and ranks with each."""
+
+    made: dict[Hashable, Meshed] = field(default_factory=dict)
+    closed: bool = False  # whether no further ones are kept
+
+    def of(self, source: Hashable, make: Callable[[], tuple[Mesh, Integers]]) -> Meshed:
+        """Return the mesh of a source, made now if there is none."""
+        found = self.made.get(source)
+        if found is None:
+            mesh, section = make()
+            found = mesh, section, elimination_order(mesh)
+            if not self.closed:
+                self.made[source] = found
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """The meshed part of a plan."""
+
+    mesh: Mesh
+    rank: Integers  # (n,): order of elimination of the nodes
+    plate_elements: Integers  # (mp,)
+    section: Integers  # (mp,): which section each plate element has
+    symmetry: tuple[bool, bool]
+    outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
+    outer_axis: Integers  # (s,): the axis across each of them
+    followed: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
+
+    @property
+    def plate_edges(self) -> Integers:
+        """Return the sides (b, 3: end, end, middle) of the plate's edge, openings' too; lines of symmetry are none."""
+        sides = sides_on_boundary(self.mesh.elements[self.plate_elements])
+        for axis in (0, 1):
+            if self.symmetry[axis]:
+                sides = sides[(self.mesh.nodes[sides, axis] != 0.0).any(axis=1)]
+        return sides
+
+    @property
+    def plate_nodes(self) -> Integers:
+        """Return the nodes of the plate, ascending."""
+        return distinct(self.mesh.elements[self.plate_elements])[0]
+
+
+def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: float, meshes: Meshes) -> Layout:
+    """Return the layout of a model; `coarsening` halves the counts so many times.
+
+    With a `margin` above 1 the meshed strip of ground beyond is made wider by (margin - 1) times its width, at least by
+    as many lengths over which the ground dies out, with further rows of elements; the rest of the mesh stays as it is.
+    """
+    symmetry = symmetries(model)
+    width, size = _width_beyond(model, grounds), _edge_size(model, grounds, coarsening)
+    wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
+    source: Hashable
+    make: Callable[[], tuple[Mesh, Integers]]
+    if uniform(model, width):
+        counts = _counts(model, symmetry, coarsening)
+        source = (
+            model.plate.sides,
+            symmetry,
+            counts,
+            model.mesh.counts,
+            model.beyond.sides if width else (),
+            width,
+            size,
+        )
+
+        def make() -> tuple[Mesh, Integers]:
+            return _plain_mesh(model, symmetry, counts, width, size)
+
+    else:
+        plan, largest = plan_of(model, width), _size(model) * 2**coarsening
+        source = plan, largest, size
+
+        def make() -> tuple[Mesh, Integers]:
+            return _drawn_mesh(plan, largest, size)
+
+    found = meshes.of(source, make)
+    if wider:
+        narrow = found
+        found = meshes.of((source, wider), lambda: _widened(model, symmetry, narrow, wider))
+    mesh, section, rank = found
+    plate_elements = np.flatnonzero(section >= 0)
+    outer, axis = _outer_sides(model, symmetry, mesh)
+    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, followed(model, width))
+
+
+def uniform(model: Model, width: float) -> bool:
+    """Return whether a plate's mesh is a grid of equal rectangles: one that is asked for, or on which all borders lie.
+
+    width [m] is that of the ground beyond.
+    """
+    if not model.plain:
+        return False
+    borders = void_rings(model) + zone_rings(model)
+    if model.mesh.counts is not None or not borders:
+        return True
+    if width:  # its lines come closer towards the plate's edges
+        return False
+    (x, y), symmetry = model.plate.sides, symmetries(model)
+    nx, ny = (count * (1 + half) for count, half in zip(_counts(model, symmetry, 0), symmetry, strict=True))
+    lines = np.linspace(-x / 2, x / 2, nx + 1), np.linspace(-y / 2, y / 2, ny + 1)
+    x0, x1, y0, y1 = _reach(model, width)
+    return all(on_lines(ring, lines, ((x0, x1), (y0, y1))) for ring in borders)
+
+
+def followed(model: Model, width: float) -> tuple[Ring, ...]:
+    """Return the borders that a mesh which is no uniform grid follows; width [m] is that of the ground beyond."""
+    return () if uniform(model, width) else plan_of(model, width).borders
+
+
+def _reach(model: Model, width: float) -> tuple[float, float, float, float]:
+    """Return the rectangle x0, x1, y0, y1 around the plate and so wide a ground beyond it [m]."""
+    grow = {side: width if side in model.beyond.sides else 0.0 for side in OUTWARD}
+    x0, x1, y0, y1 = model.plate.bounds
+    return x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"]
+
+
+def coarsest(model: Model) -> int:
+    """Return how often the counts of a model's mesh can be halved for the nested iteration."""
+    if not model.analysis.nested:
+        return 0
+    times, symmetry = 0, symmetries(model)
+    while COARSEST <= min(_counts(model, symmetry, times + 1)) < min(_counts(model, symmetry, times)):
+        times += 1
+    return times
+
+
+def symmetries(model: Model) -> tuple[bool, bool]:
+    """Return whether the problem is its own mirror image about x = 0 and about y = 0 (and the mesh may use it)."""
+    varying = model.soil_zones or model.boreholes or model.contact.gaps
+    if model.mesh.symmetry == "off" or not model.plain or varying:
+        return False, False
+    return _symmetric(model, 0), _symmetric(model, 1)
+
+
+def _symmetric(model: Model, axis: int) -> bool:
+    low, high = (("left", "right"), ("bottom", "top"))[axis]
+    edges = model.plate.edges
+    if getattr(edges, low) != getattr(edges, high) or ((low in model.beyond.sides) != (high in model.beyond.sides)):
+        return False
+    if model.mesh.counts is not None and model.mesh.counts[axis] % 2:
+        return False
+    placed = [_placed(load, model) for load in model.loads]
+    voids = [_Placed(("void", void.depth), void.x, void.y) for void in model.contact.voids if void.shape is None]
+    if None in placed or len(voids) < len(model.contact.voids):
+        return False
+    here, there = Counter[tuple[object, ...]](), Counter[tuple[object, ...]]()
+    for item in (*placed, *voids):
+        if item is not None and item.x is not None and item.y is not None:
+            here[item.key(max(model.plate.sides))] += 1
+            there[item.mirrored(axis).key(max(model.plate.sides))] += 1
+    return here == there
+
+
+@dataclass(frozen=True)
+class _Placed:
+    """Something on a rectangle or at a point of the plan; x and y are None if it is everywhere."""
+
+    what: tuple[object, ...]
+    x: tuple[float, float] | None = None
+    y: tuple[float, float] | None = None
+
+    def mirrored(self, axis: int) -> _Placed:
+        """Return its image in the mirror across an axis."""
+        assert self.x is not None
+        assert self.y is not None
+        low, high = (self.x, self.y)[axis]
+        return replace(self, **{"xy"[axis]: (-high, -low)})
+
+    def key(self, size: float) -> tuple[object, ...]:
+        """Return what equals that of the same thing at the same place, relative to a size."""
+        assert self.x is not None
+        assert self.y is not None
+        return (*self.what, *(round(value / size, 9) + 0.0 for value in (*self.x, *self.y)))
+
+
+def _placed(load: AnyLoad, model: Model) -> _Placed | None:
+    """Return a load as something that has a mirror image; None if symmetry is not to be expected of it."""
+    if isinstance(load, SelfWeight | TemperatureLoad):
+        return _Placed(())
+    if isinstance(load, PointLoad):
+        own = load.on(model.columns)
+        if own.M_x or own.M_y:
+            return None
+        assert own.x is not None
+        assert own.y is not None
+        what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
+        return _Placed(what, (own.x, own.x), (own.y, own.y))
+    if isinstance(load, UniformLoad | PatchLoad) and (load.slope, load.bend) == (NO_SLOPE, NO_BEND):
+        return _Placed(("patch", load.case, load.q), load.x, load.y) if isinstance(load, PatchLoad) else _Placed(())
+    return None
+
+
+def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple[int, int]:
+    """Return the numbers of elements along x and y in the part of the plate that is meshed."""
+    lengths = model.plate.sides
+    if model.mesh.counts is not None:
+        counts = [c // 2 if s else c for c, s in zip(model.mesh.counts, symmetry, strict=True)]
+    else:
+        halves = [length / 2 if s else length for length, s in zip(lengths, symmetry, strict=True)]
+        counts = [max(1, math.ceil(length / _size(model) - 1e-9)) for length in halves]
+    nx, ny = (max(1, math.ceil(c / 2**coarsening)) for c in counts)
+    return nx, ny
+
+
+def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
+    """Return the width of the meshed ground beyond the plate [m]; of several grounds, the widest decides."""
+    if not model.ground_reaches:
+        return 0.0
+    if model.beyond.width is not None:
+        return model.beyond.width
+    return MESHED_DECAYS * _longest_decay(model, grounds)
+
+
+def _columns(grounds: list[Soil | Column]) -> list[Column]:
+    """Return the columns of grounds that carry shear, with a usual mode where it is not known yet."""
+    columns = [ground if isinstance(ground, Column) else ground.column(ground.gamma or 1.0) for ground in grounds]
+    return [column for column in columns if np.linalg.eigvalsh(column.A1).min() > 0]
+
+
+def _longest_decay(model: Model, grounds: list[Soil | Column]) -> float:
+    """Return the longest length over which a mode of the ground dies out [m], at most twice the plate's longer side."""
+    longest = max((1 / float(tail(column).decay.min()) for column in _columns(grounds)), default=0.0)
+    return min(longest, 2 * max(model.plate.sides))
+
+
+def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> float:
+    """Return the largest size of elements at the plate's edges with ground beyond, beside them on the plate too [m]."""
+    largest = _size(model)
+    if model.mesh.counts is not None:
+        largest = max(length / count for length, count in zip(model.plate.sides, model.mesh.counts, strict=True))
+    if model.ground_reaches:
+        wanted = [EDGE_SHARE * edge_decay(column) for column in _columns(grounds)]
+        largest = min(largest, max(min(wanted, default=largest), EDGE_LEAST * largest))
+    return largest * 2.0**coarsening
+
+
+def _plain_mesh(
+    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], width: float, edge_size: float
+) -> tuple[Mesh, Integers]:
+    """Return the grid of a plain rectangle and its ground beyond, and each element's section, -1 beyond."""
+    lines, inside = [], []
+    for axis, (length, count) in enumerate(zip(model.plate.sides, counts, strict=True)):
+        low, high = 0.0 if symmetry[axis] else -length / 2, length / 2
+        size = (high - low) / count
+        reached = {OUTWARD[side] for side in model.beyond.sides if width and AXIS[side] == axis}
+        reached -= {-1} if symmetry[axis] else set()
+        own = np.linspace(low, high, count + 1)
+        if reached and model.mesh.counts is None:
+            own = _towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
+        beyond = _distances_beyond(width, min(size, edge_size), size, length / 2) if reached else np.zeros(0)
+        before = -length / 2 - beyond[::-1] if -1 in reached else np.zeros(0)
+        after = length / 2 + beyond if 1 in reached else np.zeros(0)
+        lines.append(np.concatenate([before, own, after]))
+        inside.append(np.repeat([False, True, False], [len(before), len(own) - 1, len(after)]))
+    return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)
+
+
+def _towards_edges(low: float, high: float, size: float, edges: Array, edge_size: float) -> Array:
+    """Return lines from low to high [m], at most `size` apart, which come as close as `edge_size` at the edges (e,)."""
+    limit = graded_towards(edges, edge_size)
+
+    def wanted(x: Array) -> Array:
+        return np.minimum(size, limit(x))
+
+    return np.append(low, graded(wanted, low, high))
+
+
+def _distances_beyond(width: float, first: float, size: float, scale: float) -> Array:
+    """Return the distances of lines from the edge that they follow, up to the last one at `width` [m].
+
+    Intervals are at most `first` long at the edge and grow as fast as elements may, but at the distance d they are at
+    most size * (1 + d / scale). There are two at least.
+    """
+
+    def limit(d: Array) -> Array:
+        most: Array = np.minimum(first + GRADING * d, size * (1 + d / scale))
+        return np.minimum(most, width / 2)
+
+    return graded(limit, 0.0, width)
+
+
+def _widened(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: float) -> tuple[Mesh, Integers]:
+    """Return a mesh whose ground beyond the plate is so much wider [m], by further rows of elements, and its sections.
+
+    The rows continue the growth of the elements that the mesh ends with.
+    """
+    mesh, section, _ = narrow
+    for side in model.beyond.sides:
+        axis, outward = AXIS[side], OUTWARD[side]
+        if symmetry[axis] and outward < 0:
+            continue
+        across = outward * mesh.xy[:, :, axis]
+        outermost = across.max(axis=1) == across.max()
+        last = float(np.ptp(across[outermost], axis=1).max())
+        mesh = extruded(mesh, axis, outward, _distances_beyond(wider, last, np.inf, 1.0))
+    return mesh, np.concatenate([section, np.full(len(mesh.elements) - len(section), -1)])
+
+
+def _size(model: Model) -> float:
+    """Return the largest side that an element may have [m]."""
+    return model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
+
+
+def _drawn_mesh(plan: Plan, size: float, edge_size: float) -> tuple[Mesh, Integers]:
+    """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
+    from groundslab import meshing
+
+    found = meshing.mesh(plan, size, edge_size=edge_size)
+    return Mesh(found.nodes, found.elements), found.section
+
+
+def plan_of(model: Model, width: float) -> Plan:
+    """Return the plan of what is meshed, with the borders of voids and soil zones that a mesh can follow.
+
+    Zone i of the plate is section i; ground beyond fills the rectangle that is `width` [m] wider. Of a symmetric plate
+    only the part beyond the lines of symmetry is meshed.
+    """
+    low = [0.0 if mirrored else -np.inf for mirrored in symmetries(model)]
+
+    def meshed(x0: float, x1: float, y0: float, y1: float) -> Ring:
+        return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
+
+    plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None)
+    if any(symmetries(model)):
+        plan = replace(plan, outline=meshed(*model.plate.bounds))
+    return with_borders(plan, void_rings(model) + zone_rings(model))
+
+
+def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:
+    """Return the sides (s, 3) of the mesh beyond which there was ground to mesh, and the axis across each (s,)."""
+    sides, found, axes = (
+        sides_on_boundary(mesh.elements),
+        [np.zeros((0, 3), dtype=np.int64)],
+        [np.zeros(0, dtype=np.int64)],
+    )
+    for side in model.beyond.sides if model.ground_reaches else ():
+        axis = AXIS[side]
+        if symmetry[axis] and OUTWARD[side] < 0:
+            continue
+        coordinate = OUTWARD[side] * mesh.nodes[:, axis]
+        on_side = sides[(coordinate[sides] == coordinate.max()).all(axis=1)]
+        found.append(on_side)
+        axes.append(np.full(len(on_side), axis))
+    return np.concatenate(found), np.concatenate(axes)

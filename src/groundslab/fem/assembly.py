@@ -1,0 +1,184 @@
+"""Symmetric sparse matrices from element matrices, in blocks of the unknowns of two nodes.
+
+The upper half only. The pattern is made once for a mesh and its unknowns; any number of matrices are filled into it.
+No list of single entries is ever sorted: what elements add to pairs of nodes is, by counting, and an entry's place
+follows from its pair.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Indices, Integers
+from groundslab.fem.sparse import Symmetric
+
+_A, _B = np.triu_indices(9)
+#: Entries whose places are found at a time: few enough to stay near the processor.
+_CHUNK = 2**18
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """Where everything goes: unknowns of nodes, pairs of nodes, and the upper CSR pattern that they span.
+
+    Every two nodes of an element add to a pair of nodes; these contributions are listed pair by pair.
+    """
+
+    unknown: Integers  # (n, F): number of each node's unknown in each field, -1 where there is none
+    rank: Integers  # (n,): order of elimination
+    first: Integers  # (pairs,): node eliminated first
+    second: Integers  # (pairs,)
+    keys: Integers  # (pairs,): ascending, rank of first * n + rank of second
+    starts: Indices  # (pairs + 1,): where each pair's contributions begin
+    element: Indices  # (contributions,): which element adds it
+    place: Indices  # (contributions,): its place in the element's 9 x 9 block, the node eliminated first as row
+    indptr: Indices  # (size + 1,)
+    indices: Indices  # (entries,)
+    cuts: Integers  # (chunks + 1,): pairs at which rows of pairs are cut into chunks
+    entries: Integers  # (chunks + 1,): entries at which these begin
+    taken: Indices  # (entries,): place of each entry in the blocks (pairs, F, F) of its chunk
+
+    @property
+    def size(self) -> int:
+        """Return the number of unknowns."""
+        return len(self.indptr) - 1
+
+    def pairs(self, first: Integers, second: Integers) -> Integers:
+        """Return the pair numbers of nodes that share an element."""
+        a, b = self.rank[first], self.rank[second]
+        keys = np.minimum(a, b) * len(self.rank) + np.maximum(a, b)
+        return np.searchsorted(self.keys, keys)
+
+
+def number(rank: Integers, present: Flags) -> Integers:
+    """Return unknown numbers (n, F) for the fields present at each node (n, F), node by node in the order of rank."""
+    ordered = np.empty_like(present, dtype=bool)
+    ordered[rank] = present
+    numbers = np.where(ordered, np.cumsum(ordered.ravel()).reshape(ordered.shape) - 1, -1)
+    result: Integers = numbers[rank]
+    return result
+
+
+def pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:
+    """Return the pattern of a mesh (m, 9) whose nodes, of the given rank (n,), carry the unknowns (n, F)."""
+    n = len(rank)
+    r = rank[elements].astype(np.int32)
+    a, b = r[:, _A].ravel(), r[:, _B].ravel()
+    low, high = np.minimum(a, b), np.maximum(a, b)
+    order = _counted(high, n)
+    order = order[_counted(low[order], n)]
+    low, high = low[order], high[order]
+    new = np.flatnonzero(np.concatenate([[True], (low[1:] != low[:-1]) | (high[1:] != high[:-1])]))
+    starts = np.append(new, len(order)).astype(np.int32)
+    places = np.stack([_A * 9 + _B, _B * 9 + _A]).astype(np.int32)
+    place = places[(a > b)[order].astype(np.int8), order % len(_A)]
+    element = order // np.int32(len(_A))
+
+    at_rank = np.empty(n, dtype=np.int64)
+    at_rank[rank] = np.arange(n)
+    low, high = low[new].astype(np.int64), high[new].astype(np.int64)
+    first, second, keys = at_rank[low], at_rank[high], low * n + high
+    rows = np.concatenate([[0], np.flatnonzero(np.diff(low)) + 1, [len(low)]])
+    return Pattern(unknown, rank, first, second, keys, starts, element, place, *_entries(rows, first, second, unknown))
+
+
+def _counted(key: Indices, size: int) -> Indices:
+    """Return the order (k,) that sorts keys (k,) from 0 to size - 1, equal ones as they came: a sort by counting."""
+    from scipy.sparse import csr_array
+
+    k = len(key)
+    one_each = np.arange(k + 1, dtype=np.int32)
+    order: Indices = csr_array((one_each[:-1], key, one_each), shape=(k, size)).tocsc().data
+    return order
+
+
+def _entries(
+    rows: Integers, first: Integers, second: Integers, unknown: Integers
+) -> tuple[Indices, Indices, Integers, Integers, Indices]:
+    """Return indptr, indices, cuts, entries and taken of a pattern.
+
+    Pairs (pairs,) of nodes stand row by row, the second ones in order of elimination; rows (n + 1,) is where each row
+    begins.
+    """
+    F, present = unknown.shape[1], unknown >= 0
+    earlier: Integers = np.cumsum(present, axis=1) - present  # unknowns of the node before this one
+    ends = np.concatenate([[0], np.cumsum(present.sum(axis=1)[second])])  # of each pair's columns
+    node, row_width = first[rows[:-1]], np.diff(ends[rows])
+    counts = (row_width[:, None] - earlier[node])[present[node]]
+    indptr = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
+    indices, taken = (np.empty(indptr[-1], np.int32) for _ in range(2))
+
+    step = max(1, _CHUNK // (F * F))
+    cut_rows = np.unique(np.searchsorted(rows, np.append(np.arange(0, rows[-1], step), rows[-1])))
+    cuts = rows[cut_rows]
+    entries = indptr[np.concatenate([[0], np.cumsum(present[node].sum(axis=1))])[cut_rows]]
+    # where the entry of a pair's fields (i, j) goes is a part that the row knows and one that the column does
+    base = ends[:-1] - np.repeat(ends[rows[:-1]], np.diff(rows))
+    of_row = indptr[np.maximum(unknown, 0)] - earlier
+    upper = np.triu(np.ones((F, F), dtype=bool))
+    for (start, stop), begin in zip(pairwise(cuts), entries[:-1], strict=True):
+        one, other = first[start:stop], second[start:stop]
+        exists = present[one][:, :, None] & present[other][:, None, :]
+        exists[one == other] &= upper
+        where = np.flatnonzero(exists).astype(np.int32)
+        in_row = (of_row[one] + base[start:stop, None] - begin).astype(np.int32)
+        at = (in_row[:, :, None] + earlier[other].astype(np.int32)[:, None, :]).ravel()[where]
+        order = np.empty_like(where)
+        order[at] = where
+        here = slice(begin, begin + len(where))
+        taken[here] = order
+        indices[here] = unknown[other].astype(np.int32).ravel()[order // (F * F) * F + order % F]
+    return indptr, indices, cuts, entries, taken
+
+
+def assembled(
+    p: Pattern, kind: Integers, matrices: Callable[[Integers], Array], pairs: Integers, blocks: Array
+) -> Symmetric:
+    """Return the matrix that element matrices and further blocks of node pairs add up to.
+
+    kind (m,) says which matrix each element has; matrices gives those of some kinds (k,) as (k, 9, 9, F, F). Further
+    blocks (t, F, F) go to pairs (t,), ascending. Rows belong to the first node and field, columns to the second.
+    Some node pairs at a time, whose entries follow each other, so that next to nothing is stored but the result.
+    """
+    from scipy.sparse import csr_array
+
+    data = np.empty(len(p.indices))
+    number, F = np.zeros(int(kind.max()) + 1, dtype=np.int32), p.unknown.shape[1]
+    for (start, stop), entries in zip(pairwise(p.cuts), pairwise(p.entries), strict=True):
+        own = slice(p.starts[start], p.starts[stop])
+        which = kind[p.element[own]]
+        number[which] = 1
+        kinds = np.flatnonzero(number)
+        number[kinds] = np.arange(len(kinds))
+        column = number[which] * np.int32(81) + p.place[own]
+        added = csr_array(
+            (np.ones(len(column)), column, p.starts[start : stop + 1] - p.starts[start]),
+            shape=(stop - start, 81 * len(kinds)),
+        )
+        number[kinds] = 0
+        sums = added @ matrices(kinds).reshape(81 * len(kinds), F * F)
+        further = slice(*np.searchsorted(pairs, (start, stop)))
+        sums[pairs[further] - start] += blocks[further].reshape(-1, F * F)
+        data[slice(*entries)] = sums.ravel()[p.taken[slice(*entries)]]
+    return Symmetric(p.indptr, p.indices, data)
+
+
+def scatter(places: Integers, values: Array, size: int) -> Array:
+    """Return an array (size,) with the sum of the values that fall on each place."""
+    return np.bincount(places.ravel(), values.ravel(), size).astype(float, copy=False)
+
+
+def congruent(xy: Array) -> tuple[Integers, Integers]:
+    """Return representatives (u,) of the element shapes among xy (m, 9, 2), and the kind of each element (m,)."""
+    relative = (xy - xy[:, 8:]).reshape(len(xy), 18)
+    size = np.abs(relative).max(axis=1)
+    scale = 10.0 ** np.floor(np.log10(size))
+    rounded = np.round(relative / scale[:, None] * 1e9).astype(np.int64)
+    table = np.ascontiguousarray(np.column_stack([np.round(np.log10(scale)).astype(np.int64), rounded]))
+    rows = table.view(np.dtype((np.void, table.dtype.itemsize * table.shape[1]))).ravel()
+    _, representative, kind = np.unique(rows, return_index=True, return_inverse=True)
+    return representative, kind

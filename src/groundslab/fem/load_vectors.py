@@ -1,0 +1,201 @@
+"""Loads on part of a plate as forces on the nodes of its elements: integrals of the shape functions over the part.
+
+Each function returns integrals (m, 9) over the m elements given; times a pressure, line load or force they are nodal
+loads. Parts need not follow the mesh: elements that a part cuts are cut as well, and the pieces integrated.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.fem.mesh import Mesh, locate, place_in
+from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, q9
+from groundslab.geometry.plan import Segment
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+#: Points each way of the rule on pieces; products of two biquadratic functions and a bilinear map are met exactly.
+PIECE_POINTS = 5
+#: Curved sides are followed by this many straight ones where an element is cut.
+CHORDS = 16
+#: Arcs of line loads are integrated in pieces of this angle [rad] at most, so many of them at least.
+ARC_PIECE = 2 * np.pi / 256
+ARC_PIECES = 4
+#: A line along a curved edge of the plate lies off its elements by at most this, relative to their size.
+ALONG_EDGE = 0.02
+#: A piece this small, relative to the largest one, is nothing but rounding.
+SLIVER = 1e-15
+
+#: A pressure [Pa] as a function of places (..., 2).
+Pressure = Callable[[Array], Array]
+
+
+def one(places: Array) -> Array:
+    """Return a pressure of 1 at places (..., 2)."""
+    return np.ones(places.shape[:-1])
+
+
+def inertia(part: Polygon) -> tuple[Array, Array]:
+    """Return the centre (2,) [m] of a polygon and its second moments of area about it (2, 2) [m4]."""
+    from shapely import get_coordinates
+
+    centre = get_coordinates(part.centroid)[0]
+    x = get_coordinates(part.exterior) - centre
+    a, b = x[:-1], x[1:]
+    cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    # each edge makes a triangle with the centre, whose moments its corners give
+    total = np.einsum("e,ei,ej->ij", cross, a + b, a + b)
+    total += np.einsum("e,ei,ej->ij", cross, a, a) + np.einsum("e,ei,ej->ij", cross, b, b)
+    return centre, total / 24 * np.sign(cross.sum())
+
+
+def over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> Array:
+    """Return int q N dA (m, 9) over whole elements: [m2], or [N] for a pressure q [Pa] of places (..., 2)."""
+    points, weights = gauss(3)
+    N, dN = q9(points)
+    xy = mesh.nodes[mesh.elements[elements]]
+    q = pressure(np.einsum("pa,eax->epx", N, xy))
+    shares: Array = (q * jacobian(dN, xy)[2] * weights) @ N
+    return shares
+
+
+def near(mesh: Mesh, part: Polygon) -> Integers:
+    """Return the elements that may meet a polygon, by the boxes around both.
+
+    A curved side leaves the box of its three nodes by 1/8 of its size at most.
+    """
+    x0, y0, x1, y1 = part.bounds
+    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
+    reach = (high - low) / 8
+    return np.flatnonzero(((low - reach <= (x1, y1)) & (high + reach >= (x0, y0))).all(axis=1))
+
+
+def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one) -> Array:
+    """Return int q N dA (m, 9) over the part of each element that lies in a polygon: [m2], or [N] for a q [Pa]."""
+    from shapely import contains, intersection, intersects, polygons, prepare
+
+    shares = np.zeros((len(elements), 9))
+    outlines = polygons(_outlines(mesh.nodes[mesh.elements[elements]]))
+    prepare(part)
+    touched = intersects(outlines, part)
+    inside = touched & contains(part, outlines)
+    shares[inside] = over_elements(mesh, elements[inside], pressure)
+    cut = np.flatnonzero(touched & ~inside)
+    pieces = intersection(outlines[cut], part)
+    triangles, owner = _triangles(pieces)
+    if len(triangles):
+        points, weights = _triangle_rule(PIECE_POINTS)
+        a, b, c = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
+        x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
+        dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
+        element = np.repeat(elements[cut[owner]], len(weights))
+        N, _ = q9(place_in(mesh.nodes[mesh.elements[element]], x.reshape(-1, 2)))
+        np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
+    return shares
+
+
+def along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple[float, float] = (1.0, 1.0)) -> Array:
+    """Return int q N ds (m, 9) along a straight line or an arc on the plate: [m], or [N] for a q [N/m].
+
+    q changes linearly from the start to the end. The line is cut where it enters another element; a line along common
+    sides goes to one element each. Along a curved edge of the plate it may lie a little outside the elements.
+    """
+    n = 1 if edge.straight else max(ARC_PIECES, math.ceil(abs(edge.sweep) / ARC_PIECE))
+    at = np.unique(np.concatenate([np.arange(n + 1) / n, _crossed(mesh.xy[elements], edge, n)]))
+    x, weights = gauss_line(4)
+    low, high = at[:-1, None], at[1:, None]
+    s = ((low + high) / 2 + (high - low) / 2 * x).ravel()
+    ds = ((high - low) / 2 * weights * edge.length).ravel()
+    return _at_points(mesh, elements, edge.at(s), ds * (q[0] + (q[1] - q[0]) * s), ALONG_EDGE)
+
+
+def _crossed(xy: Array, edge: Segment, chords: int) -> Array:
+    """Return the parts (k,) of an edge after which its chords enter another one of the elements (m, 9, 2)."""
+    from shapely import LineString, get_coordinates, intersection, polygons
+
+    flat = edge.at(np.arange(chords + 1) / chords)
+    low, high = xy.min(axis=1), xy.max(axis=1)
+    reach = (high - low) / 8
+    near = ((low - reach <= flat.max(axis=0)) & (high + reach >= flat.min(axis=0))).all(axis=1)
+    places = get_coordinates(intersection(polygons(_outlines(xy[near])), LineString(flat)))
+    if edge.straight:
+        along = np.array(edge.end) - np.array(edge.start)
+        parts = (places - edge.start) @ along / (along @ along)
+    else:
+        offset = places - np.array(edge.centre)
+        turn = (np.arctan2(offset[:, 1], offset[:, 0]) - edge.angle) * math.copysign(1.0, edge.sweep)
+        middle = abs(edge.sweep) / 2
+        # the turn that is nearest to the middle of the arc, so that rounding at its ends does not lead once around
+        parts = (np.mod(turn - middle + math.pi, 2 * math.pi) + middle - math.pi) / abs(edge.sweep)
+    found: Array = np.round(np.clip(parts, 0, 1), 12)
+    return found
+
+
+def at_point(mesh: Mesh, elements: Integers, point: Array) -> Array:
+    """Return N (m, 9) at a point (2,) of the plate, in the one element that holds it."""
+    return _at_points(mesh, elements, point[None], np.ones(1))
+
+
+def _at_points(mesh: Mesh, elements: Integers, points: Array, weights: Array, reach: float = 0.0) -> Array:
+    """Return the sum of weighted N (m, 9) at points (p, 2), each in one element that holds it.
+
+    Points outside all elements by at most `reach` times an element's size count as in the nearest one.
+    """
+    part = Mesh(mesh.nodes, mesh.elements[elements])
+    owner, local = locate(part, points)
+    beside = np.flatnonzero(owner < 0)
+    if reach and len(beside):
+        owner[beside], local[beside] = locate(part, points[beside], reach)
+    if (owner < 0).any():
+        raise ValueError(f"the point {points[np.argmin(owner)]} does not lie on the plate")
+    shares = np.zeros((len(elements), 9))
+    np.add.at(shares, owner, weights[:, None] * q9(local)[0])
+    return shares
+
+
+def _outlines(xy: Array) -> Array:
+    """Return the elements' outlines (m, 4 c, 2): their sides, curved ones as chords that enclose the same area."""
+    n = CHORDS if _curved(xy) else 1
+    t = np.linspace(-1, 1, n, endpoint=False)
+    a, b, middle = xy[:, [0, 1, 2, 3], None], xy[:, [1, 2, 3, 0], None], xy[:, 4:8, None]
+    bend = (a + b) / 2 - middle  # c of the side's a + b t + c t^2
+    sides = middle + (b - a) / 2 * t[:, None] + bend * (t**2)[:, None]
+    if n > 1:
+        # between a chord over 2/n of t and the side lies |b x c| (2/n)^3 / 6; n of these are made up for by moving
+        # n - 1 corners, each of which takes |b x c| (2/n) times its way against c
+        sides[:, :, 1:] -= bend * (4 / n**2) * n / (6 * (n - 1))
+    outlines: Array = sides.reshape(len(xy), 4 * n, 2)
+    return outlines
+
+
+def _curved(xy: Array) -> bool:
+    """Return whether any side of the elements is curved."""
+    middle = (xy[:, [0, 1, 2, 3]] + xy[:, [1, 2, 3, 0]]) / 2
+    size = np.ptp(xy, axis=1).max(initial=0)
+    return bool(np.abs(xy[:, 4:8] - middle).max(initial=0) > 1e-9 * size)
+
+
+def _triangles(pieces: Array) -> tuple[Array, Integers]:
+    """Return triangles (t, 3, 2) that fill polygons, and the polygon that each belongs to (t,)."""
+    from shapely import area, constrained_delaunay_triangles, get_coordinates, get_parts
+
+    parts, piece = get_parts(pieces, return_index=True)
+    solid = area(parts) > SLIVER * area(parts).max(initial=0)  # not the points and lines where a part only touches
+    triangles, owner = get_parts(constrained_delaunay_triangles(parts[solid]), return_index=True)
+    return get_coordinates(triangles).reshape(-1, 4, 2)[:, :3], piece[solid][owner]
+
+
+def _triangle_rule(n: int) -> tuple[Array, Array]:
+    """Return points (n*n, 2) and weights of a rule on the triangle (0,0), (1,0), (0,1) with twice its area as sum one.
+
+    The square's Gauss rule, one side drawn together into a corner.
+    """
+    points, weights = gauss(n)
+    u, v = (points.T + 1) / 2
+    return np.column_stack([u * (1 - v), v]), weights / 4 * (1 - v)

@@ -1,0 +1,331 @@
+"""Nine-node meshes: grids, where a point lies, sides, the order of elimination, mirroring."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.fem.shape_functions import COLUMN, ROW, distinct, parallelograms, q9
+
+if TYPE_CHECKING:
+    from shapely import STRtree
+
+#: The nodes of an element's four sides: end, end, middle.
+SIDES = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
+#: The nodes of an element in the order that its mirror image needs to run counter-clockwise again.
+MIRRORED = np.array([1, 0, 3, 2, 4, 7, 6, 5, 8])
+#: The nodes of an element on its 3 x 3 grid, by row and column.
+GRID = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
+#: A point this far outside an element, relative to its size, still counts as in it.
+NEAR = 1e-9
+#: Places closer than this, relative to the mesh, are the same.
+SAME_PLACE = 1e-9
+
+#: Elements may grow by this much of the distance from what asks for smaller ones.
+GRADING = 0.35
+
+Place = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Mesh:
+    """Nine-node quadrilaterals: nodes (n, 2) [m] and elements (m, 9), counter-clockwise."""
+
+    nodes: Array
+    elements: Integers
+
+    @property
+    def xy(self) -> Array:
+        """Return the nodes of each element, (m, 9, 2)."""
+        xy: Array = self.nodes[self.elements]
+        return xy
+
+
+def grid(x: Array, y: Array) -> Mesh:
+    """Return the mesh between ascending lines x and y [m]; midside nodes halve the sides."""
+    X, Y = with_midpoints(x), with_midpoints(y)
+    nodes = np.column_stack([np.tile(X, len(Y)), np.repeat(Y, len(X))])
+    column, row = np.meshgrid(np.arange(len(x) - 1), np.arange(len(y) - 1))
+    elements = (2 * column.reshape(-1, 1) + COLUMN) + (2 * row.reshape(-1, 1) + ROW) * len(X)
+    return Mesh(nodes, elements)
+
+
+def with_midpoints(x: Array) -> Array:
+    """Return x with the middle of each interval between."""
+    out = np.empty(2 * len(x) - 1)
+    out[::2], out[1::2] = x, (x[:-1] + x[1:]) / 2
+    return out
+
+
+def graded_towards(edges: Array, size: float) -> Callable[[Array], Array]:
+    """Return a function from coordinates (p,) to the largest size (p,) [m] of elements that grow from the edges (e,).
+
+    At the edges they have the given size [m]; without edges there is no limit.
+    """
+
+    def limit(x: Array) -> Array:
+        distance = np.abs(x[:, None] - edges).min(axis=1, initial=np.inf)
+        sizes: Array = size + GRADING * distance
+        return sizes
+
+    return limit
+
+
+def graded(size: Callable[[Array], Array], low: float, high: float) -> Array:
+    """Return lines that divide low .. high [m] into intervals of at most size(x) [m], low left out."""
+    x = _samples(low, high)
+    wanted = size(x)
+    if np.ptp(wanted) <= 1e-9 * wanted[0]:
+        return np.linspace(low, high, math.ceil((high - low) / wanted[0] - 1e-6) + 1)[1:]
+    sums = _sum(1 / wanted, x)
+    n = max(1, math.ceil(sums[-1] - 1e-6))
+    lines: Array = np.interp(sums[-1] * np.arange(1, n + 1) / n, sums, x)
+    lines[-1] = high
+    return lines
+
+
+def intervals(size: Callable[[Array], Array], low: float, high: float) -> float:
+    """Return how many intervals of the length size(x) [m] fit between low and high [m], as a fraction."""
+    x = _samples(low, high)
+    return float(_sum(1 / size(x), x)[-1])
+
+
+def _samples(low: float, high: float) -> Array:
+    """Return places between two lines, closer near both."""
+    return low + (high - low) * (1 - np.cos(np.linspace(0, math.pi, 2001))) / 2
+
+
+def _sum(density: Array, x: Array) -> Array:
+    """Return the integral of a density up to each of the places x."""
+    return np.concatenate([[0.0], np.cumsum(np.diff(x) * (density[1:] + density[:-1]) / 2)])
+
+
+def extruded(mesh: Mesh, axis: int, outward: int, distances: Array) -> Mesh:
+    """Return the mesh with rows of elements added along its outermost straight edge across an axis.
+
+    The rows end at the distances [m], ascending, from that edge to the side `outward` (1 or -1) of the axis. The mesh's
+    own nodes and elements come first and keep their numbers.
+    """
+    sides, n = sides_on_boundary(mesh.elements), len(mesh.nodes)
+    coordinate = outward * mesh.nodes[:, axis]
+    sides = sides[(coordinate[sides] == coordinate.max()).all(axis=1)]
+    along, row = distinct(sides)
+    offsets = with_midpoints(np.concatenate([[0.0], distances]))[1:]
+    shift = np.zeros((len(offsets), 1, 2))
+    shift[:, 0, axis] = outward * offsets
+    # number of each node of the edge in row k of nodes, the edge itself being row 0
+    number = np.vstack([along, n + np.arange(len(offsets) * len(along)).reshape(len(offsets), -1)])
+    end, start, middle = row.T  # the old elements lie to the left from end to start, the new ones to the right
+    elements = [
+        np.column_stack([
+            low[start], low[end], high[end], high[start], low[middle], between[end], high[middle], between[start],
+            between[middle],
+        ])
+        for low, between, high in zip(number[:-1:2], number[1::2], number[2::2], strict=True)
+    ]  # fmt: skip
+    nodes = (mesh.nodes[along] + shift).reshape(-1, 2)
+    return Mesh(np.vstack([mesh.nodes, nodes]), np.vstack([mesh.elements, *elements]))
+
+
+def bounding_boxes(mesh: Mesh, reach: float = NEAR) -> STRtree:
+    """Return the elements' bounding boxes, larger by `reach` times their size, as a tree to search for points in.
+
+    A curved side may bulge out of the box around its nodes: the box is that of the element's Bezier points.
+    """
+    import shapely
+
+    xy = mesh.xy
+    low, high = xy.min(axis=1), xy.max(axis=1)
+    other = np.flatnonzero(~parallelograms(xy))
+    # along each line of three nodes a, b, c the parabola has the Bezier points a, 2 b - (a + c) / 2, c
+    net = xy[other][:, GRID]
+    for axis in (1, 2):
+        a, b, c = np.moveaxis(net, axis, 0)
+        net = np.stack([a, 2 * b - (a + c) / 2, c], axis=axis)
+    low[other], high[other] = net.min(axis=(1, 2)), net.max(axis=(1, 2))
+    margin = reach * (high - low).max(axis=1, keepdims=True)
+    low, high = low - margin, high + margin
+    return shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
+
+
+def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None = None) -> tuple[Integers, Array]:
+    """Return the element that holds each point (p, 2) and the point's place in it, (p, 2) on the reference square.
+
+    A point on a common side belongs to one of the elements. A point that lies outside the mesh by more than `reach`
+    times an element's size gets the element -1. Who asks often passes the mesh's `bounding_boxes` of that reach.
+    """
+    import shapely
+
+    points = np.asarray(points, dtype=float)
+    boxes = bounding_boxes(mesh, reach) if boxes is None else boxes
+    which, candidate = boxes.query(shapely.points(points))
+    local = place_in(mesh.nodes[mesh.elements[candidate]], points[which])
+    beside = np.abs(local).max(axis=1, initial=0)
+    order = np.lexsort((candidate, beside, which))
+    best = order[np.unique(which[order], return_index=True)[1]]
+    best = best[beside[best] <= 1 + 10 * reach]
+    element, place = np.full(len(points), -1), np.zeros((len(points), 2))
+    element[which[best]], place[which[best]] = candidate[best], local[best]
+    return element, place
+
+
+def _nearest(mesh: Mesh, points: Array) -> Integers:
+    """Return the element whose bounding box is nearest to each point (p,)."""
+    import shapely
+
+    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
+    tree = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
+    nearest: Integers = tree.nearest(shapely.points(points))
+    return nearest
+
+
+def place_in(xy: Array, points: Array) -> Array:
+    """Return where points (c, 2) lie in elements with nodes xy (c, 9, 2), on the reference square, by Newton's method.
+
+    Points far outside their element are only followed to its neighbourhood.
+    """
+    local, left, linear = np.zeros(points.shape), np.arange(len(points)), parallelograms(xy)
+    for _ in range(20):
+        N, dN = q9(local[left])
+        own = xy[left]
+        J = np.einsum("cia,cax->cix", dN, own)
+        dx, dy = (points[left] - np.einsum("ca,cax->cx", N, own)).T
+        det = J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0]
+        step = np.column_stack([J[:, 1, 1] * dx - J[:, 1, 0] * dy, J[:, 0, 0] * dy - J[:, 0, 1] * dx]) / det[:, None]
+        local[left] = np.clip(local[left] + step, -1.5, 1.5)
+        # Newton's steps shrink by their squares: after one so small nothing but rounding is left; in a parallelogram
+        # the first one leads there
+        left = left[(np.abs(step).max(axis=1) > 1e-10) & ~linear[left]]
+        if not len(left):
+            break
+    return local
+
+
+Whereabouts = tuple[Integers, Array]
+
+
+def whereabouts(mesh: Mesh, points: Array, elements: Integers | None = None) -> Whereabouts:
+    """Return the element that holds each point (p, 2) or, for points outside, the nearest; and the places in them.
+
+    Of some elements only, if they are given. Where a boundary is curved, a finer mesh has points a little outside a
+    coarser one.
+    """
+    part = mesh if elements is None else Mesh(mesh.nodes, mesh.elements[elements])
+    element, place = locate(part, points)
+    outside = element < 0
+    if outside.any():
+        element[outside] = _nearest(part, points[outside])
+        place[outside] = place_in(part.xy[element[outside]], points[outside])
+    return (element if elements is None else elements[element]), place
+
+
+def interpolated(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
+    """Return nodal values (n,) or (n, k) at places in elements, by the shape functions, (p,) or (p, k)."""
+    element, place = where
+    result: Array = np.einsum("pa,pa...->p...", q9(place)[0], values[mesh.elements[element]])
+    return result
+
+
+def between(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
+    """Return nodal values (n,) at places in elements, bilinear between neighbouring nodes, (p,)."""
+    element, place = where
+    hat = np.maximum(0.0, 1 - np.abs(np.clip(place, -1, 1)[:, None, :] - np.array([-1.0, 0.0, 1.0])[:, None]))
+    result: Array = np.einsum("pa,pa,pa->p", hat[:, COLUMN, 0], hat[:, ROW, 1], values[mesh.elements[element]])
+    return result
+
+
+def sides_on_boundary(elements: Integers) -> Integers:
+    """Return the sides (s, 3: end, end, middle) that belong to one element only."""
+    sides = elements[:, SIDES].reshape(-1, 3)
+    alone = sides[np.bincount(sides[:, 2])[sides[:, 2]] == 1]
+    boundary: Integers = alone[np.argsort(alone[:, 2])]
+    return boundary
+
+
+def sides_along(mesh: Mesh, elements: Integers, lines: Sequence[tuple[Place, Place]]) -> Integers:
+    """Return the sides (s, 3: end, end, middle) of some elements (m, 9) that lie on straight lines, each once."""
+    sides = elements[:, SIDES].reshape(-1, 3)
+    one_of = np.full(len(mesh.nodes), -1)
+    one_of[sides[::-1, 2]] = np.arange(len(sides))[::-1]
+    sides = sides[one_of[one_of >= 0]]
+    place = mesh.nodes[sides]
+    near = 10 * SAME_PLACE * float(np.ptp(mesh.nodes, axis=0).max())
+    on_any = np.zeros(len(sides), dtype=bool)
+    for start, end in lines:
+        a, b = np.array(start), np.array(end)
+        length = float(np.linalg.norm(b - a))
+        along = (b - a) / length
+        part, off = (place - a) @ along, np.abs((place - a) @ np.array([-along[1], along[0]]))
+        on_any |= ((off <= near) & (part >= -near) & (part <= length + near)).all(axis=1)
+    found: Integers = sides[on_any]
+    return found
+
+
+def elimination_order(mesh: Mesh) -> Integers:
+    """Return the rank of each node in a nested dissection of the mesh by its coordinates, (n,).
+
+    Elements are halved again and again at the median of their centres' longer extent. A node belongs to the smallest
+    part that holds all its elements; parts are eliminated before the part that they are halves of.
+    """
+    centre = mesh.nodes[mesh.elements[:, 8]]
+    m = len(centre)
+    depth = max(0, int(np.ceil(np.log2(m / 2))))
+    code = np.zeros(m, dtype=np.int64)
+    order = np.arange(m)
+    bounds = np.array([0, m])
+    for _ in range(depth):
+        starts = bounds[:-1]
+        part = np.repeat(np.arange(len(starts)), np.diff(bounds))
+        low = np.minimum.reduceat(centre[order], starts, axis=0)
+        high = np.maximum.reduceat(centre[order], starts, axis=0)
+        axis = np.argmax(high - low, axis=1)
+        order = order[np.lexsort((centre[order, axis[part]], part))]
+        middle = (bounds[:-1] + bounds[1:]) // 2
+        code *= 2
+        code[order] += np.arange(m) >= middle[part]
+        bounds = np.sort(np.concatenate([bounds, middle[middle > starts]]))
+        # a part of one element is not halved: its code goes on with a 1, alone, and keeps its place
+    flat = mesh.elements.ravel()
+    codes = np.repeat(code, 9)
+    lowest = np.full(len(mesh.nodes), np.iinfo(np.int64).max)
+    highest = np.full(len(mesh.nodes), -1)
+    np.minimum.at(lowest, flat, codes)
+    np.maximum.at(highest, flat, codes)
+    differing = lowest ^ highest
+    height = np.where(differing > 0, np.floor(np.log2(np.maximum(differing, 1))).astype(np.int64) + 1, 0)
+    last_of_part = highest | ((np.int64(1) << height) - 1)
+    rank = np.empty(len(mesh.nodes), dtype=np.int64)
+    # within a separator, along its longer extent, so that neighbours stay neighbours
+    rank[np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1], height, last_of_part))] = np.arange(len(mesh.nodes))
+    return rank
+
+
+def row_by_row(mesh: Mesh) -> tuple[Mesh, Integers, Integers]:
+    """Return the mesh with nodes and elements numbered by y, then x; old numbers of nodes (n,), elements (m,)."""
+    old = np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1]))
+    new = np.empty_like(old)
+    new[old] = np.arange(len(old))
+    centre = mesh.nodes[mesh.elements[:, 8]]
+    order = np.lexsort((centre[:, 0], centre[:, 1]))
+    return Mesh(mesh.nodes[old], new[mesh.elements[order]]), old, order
+
+
+def mirror(mesh: Mesh, axis: int) -> tuple[Mesh, Integers, Array]:
+    """Return the mesh doubled about the line where the coordinate along `axis` is zero.
+
+    Also the source node of each node (n2,) and whether it lies on the mirrored side: -1.0 there, else 1.0 (n2,).
+    """
+    n = len(mesh.nodes)
+    apart = mesh.nodes[:, axis] != 0.0
+    images = mesh.nodes[apart]
+    images[:, axis] *= -1
+    image_of = np.arange(n)
+    image_of[apart] = n + np.arange(apart.sum())
+    doubled = Mesh(np.vstack([mesh.nodes, images]), np.vstack([mesh.elements, image_of[mesh.elements[:, MIRRORED]]]))
+    source = np.concatenate([np.arange(n), np.flatnonzero(apart)])
+    return doubled, source, np.repeat([1.0, -1.0], [n, len(images)])

@@ -1,0 +1,189 @@
+"""Mindlin-Reissner plate elements with nine nodes: stiffness, and strains at points.
+
+Unknowns of an element, field after field: w (9), beta_x (9), beta_y (9). Every element is a value of PlateElement;
+ELEMENTS lists them, and the tests put each entry of the list through the same trials.
+
+Sources: the paper (2.1); Hughes and Cohen 1978 (heterosis); Kikuchi, Okabe and Fujio 1999 (its centre value on
+quadrilaterals that are no parallelograms); Bathe, Brezzi and Cho 1989 (MITC9). See docs/bibliography.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.fem.shape_functions import SERENDIPITY_CENTRE, gauss, jacobian, parallelograms, q9
+
+#: Where MITC9 takes the covariant shear strain along xi: at two points of each side, and all over for its mean.
+_SIDES = np.array([(r, s) for s in (-1.0, 1.0) for r in (-1 / np.sqrt(3.0), 1 / np.sqrt(3.0))])
+_TIED = np.vstack([_SIDES, gauss(3)[0]])
+
+
+@dataclass(frozen=True, slots=True)
+class PlateElement:
+    """One way to make a plate element: its shear strain operator, shear rule and interpolation of w."""
+
+    name: str
+    shear_strain: Callable[[Array, Array, Array], Array]
+    shear_points: int
+    centre_w: bool  # whether the centre node has a w of its own
+
+    def w_functions(self, xy: Array) -> Array:
+        """Return T (m, 9, 9) with w = N T w: the identity, or the centre's w from the eight others."""
+        T = np.broadcast_to(np.eye(9), (len(xy), 9, 9))
+        return T if self.centre_w else _centre_from_boundary(xy)
+
+
+def bending_strain(points: Array, xy: Array) -> Array:
+    """Return B_b (m, p, 3, 27) with (beta_x,x ; beta_y,y ; beta_x,y + beta_y,x) = B_b u at points (p, 2)."""
+    _, dN = q9(points)
+    _, inverse, _ = jacobian(dN, xy)
+    grad = np.einsum("epxi,pia->epxa", inverse, dN)
+    B = np.zeros((*grad.shape[:2], 3, 27))
+    B[..., 0, 9:18] = B[..., 2, 18:27] = grad[..., 0, :]
+    B[..., 1, 18:27] = B[..., 2, 9:18] = grad[..., 1, :]
+    return B
+
+
+def _covariant_shear(points: Array, xy: Array, T: Array) -> Array:
+    """Return the strains (w,xi - beta . x,xi ; w,eta - beta . x,eta) as (m, p, 2, 27)."""
+    N, dN = q9(points)
+    J, _, _ = jacobian(dN, xy)
+    B = np.empty((len(xy), len(points), 2, 27))
+    B[..., :9] = np.einsum("pia,eab->epib", dN, T)
+    B[..., 9:18] = -J[..., 0, None] * N[:, None, :]
+    B[..., 18:] = -J[..., 1, None] * N[:, None, :]
+    return B
+
+
+def displacement_shear(points: Array, xy: Array, T: Array) -> Array:
+    """Return B_s (m, p, 2, 27) with (w,x - beta_x ; w,y - beta_y) = B_s u, straight from the displacements."""
+    _, inverse, _ = jacobian(q9(points)[1], xy)
+    B: Array = inverse @ _covariant_shear(points, xy, T)
+    return B
+
+
+def tied_shear(points: Array, xy: Array, T: Array) -> Array:
+    """Return B_s (m, p, 2, 27) of MITC9: covariant strains tied on the element's sides and in its mean.
+
+    The strain along xi lies in span(1, xi, eta, xi eta, eta^2); it takes the values of w,xi - beta . x,xi at the Gauss
+    points of the sides eta = -1 and 1, and its mean over the reference square; along eta likewise (Bathe, Brezzi and
+    Cho 1989). Two elements share what is tied on their common side, which is why the element does not lock on
+    distorted meshes either. A bubble of w has no part in this strain: the centre's w hangs on the eight others.
+    """
+    along_xi, along_eta = _covariant_shear(_TIED, xy, T)[:, :, 0], _covariant_shear(_TIED[:, ::-1], xy, T)[:, :, 1]
+    tied = np.stack(
+        [
+            np.einsum("pt,etu->epu", _tying_functions(points), along_xi),
+            np.einsum("pt,etu->epu", _tying_functions(points[:, ::-1]), along_eta),
+        ],
+        axis=2,
+    )
+    _, inverse, _ = jacobian(q9(points)[1], xy)
+    B: Array = inverse @ tied
+    return B
+
+
+def _tying_functions(points: Array) -> Array:
+    """Return the functions (p, 4 + 9) of the values at the side points and of those that make up the mean."""
+    r, s = points[:, :1], points[:, 1:]
+    on_sides = (1 + r * _SIDES[:, 0] * 3) * (1 + s * _SIDES[:, 1]) / 4
+    bulge = 1.5 * (1 - s * s)
+    return np.hstack([on_sides - bulge / 4, bulge * (gauss(3)[1] / 4)])
+
+
+def _centre_from_boundary(xy: Array) -> Array:
+    """Return T (m, 9, 9) whose last row gives the centre's w such that every quadratic in x, y is met.
+
+    On a parallelogram this is the serendipity rule. On other quadrilaterals the smallest correction of it is taken
+    that keeps 1, x, y, x^2, xy, y^2 exact (in the manner of Kikuchi, Okabe and Fujio 1999), without which no element
+    with a serendipity w passes the constant-curvature patch test.
+    """
+    T = np.tile(np.eye(9), (len(xy), 1, 1))
+    T[:, 8] = np.append(SERENDIPITY_CENTRE, 0.0)
+    odd = np.flatnonzero(~parallelograms(xy))
+    centred = xy[odd] - xy[odd, 8:]
+    x, y = np.moveaxis(centred / np.abs(centred).max(axis=(1, 2), keepdims=True), -1, 0)
+    A = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=1)  # (m, 6, 9)
+    wanted = A[:, :, 8] - A[:, :, :8] @ SERENDIPITY_CENTRE
+    correction = np.linalg.pinv(A[:, :, :8], rcond=1e-10) @ wanted[..., None]
+    T[odd, 8, :8] += correction[..., 0]
+    return T
+
+
+#: The paper's element comes first; the default is "mitc9".
+ELEMENTS: dict[str, PlateElement] = {
+    "q9": PlateElement("q9", displacement_shear, 3, centre_w=True),
+    "heterosis": PlateElement("heterosis", displacement_shear, 2, centre_w=False),
+    "mitc9": PlateElement("mitc9", tied_shear, 3, centre_w=False),
+}
+
+
+def bending_rigidity(E: float, nu: float, t: float) -> Array:
+    """Return the matrix (3, 3) [N m] between curvatures and moments, D = E t^3 / 12(1 - nu^2)."""
+    D = E * t**3 / (12 * (1 - nu**2))
+    return D * np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
+
+
+def shear_rigidity(E: float, nu: float, t: float, factor: float) -> float:
+    """Return factor * G * t [N/m]."""
+    return factor * E / (2 * (1 + nu)) * t
+
+
+def stiffness(element: PlateElement, xy: Array, D: Array, S: Array) -> Array:
+    """Return the stiffness matrices (m, 27, 27) of m plate elements [N/m, N, N m].
+
+    xy (m, 9, 2) are the nodes [m], D (m, 3, 3) the bending rigidities [N m], S (m,) the shear rigidities [N/m].
+    """
+    K = np.zeros((len(xy), 27, 27))
+    points, weights = gauss(3)
+    dA = jacobian(q9(points)[1], xy)[2] * weights
+    B = bending_strain(points, xy)
+    K += _quadratic_form(B, np.einsum("ep,eij->epij", dA, D))
+    points, weights = gauss(element.shear_points)
+    dA = jacobian(q9(points)[1], xy)[2] * weights
+    B = element.shear_strain(points, xy, element.w_functions(xy))
+    K += _quadratic_form(B, np.einsum("ep,e,ij->epij", dA, S, np.eye(2)))
+    return K
+
+
+def warping_couples(xy: Array, D: Array, warp: Array) -> Array:
+    """Return the couples (2, m, 9) [N m] on beta_x and beta_y that bend free elements to beta_x,x = beta_y,y = warp.
+
+    int B_b^T D (warp, warp, 0) dA for curvatures warp (m,) [1/m], as temperature gives them.
+    """
+    points, weights = gauss(3)
+    dA = jacobian(q9(points)[1], xy)[2] * weights
+    moment = D[:, :, :2].sum(axis=2) * warp[:, None]
+    f = np.einsum("ep,epcu,ec->eu", dA, bending_strain(points, xy), moment)
+    couples: Array = f[:, 9:].reshape(-1, 2, 9).swapaxes(0, 1)
+    return couples
+
+
+def _quadratic_form(B: Array, C: Array) -> Array:
+    """Return sum over p of B^T C B, (m, u, u), for B (m, p, c, u) and C (m, p, c, c)."""
+    m, _, _, u = B.shape
+    CB = (C @ B).reshape(m, -1, u)
+    K: Array = np.swapaxes(B.reshape(m, -1, u), 1, 2) @ CB
+    return K
+
+
+def section_matrices(element: PlateElement, points: Array, xy: Array, D: Array, S: Array) -> Array:
+    """Return the matrices (m, p, 5, 27) from unknowns to m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at points (p, 2).
+
+    M = -D kappa: sagging positive; Q = S (grad w - beta), so that Q is the divergence of M.
+    """
+    bending = -np.einsum("eij,epju->epiu", D, bending_strain(points, xy))
+    shear = S[:, None, None, None] * element.shear_strain(points, xy, element.w_functions(xy))
+    return np.concatenate([bending, shear], axis=2)
+
+
+def section_forces(
+    element: PlateElement, points: Array, xy: Array, D: Array, S: Array, u: Array
+) -> tuple[Array, Array]:
+    """Return moments (m, p, 3) [N m/m] and shear forces (m, p, 2) [N/m] at points (p, 2) for unknowns u (m, 27)."""
+    forces = np.einsum("epcu,eu->epc", section_matrices(element, points, xy, D, S), u)
+    return forces[..., :3], forces[..., 3:]

@@ -1,0 +1,94 @@
+"""Shape functions and Gauss rules of the nine-node quadrilateral.
+
+Node order everywhere: the corners (-1,-1), (1,-1), (1,1), (-1,1), the midsides (0,-1), (1,0), (0,1), (-1,0),
+the centre (0,0).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+
+#: Place of each node on the 3 x 3 grid of one-dimensional nodes (-1, 0, 1).
+COLUMN = np.array([0, 2, 2, 0, 1, 2, 1, 0, 1])
+ROW = np.array([0, 0, 2, 2, 0, 1, 2, 1, 1])
+#: The centre's value in the serendipity family: minus a quarter of the corners, half of the midsides.
+SERENDIPITY_CENTRE = np.array([-0.25, -0.25, -0.25, -0.25, 0.5, 0.5, 0.5, 0.5])
+
+
+def lagrange(xi: Array) -> tuple[Array, Array]:
+    """Return the three quadratic Lagrange polynomials on (-1, 0, 1) and their derivatives at xi: (..., 3) each."""
+    N = np.stack([xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2], axis=-1)
+    dN = np.stack([xi - 0.5, -2 * xi, xi + 0.5], axis=-1)
+    return N, dN
+
+
+def q9(points: Array) -> tuple[Array, Array]:
+    """Return N (p, 9) and its derivatives dN (p, 2, 9) with respect to (xi, eta) at points (p, 2)."""
+    (Nx, dNx), (Ny, dNy) = lagrange(points[:, 0]), lagrange(points[:, 1])
+    N = Nx[:, COLUMN] * Ny[:, ROW]
+    dN = np.stack([dNx[:, COLUMN] * Ny[:, ROW], Nx[:, COLUMN] * dNy[:, ROW]], axis=1)
+    return N, dN
+
+
+@cache
+def gauss_line(n: int) -> tuple[Array, Array]:
+    """Return the n-point Gauss rule on (-1, 1): points (n,), weights (n,)."""
+    x, w = np.polynomial.legendre.leggauss(n)
+    return x, w
+
+
+@cache
+def gauss(n: int) -> tuple[Array, Array]:
+    """Return the n x n Gauss rule on the reference square: points (n*n, 2), weights (n*n,)."""
+    x, w = gauss_line(n)
+    X, Y = np.meshgrid(x, x, indexing="ij")
+    return np.column_stack([X.ravel(), Y.ravel()]), np.outer(w, w).ravel()
+
+
+def jacobian(dN: Array, xy: Array) -> tuple[Array, Array, Array]:
+    """Return J (m, p, 2, 2) with rows x,xi and x,eta, its inverse and its determinant (m, p) (paper (2.11)).
+
+    dN (p, 2, 9) are derivatives at p points, xy (m, 9, 2) the nodes of m elements [m].
+    """
+    J = np.einsum("pia,eax->epix", dN, xy)
+    det = J[..., 0, 0] * J[..., 1, 1] - J[..., 0, 1] * J[..., 1, 0]
+    inverse = np.empty_like(J)
+    inverse[..., 0, 0], inverse[..., 1, 1] = J[..., 1, 1], J[..., 0, 0]
+    inverse[..., 0, 1], inverse[..., 1, 0] = -J[..., 0, 1], -J[..., 1, 0]
+    return J, inverse / det[..., None, None], det
+
+
+def areas(xy: Array) -> Array:
+    """Return the areas (m,) [m2] of elements with nodes xy (m, 9, 2)."""
+    points, weights = gauss(3)
+    total: Array = jacobian(q9(points)[1], xy)[2] @ weights
+    return total
+
+
+def parallelograms(xy: Array) -> Flags:
+    """Return which elements (m, 9, 2) are parallelograms with their nodes halfway, (m,)."""
+    corners = xy[:, :4]
+    off = np.abs(corners[:, 0] - corners[:, 1] + corners[:, 2] - corners[:, 3]).max(axis=1)
+    middle = (corners + np.roll(corners, -1, axis=1)) / 2
+    off = np.maximum(off, np.abs(xy[:, 4:8] - middle).max(axis=(1, 2)))
+    off = np.maximum(off, np.abs(xy[:, 8] - corners.mean(axis=1)).max(axis=1))
+    flat: Flags = off <= 1e-13 * np.abs(xy).max(axis=(1, 2))
+    return flat
+
+
+def distinct(keys: Integers) -> tuple[Integers, Integers]:
+    """Return the different numbers, >= 0, among keys, ascending, and which of them each key is, in the keys' shape.
+
+    As np.unique does by sorting; by marking where they are not too far apart.
+    """
+    span = int(keys.max(initial=-1)) + 1
+    if span > 8 * keys.size:
+        numbers, which = np.unique(keys, return_inverse=True)
+        return numbers, which.reshape(keys.shape)
+    marks = np.zeros(span, dtype=bool)
+    marks[keys] = True
+    return np.flatnonzero(marks), (np.cumsum(marks) - 1)[keys]

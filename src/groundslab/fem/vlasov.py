@@ -1,0 +1,276 @@
+"""Vlasov's ground: one mode psi(z) over the depth, k0 and k1 as its integrals, gamma from the settlement.
+
+    k0 = int Ec psi'^2 dz     k1 = int G psi^2 dz                          # (2.17), (2.18)
+    gamma^2 = h^2 (1 - 2 nu) / 2(1 - nu) * int |grad w|^2 / int w^2        # (2.23)
+
+Equation numbers are the paper's; where it misprints a formula, the integral is used (docs/paper.md). Where the ground
+varies over the plan there are c columns of layers, each with k0 and k1 of its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags
+from groundslab.errors import Fault, InputError
+from groundslab.fem.foundation import Column, Layer, Parts, Values, interface_stack, single
+from groundslab.fem.shape_functions import lagrange
+
+#: 2 zeta(2n+2) / pi^(2n+2), n = 0, 1, ...: coth g / g - 1/g^2 is their alternating series in g^2.
+_COTH = np.array([
+    1 / 3, 1 / 45, 2 / 945, 1 / 4725, 2 / 93555, 1382 / 638512875, 4 / 18243225, 3617 / 162820783125,
+])  # fmt: skip
+
+#: The modes of so many columns are found at a time, to spare memory.
+_CHUNK = 1024
+
+
+def _mode_terms(gamma: Values) -> tuple[Array, Array, Array]:
+    """Return a = coth g / g - 1/g^2, b = 1/sinh^2 g - 1/g^2 and (a - b - 2/3) / g^2, without cancellation."""
+    gamma = np.asarray(gamma, float)
+    n = np.arange(len(_COTH))
+    c = _COTH * (-1.0) ** n
+    small = gamma < 0.3
+    g = np.where(small, gamma, 0.0)[..., None]
+    near = g ** (2 * n) @ c, -(g ** (2 * n) @ ((2 * n + 1) * c)), g ** (2 * n[:-1]) @ ((2 * n + 2) * c)[1:]
+    g = np.where(small, 1.0, gamma)
+    a = 1 / (g * np.tanh(g)) - 1 / g**2
+    b = _csch2(g) - 1 / g**2
+    far = a, b, (a - b - 2 / 3) / g**2
+    a, b, d = (np.where(small, series, closed) for series, closed in zip(near, far, strict=True))
+    return a, b, d
+
+
+def sinh_mode(s: Array, gamma: float) -> Array:
+    """Return psi = sinh(gamma(1 - s)) / sinh gamma at relative depths s = z/h, without overflow; gamma >= 0."""
+    psi: Array = 1 - s if gamma == 0 else np.exp(-gamma * s) * np.expm1(-2 * gamma * (1 - s)) / np.expm1(-2 * gamma)
+    return psi
+
+
+def _csch2(g: Values) -> Array:
+    """Return 1 / sinh^2 g without overflow."""
+    e: Array = np.exp(-2 * g)
+    csch2: Array = 4 * e / np.expm1(-2 * g) ** 2
+    return csch2
+
+
+def parameters(layer: Layer, gamma: Values) -> tuple[Values, Values]:
+    """Return k0 [Pa/m] and k1 [Pa m] of a layer under psi = sinh(gamma(1 - z/h)) / sinh gamma, E quadratic in z.
+
+    Closed forms of (2.17) and (2.18): for constant E (2.21) and (2.22), for linear E (2.24) and (2.25), for quadratic E
+    (2.26) and (2.27), each with its misprint put right (docs/paper.md). gamma >= 0. Of a layer over c columns: (c,).
+    """
+    a, b, d = _mode_terms(gamma)
+    g2 = gamma**2
+    stretch = np.array([1 + g2 * (a + b) / 2, (2 + g2 * b) / 4, (1 + g2 * b) / 6 + (a - b) / 4])
+    shear = np.array([(a - b) / 2, -b / 4, d / 4 - b / 6])
+    h, c = layer.thickness, np.array(layer.moduli)
+    return layer.constrained / h * (stretch * c).sum(axis=0), layer.shear * h * (shear * c).sum(axis=0)
+
+
+def parameters_as_printed(layer: Layer, gamma: Values) -> tuple[Values, Values]:
+    """Return k0 and k1 by (2.21), (2.22), (2.24) - (2.27) exactly as the paper prints them, misprints kept.
+
+    Only to reproduce the paper's tables; they differ from the integrals that they stand for (docs/paper.md).
+    """
+    g, h, F = gamma, layer.thickness, layer.constrained
+    coth, csch2 = 1 / np.tanh(g), _csch2(g)
+    E1, c1, c2 = layer.moduli
+    k0 = F / (8 * h) * (E1 * (4 * g * coth + 4 * g**2 * csch2) + c1 * (2 + 4 * g**2 * csch2))
+    k1 = layer.shear * h / (8 * g**2) * (E1 * (4 * g * coth - 2 * g**2 * csch2) + c1 * (2 - 2 * g**2 * csch2))
+    linear = k0, k1
+    E2 = E1 + c2
+    sinh2 = 3 * (E2 + E1 * (2 * g**2 - 1)) * 2 * coth
+    k0 = F * (sinh2 + (E2 * (4 * g**2 - 3) + E1 * (3 + 2 * g**2)) * 2 * g * csch2) / (24 * h * g)
+    k1 = 2 * layer.shear * h * (sinh2 - (E2 * (4 * g**2 + 3) + E1 * (2 * g**2 - 3)) * 2 * g * csch2) / (48 * g**3)
+    curved = np.asarray(c2) != 0
+    return np.where(curved, k0, linear[0]), np.where(curved, k1, linear[1])
+
+
+@dataclass(frozen=True, slots=True)
+class Mode:
+    """The mode psi of a layered profile at depths z [m], with its k0 [Pa/m] and k1 [Pa m]."""
+
+    z: Array
+    psi: Array
+    k0: float
+    k1: float
+
+
+def profile(layers: tuple[Layer, ...], decay2: float, points: int = 60) -> Mode:
+    """Return the mode that minimises int Ec psi'^2 + decay2 G psi^2 dz with psi = 1 at the top and 0 at the base.
+
+    decay2 [1/m2] is int |grad w|^2 / int w^2. Quadratic finite elements, crowded so that exp(-z/l) is met to 1e-8.
+    """
+    ends, first, stretch, shear = _over_the_depth(layers, np.array([decay2]), points)
+    psi = _two_point_minimum(stretch + decay2 * shear, first)
+    k0 = float(np.einsum("ea,eab,eb->", psi, stretch, psi))
+    k1 = float(np.einsum("ea,eab,eb->", psi, shear, psi))
+    nodes = np.append(psi[:, :2].ravel(), psi[-1, 2])
+    depths = np.append(ends[:, 0], ends[-1, 1])
+    return Mode(np.interp(np.arange(len(nodes)), 2 * np.arange(len(depths)), depths), nodes, k0, k1)
+
+
+def profiles(layers: tuple[Layer, ...], decay2: Array, points: int = 20) -> tuple[Array, Array]:
+    """Return k0 [Pa/m] and k1 [Pa m], each (c,), under each column's own mode; decay2 (c,) [1/m2] as in `profile`.
+
+    As there can be thousands of columns, fewer elements than in `profile` are taken; k0 and k1 are good to 1e-6.
+    """
+    k0, k1 = np.empty(len(decay2)), np.empty(len(decay2))
+    for start in range(0, len(decay2), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        some = tuple(
+            Layer(
+                np.asarray(each.thickness)[part],
+                (np.asarray(each.moduli[0])[part], np.asarray(each.moduli[1])[part], np.asarray(each.moduli[2])[part]),
+                np.asarray(each.nu)[part],
+            )
+            for each in layers
+        )
+        _, first, stretch, shear = _over_the_depth(some, decay2[part], points)
+        column = np.cumsum(first) - 1
+        psi = _two_point_minimum(stretch + decay2[part][column, None, None] * shear, first)
+        begins = np.flatnonzero(first)
+        for k, matrices in ((k0, stretch), (k1, shear)):
+            k[part] = np.add.reduceat((psi * (matrices @ psi[..., None])[..., 0]).sum(axis=1), begins)
+    return k0, k1
+
+
+def _over_the_depth(layers: tuple[Layer, ...], decay2: Array, points: int) -> tuple[Array, Flags, Array, Array]:
+    """Return finite elements over the depth of c columns, one column after the other, e elements in all.
+
+    Their ends (e, 2) [m], which are the first of a column (e,), and the matrices (e, 3, 3) of int Ec psi'^2 dz and
+    int G psi^2 dz.
+    """
+
+    def table(values: list[Values]) -> Array:
+        return np.column_stack([np.broadcast_to(each, len(decay2)) for each in values])
+
+    thickness = table([layer.thickness for layer in layers])  # (c, L), as all tables
+    constrained, shearing = table([layer.constrained for layer in layers]), table([layer.shear for layer in layers])
+    local = np.sqrt(decay2[:, None] * shearing / constrained) * thickness
+    count = (points * (1 + local)).astype(np.int64)
+    owner = np.repeat(np.arange(count.size), count.ravel())
+    number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count.ravel(), count.ravel())
+    top = np.cumsum(np.column_stack([np.zeros(len(decay2)), thickness]), axis=1)[:, :-1].ravel()[owner]
+    size, parts = thickness.ravel()[owner], count.ravel()[owner]
+    ends = top[:, None] + size[:, None] * (number[:, None] + np.arange(2)) / parts[:, None]
+
+    # E = a + b t + c t^2 over an element, 0 <= t <= 1; a, b, c times the integrals of 1, t, t^2 with the functions
+    x, weight = np.polynomial.legendre.leggauss(4)
+    N, dN = lagrange(x)
+    powers = weight * ((x + 1) / 2) ** np.arange(3)[:, None]
+    slopes, values = (powers @ (M[:, :, None] * M[:, None, :]).reshape(len(x), 9) for M in (dN, N))
+    h = (ends[:, 1] - ends[:, 0])[:, None]
+    s, ds = number / parts, 1 / parts
+    c0, c1, c2 = (table([layer.moduli[i] for layer in layers]).ravel()[owner] for i in range(3))
+    E = np.column_stack([c0 + s * (c1 + s * c2), ds * (c1 + 2 * s * c2), ds**2 * c2])
+    stretch = ((constrained.ravel()[owner, None] * 2 / h * E) @ slopes).reshape(-1, 3, 3)
+    shear = ((shearing.ravel()[owner, None] * h / 2 * E) @ values).reshape(-1, 3, 3)
+    first: Flags = (number == 0) & (owner % len(layers) == 0)
+    return ends, first, stretch, shear
+
+
+def _two_point_minimum(K: Array, first: Flags) -> Array:
+    """Return psi at the nodes of elements (e, 3) such that each column has least energy, 1 at its top, 0 at its base.
+
+    The middle nodes are condensed; what is left of each column is a chain of springs. The chains stand one after the
+    other in one banded matrix.
+    """
+    from scipy.linalg import solveh_banded
+
+    keep, middle = [0, 2], 1
+    to_middle = K[:, keep, middle]
+    C = K[:, keep][:, :, keep] - to_middle[:, :, None] * to_middle[:, None] / K[:, middle, middle, None, None]
+    above = np.flatnonzero(~np.append(first[1:], True))  # elements with another one of their column below them
+    diagonal = C[above, 1, 1] + C[above + 1, 0, 0]
+    upper = np.where(first[above], 0.0, C[above, 0, 1])
+    load = np.where(first[above], -C[above, 1, 0], 0.0)
+    inner = solveh_banded(np.stack([upper, diagonal]), load)
+    psi = np.zeros((len(K), 3))
+    psi[first, 0] = 1.0
+    psi[above, 2] = psi[above + 1, 0] = inner
+    psi[:, 1] = -(K[:, 1, 0] * psi[:, 0] + K[:, 1, 2] * psi[:, 2]) / K[:, 1, 1]
+    return psi
+
+
+@dataclass(frozen=True, slots=True)
+class Soil:
+    """Soil whose k0 and k1 follow from gamma: one sinh mode, a profile's own mode, or interface layers.
+
+    Where the soil varies over the plan its layers hold c columns, and gamma is their mean, weighted by the plate's area
+    on each: a settlement has one decay, from which each column has its own gamma. A given gamma is that of
+    every column. See docs/theory.md, ground that varies over the plan.
+    """
+
+    layers: tuple[Layer, ...]
+    way: Literal["sinh", "profile", "interface"]
+    as_printed: bool = False
+    gamma: float | None = None  # given; None if it is to be found from the settlement
+    parts: Parts | None = None  # which columns the elements have; None if all have the one
+    share: Array | None = None  # (c,): the part of the plate's area on each column
+
+    @property
+    def depth(self) -> Values:
+        """Return the depth of the rigid base [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    @property
+    def _ratio(self) -> Values:
+        """Return G / Ec = (1 - 2 nu) / 2(1 - nu), the mean over the depth."""
+        return sum(layer.thickness * layer.shear / layer.constrained for layer in self.layers) / self.depth
+
+    def gamma_of(self, decay2: float) -> float:
+        """Return gamma (2.23) for decay2 = int |grad w|^2 / int w^2 [1/m2]."""
+        gammas = self.depth * np.sqrt(self._ratio * decay2)
+        return float(gammas if self.share is None else self.share @ gammas)
+
+    def gammas(self, gamma: float) -> Values:
+        """Return the gamma of each column (c,) where the soil varies."""
+        if self.share is None:
+            return gamma
+        if self.gamma is not None:
+            return np.full(len(self.share), gamma)
+        lengths = self.depth * np.sqrt(self._ratio)
+        return gamma * (lengths / (self.share @ lengths))
+
+    def layer_parameters(self, gamma: float) -> tuple[Array, Array]:
+        """Return k0 [Pa/m] and k1 [Pa m], (L,) with one of each layer of an interface stack, else one; or (c, L)."""
+        gammas = self.gammas(gamma)
+        if self.way == "profile":
+            decay2 = gammas**2 / (self.depth**2 * self._ratio)
+            if self.parts is not None:
+                k0, k1 = profiles(self.layers, np.asarray(decay2))
+                return k0[:, None], k1[:, None]
+            mode = profile(self.layers, float(decay2))
+            return np.array([mode.k0]), np.array([mode.k1])
+        formula = parameters_as_printed if self.as_printed else parameters
+        pairs = [formula(layer, gammas) for layer in self.layers]
+        k0, k1 = (np.stack(values, axis=-1) for values in zip(*pairs, strict=True))
+        right = (k0 > 0) & (k1 >= 0) & np.isfinite(k1)
+        if not right.all():
+            worst = np.atleast_2d(right).all(axis=1).argmin()
+            k0, k1 = np.atleast_2d(k0)[worst], np.atleast_2d(k1)[worst]
+            gamma = float(np.ravel(gammas)[worst if np.ndim(gammas) else 0])
+            got = f'"as printed", which gives k0 = {k0} Pa/m and k1 = {k1} Pa m at gamma = {gamma:.4g}'
+            raise InputError([Fault("ground.formulas", got, "formulas without misprints", 'use formulas = "exact"')])
+        return k0, k1
+
+    def mode(self, gamma: float, points: int = 60) -> Mode | None:
+        """Return the mode of soil that is the same everywhere; None for interface layers, each of which has its own."""
+        if self.way == "interface":
+            return None
+        if self.way == "profile":
+            return profile(self.layers, (gamma / self.gamma_of(1.0)) ** 2, points)
+        k0, k1 = self.layer_parameters(gamma)
+        s = np.linspace(0.0, 1.0, points + 1)
+        return Mode(s * self.depth, sinh_mode(s, gamma), float(k0[0]), float(k1[0]))
+
+    def column(self, gamma: float) -> Column:
+        """Return the column of the ground for a gamma, by element where the soil varies."""
+        k0, k1 = self.layer_parameters(gamma)
+        found = interface_stack(k0, k1) if self.way == "interface" else single(k0[..., 0], k1[..., 0])
+        return found if self.parts is None else found.mixed(self.parts)

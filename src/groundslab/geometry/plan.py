@@ -1,0 +1,313 @@
+"""A plate of any shape in plan: closed curves of straight edges and arcs, with places in them.
+
+Places are (x, y) in metres. A plan's extent is the longer side of the rectangle around all that is drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+Place = tuple[float, float]
+
+#: Places closer than this, relative to the extent, are one.
+SAME_PLACE = 1e-9
+#: Arcs are replaced by chords that are at most this far off, relative to the extent, to see what lies inside what.
+FLAT = 1e-6
+#: However small an arc is, its chords turn by no more than this, so that it looks round [rad].
+ROUND = math.radians(4.0)
+#: A loaded area has its arcs replaced by chords of this angle [rad] at most, ARC_CHORDS of them at least.
+ARC_STEP = 2 * math.pi / 512
+ARC_CHORDS = 8
+#: Arcs are cut into this many chords at most, which are off by 3e-9 of the radius of a quarter circle.
+MOST_CHORDS = 10_000
+#: Section of a place that is not meshed at all; see `sections`.
+NOTHING = -2
+#: Section of a place where ground lies and no plate.
+GROUND = -1
+
+
+@dataclass(frozen=True)
+class Segment:
+    """One edge of a curve: straight (radius 0), or an arc about a centre, from an angle over a signed sweep [rad]."""
+
+    start: Place
+    end: Place
+    centre: Place = (0.0, 0.0)
+    radius: float = 0.0
+    angle: float = 0.0
+    sweep: float = 0.0
+
+    @property
+    def straight(self) -> bool:
+        """Return whether the edge is straight."""
+        return self.radius == 0.0
+
+    @property
+    def length(self) -> float:
+        """Return the length along the edge [m]."""
+        return math.dist(self.start, self.end) if self.straight else self.radius * abs(self.sweep)
+
+    def at(self, part: Array) -> Array:
+        """Return the places (p, 2) after parts (p,) of the edge, from 0 to 1."""
+        places: Array
+        if self.straight:
+            start, end = np.array(self.start), np.array(self.end)
+            places = start + part[:, None] * (end - start)
+        else:
+            angle = self.angle + part * self.sweep
+            places = np.array(self.centre) + self.radius * np.column_stack([np.cos(angle), np.sin(angle)])
+        places[part == 0], places[part == 1] = self.start, self.end
+        return places
+
+    def direction(self, part: float) -> float:
+        """Return the angle [rad] of the direction of travel after a part of the edge."""
+        if self.straight:
+            return math.atan2(self.end[1] - self.start[1], self.end[0] - self.start[0])
+        return self.angle + part * self.sweep + math.copysign(math.pi / 2, self.sweep)
+
+    def part(self, place: Place) -> float:
+        """Return after which part of the edge a place on it comes."""
+        if self.straight:
+            return math.dist(self.start, place) / self.length
+        angle = math.atan2(place[1] - self.centre[1], place[0] - self.centre[0])
+        turn = (angle - self.angle) * math.copysign(1.0, self.sweep)
+        return (turn % (2 * math.pi)) / abs(self.sweep)
+
+    def distance(self, places: Array) -> Array:
+        """Return the distances (p,) [m] of places (p, 2) from the edge."""
+        result: Array
+        start, end = np.array(self.start), np.array(self.end)
+        if self.straight:
+            along = end - start
+            part = np.clip((places - start) @ along / (along @ along or 1.0), 0.0, 1.0)
+            result = np.linalg.norm(places - start - part[:, None] * along, axis=1)
+            return result
+        offset = places - np.array(self.centre)
+        turn = (np.arctan2(offset[:, 1], offset[:, 0]) - self.angle) * math.copysign(1.0, self.sweep)
+        beside = np.abs(np.linalg.norm(offset, axis=1) - self.radius)
+        ends = np.minimum(np.linalg.norm(places - start, axis=1), np.linalg.norm(places - end, axis=1))
+        result = np.where(np.mod(turn, 2 * math.pi) <= abs(self.sweep), beside, ends)
+        return result
+
+    def chords(self, tolerance: float) -> int:
+        """Return into how many chords the edge must be cut for them to be at most a tolerance [m] off it.
+
+        No more than MOST_CHORDS, however large the arc is beside the tolerance.
+        """
+        if self.straight or tolerance >= self.radius:
+            return 1 if self.straight else max(2, math.ceil(abs(self.sweep) / 2))
+        # half the angle of a chord is acos(1 - tolerance / radius), here so that small ones keep their digits
+        half = 2 * math.asin(math.sqrt(tolerance / self.radius / 2))
+        return max(1, math.ceil(min(abs(self.sweep) / (2 * half), MOST_CHORDS)))
+
+
+def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
+    """Return the edge between two places; the bulge is the tangent of a quarter of the arc's angle.
+
+    An arc that rises by less than half of FLAT over its chord is straight: rounding of its far centre would show.
+    """
+    if abs(bulge) < FLAT:
+        return Segment(start, end)
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    offset = (1 - bulge * bulge) / (4 * bulge)
+    centre = (start[0] + end[0]) / 2 - dy * offset, (start[1] + end[1]) / 2 + dx * offset
+    angle = math.atan2(start[1] - centre[1], start[0] - centre[0])
+    return Segment(start, end, centre, math.dist(start, centre), angle, 4 * math.atan(bulge))
+
+
+@dataclass(frozen=True)
+class Ring:
+    """A closed curve through points; bulge i belongs to the edge from point i to the next, as in DXF.
+
+    A bulge is the tangent of a quarter of the arc's angle: positive if the arc runs counter-clockwise, 0 or missing for
+    a straight edge. The last point is joined to the first, which is not repeated.
+    """
+
+    points: tuple[Place, ...]
+    bulges: tuple[float, ...] = ()
+
+    def segments(self) -> tuple[Segment, ...]:
+        """Return the edges, the first one starting at the first point."""
+        bulges = self.bulges + (0.0,) * (len(self.points) - len(self.bulges))
+        after = self.points[1:] + self.points[:1]
+        return tuple(map(segment, self.points, after, bulges))
+
+    def flat(self, tolerance: float) -> Array:
+        """Return places (p, 2) along the curve, not closed; chords between them are at most a tolerance [m] off it."""
+        parts = []
+        for edge in self.segments():
+            n = edge.chords(tolerance)
+            if tolerance < math.inf:
+                n = max(n, math.ceil(abs(edge.sweep) / ROUND))
+            parts.append(edge.at(np.arange(n) / n))
+        return np.concatenate(parts)
+
+    def polygon(self, tolerance: float) -> Polygon:
+        """Return the polygon inside, its arcs replaced by chords that are at most a tolerance [m] off."""
+        import shapely
+
+        return shapely.Polygon(self.flat(tolerance))
+
+    @property
+    def area(self) -> float:
+        """Return the area inside [m2], exact with arcs too."""
+        x0, y0 = self.points[0]
+        double = 0.0
+        for edge in self.segments():
+            (x, y), (u, v) = edge.start, edge.end
+            double += (x - x0) * (v - y0) - (u - x0) * (y - y0)
+            double += edge.radius**2 * (edge.sweep - math.sin(edge.sweep))
+        return abs(double) / 2
+
+    @property
+    def straight(self) -> bool:
+        """Return whether no edge is an arc."""
+        return all(abs(bulge) < FLAT for bulge in self.bulges)
+
+    @property
+    def rectilinear(self) -> bool:
+        """Return whether all edges run along x or y."""
+        return self.straight and all(_along_an_axis(edge.start, edge.end) for edge in self.segments())
+
+
+def circle(centre: Place, radius: float) -> Ring:
+    """Return a circle as four quarter arcs."""
+    x, y = centre
+    points = ((x + radius, y), (x, y + radius), (x - radius, y), (x, y - radius))
+    return Ring(points, (math.tan(math.pi / 8),) * 4)
+
+
+def rectangle(x0: float, x1: float, y0: float, y1: float) -> Ring:
+    """Return the rectangle x0 .. x1, y0 .. y1."""
+    return Ring(((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A plate in plan, what is cut out of it, what differs in it, and where nodes must lie.
+
+    A zone is a ring and its section, a number from 1; section 0 is the rest of the plate. Where zones overlap, the last
+    one counts; what reaches over the plate's edge is cut off. `beyond` is the outer edge of the meshed ground, which
+    then lies under the openings too; without it nothing but the plate is meshed. Points and lines are places of
+    supports, columns and walls. Borders are further curves that the mesh follows wherever something is meshed: those of
+    soil zones and voids.
+    """
+
+    outline: Ring
+    openings: tuple[Ring, ...] = ()
+    zones: tuple[tuple[Ring, int], ...] = ()
+    beyond: Ring | None = None
+    points: tuple[Place, ...] = ()
+    lines: tuple[tuple[Place, ...], ...] = ()
+    borders: tuple[Ring, ...] = ()
+
+    def rings(self) -> dict[str, Ring]:
+        """Return all rings by the names that faults give them."""
+        named = {"plate.outline": self.outline}
+        named |= {f"plate.openings[{i}]": ring for i, ring in enumerate(self.openings, start=1)}
+        named |= {f"plate.zones[{i}]": ring for i, (ring, _) in enumerate(self.zones, start=1)}
+        named |= {} if self.beyond is None else {"beyond": self.beyond}
+        return named | {f"borders[{i}]": ring for i, ring in enumerate(self.borders, start=1)}
+
+    def edges_on_ground(self) -> tuple[Ring, ...]:
+        """Return the plate's outline and its openings if ground is meshed beyond them, else nothing."""
+        return () if self.beyond is None else (self.outline, *self.openings)
+
+    def line_segments(self) -> list[Segment]:
+        """Return the straight pieces of all lines."""
+        return [Segment(a, b) for line in self.lines for a, b in pairwise(line)]
+
+    @cached_property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the rectangle x0, y0, x1, y1 around all rings but the borders, which may reach far beyond."""
+        rings = (self.outline, *self.openings, *(ring for ring, _ in self.zones), *filter(None, [self.beyond]))
+        places = np.concatenate([ring.flat(math.inf) for ring in rings])
+        low, high = places.min(axis=0), places.max(axis=0)
+        return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+    @property
+    def extent(self) -> float:
+        """Return the longer side of that rectangle [m]."""
+        x0, y0, x1, y1 = self.bounds
+        return max(x1 - x0, y1 - y0)
+
+    @property
+    def rectilinear(self) -> bool:
+        """Return whether everything runs along x or y, so that a grid can be fitted to it."""
+        lines = all(_along_an_axis(edge.start, edge.end) for edge in self.line_segments())
+        return lines and all(ring.rectilinear for ring in self.rings().values())
+
+    @property
+    def domain(self) -> Ring:
+        """Return the outer edge of all that is meshed, openings in the plate left aside."""
+        return self.outline if self.beyond is None else self.beyond
+
+    @property
+    def area(self) -> float:
+        """Return the plate's area [m2], openings taken off."""
+        return self.outline.area - sum(ring.area for ring in self.openings)
+
+
+def sections(plan: Plan, places: Array) -> Integers:
+    """Return the section at each place (p, 2): GROUND where there is ground only, NOTHING where nothing is meshed."""
+    import shapely
+
+    def inside(ring: Ring) -> Flags:
+        return np.asarray(shapely.contains_xy(ring.polygon(FLAT * plan.extent), places[:, 0], places[:, 1]), dtype=bool)
+
+    section = np.full(len(places), NOTHING, dtype=np.int64)
+    if plan.beyond is not None:
+        section[inside(plan.beyond)] = GROUND
+    empty = section.copy()
+    section[inside(plan.outline)] = 0
+    for ring, number in plan.zones:
+        section[inside(ring) & (section >= 0)] = number
+    for ring in plan.openings:
+        cut = inside(ring)
+        section[cut] = empty[cut]
+    return section
+
+
+def loaded_polygon(ring: Ring) -> Polygon:
+    """Return the polygon inside a ring, its arcs replaced by chords that enclose the same area.
+
+    The points between the ends of an arc lie a little off it, all as far: a uniform pressure keeps its force.
+    """
+    import shapely
+
+    return shapely.Polygon(np.concatenate([_equal_area_points(edge)[:-1] for edge in ring.segments()]))
+
+
+def _equal_area_points(edge: Segment) -> Array:
+    """Return places (p, 2) from start to end of an edge, the area below their chords being that below the arc."""
+    if edge.straight:
+        return np.array([edge.start, edge.end])
+    n = max(ARC_CHORDS, math.ceil(abs(edge.sweep) / ARC_STEP))
+    step = abs(edge.sweep) / n
+    places = edge.at(np.arange(n + 1) / n)
+    # triangles with the centre: r and c r span the first and the last of them, c r and c r the n - 2 between; with
+    # n step / sin(step) for the sectors' area, (n - 2) c^2 + 2 c equals it
+    c = (math.sqrt(1 + (n - 2) * n * step / math.sin(step)) - 1) / (n - 2)
+    centre = np.array(edge.centre)
+    places[1:-1] = centre + c * (places[1:-1] - centre)
+    return places
+
+
+def at(place: Place) -> str:
+    """Return a place as faults name it."""
+    return f"({place[0]:.6g}, {place[1]:.6g})"
+
+
+def _along_an_axis(start: Place, end: Place) -> bool:
+    return start[0] == end[0] or start[1] == end[1]

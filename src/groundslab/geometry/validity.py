@@ -1,0 +1,278 @@
+"""What keeps a plan from being meshed: curves that cross, parts too close or too sharp, each with its place."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.errors import Fault
+from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, at
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+#: Edges shorter than this, relative to the extent, have no length.
+NO_LENGTH = 1e-6
+#: What is closer than this, relative to the extent, without touching leaves a strip too narrow to mesh.
+TOO_CLOSE = 1e-3
+#: Edges of different curves that come together more often than this leave nothing of a plate to be meshed.
+MOST_MEETINGS = 50_000
+#: Two edges that meet at less than this angle [rad] leave a corner too sharp to mesh.
+TOO_SHARP = math.radians(5)
+
+
+def faults(plan: Plan) -> list[Fault]:
+    """Return everything that keeps a plan from being meshed, each with its place."""
+    found = list(_number_faults(plan))
+    if found:
+        return found
+    rings = plan.rings()
+    for name, ring in rings.items():
+        found += _ring_faults(name, ring, plan.extent)
+    found += _line_faults(plan)
+    if found:
+        return found
+    flat = {name: ring.polygon(FLAT * plan.extent) for name, ring in rings.items()}
+    found += _opening_faults(plan, flat)
+    found += _zone_faults(plan, flat)
+    if not found:
+        found += _place_faults(plan, flat)
+        found += _near_misses(plan)
+        found += _grazes(plan)
+    return found
+
+
+def _number_faults(plan: Plan) -> Iterator[Fault]:
+    """Yield what is not a number or too few of them: nothing else can be looked at then."""
+    for name, ring in plan.rings().items():
+        least = 3 if ring.straight else 2
+        if len(ring.points) < least:
+            wanted = "at least 3, or 2 where an edge is an arc"
+            yield Fault(name, f"{len(ring.points)} points", wanted, "a closed curve needs them")
+        if len(ring.bulges) > len(ring.points):
+            yield Fault(name, f"{len(ring.bulges)} bulges", "at most one for each point", "leave the rest out")
+        if not np.isfinite([value for point in ring.points for value in point] + list(ring.bulges)).all():
+            yield Fault(name, "a coordinate or bulge that is not finite", "numbers")
+    for i, (_, number) in enumerate(plan.zones, start=1):
+        if number < 1:
+            yield Fault(f"plate.zones[{i}]", f"section {number}", "a number from 1", "0 is the plate's own section")
+    for i, point in enumerate(plan.points, start=1):
+        if not np.isfinite(point).all():
+            yield Fault(f"plate.points[{i}]", "a coordinate that is not finite", "numbers")
+    for i, line in enumerate(plan.lines, start=1):
+        if len(line) < 2 or not np.isfinite(line).all():
+            yield Fault(f"plate.lines[{i}]", "no line", "at least 2 points with finite coordinates")
+
+
+def _ring_faults(name: str, ring: Ring, extent: float) -> Iterator[Fault]:
+    """Yield what is wrong with one ring by itself."""
+    import shapely
+
+    edges = ring.segments()
+    short = [edge for edge in edges if edge.length <= NO_LENGTH * extent]
+    for edge in short:
+        yield Fault(
+            name, f"an edge without length at {at(edge.start)}", "points apart from each other", "leave one out"
+        )
+    if short:
+        return
+    polygon = ring.polygon(FLAT * extent)
+    if not polygon.is_valid:
+        said = re.search(r"\[(\S+) (\S+)\]", shapely.is_valid_reason(polygon))
+        place = f" at {at((float(said[1]), float(said[2])))}" if said else ""
+        yield Fault(name, f"a curve that crosses or touches itself{place}", "one that does not", "move a point")
+        return
+    for before, after in zip(edges, edges[1:] + edges[:1], strict=True):
+        turn = (after.direction(0.0) - before.direction(1.0)) % (2 * math.pi)
+        angle = abs(math.pi - turn)
+        if angle < TOO_SHARP:
+            yield Fault(
+                name,
+                f"an angle of {math.degrees(angle):.2g} degrees at {at(after.start)}",
+                f"at least {math.degrees(TOO_SHARP):.0f} degrees",
+                "cut the corner off",
+            )
+
+
+def _line_faults(plan: Plan) -> Iterator[Fault]:
+    for i, line in enumerate(plan.lines, start=1):
+        for a, b in pairwise(line):
+            if math.dist(a, b) <= NO_LENGTH * plan.extent:
+                yield Fault(f"plate.lines[{i}]", f"a piece without length at {at(a)}", "points apart from each other")
+
+
+def _meeting(a: Polygon, b: Polygon) -> str:
+    """Return where the edges of two polygons meet."""
+    place = a.boundary.intersection(b.boundary)
+    point = place if place.geom_type == "Point" else place.representative_point()
+    return at((point.x, point.y))
+
+
+def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
+    import shapely
+
+    outline = flat["plate.outline"]
+    near = TOO_CLOSE * plan.extent
+    names = [name for name in flat if name.startswith("plate.openings")]
+    mend = "to cut into the plate's edge, draw the outline so"
+    polygons = _openings(flat)
+    beside: dict[int, list[int]] = {}
+    for i, k in shapely.STRtree(polygons).query(polygons, predicate="dwithin", distance=near).T.tolist():
+        if k < i:
+            beside.setdefault(i, []).append(k)
+    for i, name in enumerate(names):
+        own = flat[name]
+        if not outline.intersects(own) or outline.touches(own):
+            yield Fault(name, "an opening outside the plate", "one inside", "move it or leave it out")
+        elif outline.boundary.intersects(own.boundary):
+            got = f"an opening that touches or crosses the plate's edge at {_meeting(own, outline)}"
+            yield Fault(name, got, "one inside the plate", mend)
+        elif own.contains(outline):
+            yield Fault(name, "an opening around the plate", "one inside the plate")
+        elif (gap := outline.boundary.distance(own)) < near:
+            where = shapely.shortest_line(own, outline.boundary).coords[0]
+            yield _strip(name, "plate.outline", where, gap, near)
+        for other in (names[k] for k in sorted(beside.get(i, []))):
+            if own.intersects(flat[other]):
+                inside = own.contains(flat[other]) or flat[other].contains(own)
+                place = "inside the other" if inside else f"at {_meeting(own, flat[other])}"
+                got = f"an opening that meets {other}, {place}"
+                yield Fault(name, got, "openings apart from each other", "draw them as one")
+            elif (gap := own.distance(flat[other])) < near:
+                yield _strip(name, other, shapely.shortest_line(own, flat[other]).coords[0], gap, near)
+
+
+def _strip(name: str, other: str, place: Place, gap: float, near: float) -> Fault:
+    got = f"{gap:.3g} m between it and {other} at {at(place)}"
+    return Fault(name, got, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
+
+
+def _openings(flat: dict[str, Polygon]) -> Any:
+    """Return the openings as shapely takes several, none too."""
+    return np.array([polygon for name, polygon in flat.items() if name.startswith("plate.openings")], dtype=object)
+
+
+def _zone_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
+    """Yield zones off the plate, and ground that does not reach all round it."""
+    import shapely
+
+    outline = flat["plate.outline"]
+    plate = outline.difference(shapely.union_all(_openings(flat)))
+    for name, polygon in flat.items():
+        if name.startswith("plate.zones") and plate.intersection(polygon).area <= (SAME_PLACE * plan.extent) ** 2:
+            yield Fault(name, "a zone that covers nothing of the plate", "one on the plate", "move it or leave it out")
+    if "beyond" in flat:
+        left = outline.difference(flat["beyond"].buffer(2 * FLAT * plan.extent))
+        if not left.is_empty:
+            place = left.representative_point()
+            got = f"an edge that leaves out the plate at {at((place.x, place.y))}"
+            yield Fault("beyond", got, "one around the plate", "the ground must lie under all of the plate")
+
+
+def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
+    """Yield points and lines that are not on the plate."""
+    import shapely
+
+    if not (plan.points or plan.lines):
+        return
+    inner = shapely.union_all(shapely.buffer(_openings(flat), -2 * FLAT * plan.extent))
+    plate = flat["plate.outline"].buffer(2 * FLAT * plan.extent).difference(inner)
+    shapely.prepare(plate)
+    for i, point in enumerate(plan.points, start=1):
+        if not plate.covers(shapely.Point(point)):
+            yield Fault(f"plate.points[{i}]", f"a point off the plate at {at(point)}", "one on the plate")
+    for i, line in enumerate(plan.lines, start=1):
+        left = shapely.LineString(line).difference(plate)
+        if not left.is_empty:
+            place = left.representative_point()
+            got = f"a line that leaves the plate at {at((place.x, place.y))}"
+            yield Fault(f"plate.lines[{i}]", got, "one on the plate", "end it at the edge")
+
+
+def _near_misses(plan: Plan) -> Iterator[Fault]:
+    """Yield points, and corners of zones and lines, that lie beside an edge or point, neither on it nor clear of it."""
+    import shapely
+
+    edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]
+    edges += [
+        (f"plate.lines[{i}]", Segment(a, b)) for i, line in enumerate(plan.lines, start=1) for a, b in pairwise(line)
+    ]
+    edges += [(f"plate.points[{i}]", Segment(p, p)) for i, p in enumerate(plan.points, start=1)]
+    corners = [(name, p) for name, ring in plan.rings().items() for p in ring.points]
+    corners += [(f"plate.lines[{i}]", p) for i, line in enumerate(plan.lines, start=1) for p in line]
+    corners += [(f"plate.points[{i}]", p) for i, p in enumerate(plan.points, start=1)]
+    names = np.array([name for name, _ in corners])
+    places = np.array([place for _, place in corners])
+    # what of a zone lies outside the plate is cut off, and meets nothing; nor does a border where nothing is meshed
+    counts = np.ones(len(places), dtype=bool)
+    for kind, within in (("plate.zones", plan.outline), ("borders", plan.domain)):
+        own = np.char.startswith(names, kind)
+        reach = within.polygon(FLAT * plan.extent).buffer(2 * FLAT * plan.extent)
+        counts[own] = shapely.intersects_xy(reach, *places[own].T)
+    near = TOO_CLOSE * plan.extent
+    seen: set[tuple[str, str]] = set()
+    for i, k_near in _places_near(plan, [edge for _, edge in edges], places, near):
+        name, edge = edges[i]
+        k_near = k_near[counts[k_near] & (names[k_near] != name)]
+        distance = np.zeros(len(places))
+        distance[k_near] = edge.distance(places[k_near])
+        for k in k_near[(distance[k_near] > SAME_PLACE * plan.extent) & (distance[k_near] < near)]:
+            pair = min(name, str(names[k])), max(name, str(names[k]))
+            if pair not in seen:
+                seen.add(pair)
+                yield _strip(str(names[k]), name, (places[k, 0], places[k, 1]), float(distance[k]), near)
+
+
+def _places_near(plan: Plan, edges: list[Segment], places: Array, near: float) -> Iterator[tuple[int, Integers]]:
+    """Yield of each edge that has places (p, 2) nearer than so far [m] its number and theirs, ascending."""
+    import shapely
+
+    off = FLAT * plan.extent
+    flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(off) + 1))) for edge in edges]
+    found = shapely.STRtree(shapely.points(places)).query(flat, predicate="dwithin", distance=near + off)
+    found = found[:, np.lexsort(found[::-1])]
+    begins = np.flatnonzero(np.diff(found[0], prepend=-1))
+    for one, many in zip(found[0, begins], np.split(found[1], begins[1:]), strict=False):
+        yield int(one), many
+
+
+def _grazes(plan: Plan) -> Iterator[Fault]:
+    """Yield edges of different curves that part so slowly from where they meet that nothing fits between them."""
+    import shapely
+
+    edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]
+    lines = [f"plate.lines[{i}]" for i, line in enumerate(plan.lines, start=1) for _ in line[1:]]
+    edges += list(zip(lines, plan.line_segments(), strict=True))
+    same, step = 2 * FLAT * plan.extent, 10 * TOO_CLOSE * plan.extent
+    flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(same / 2) + 1))) for _, edge in edges]
+    seen: set[tuple[str, str]] = set()
+    curve = np.unique([name for name, _ in edges], return_inverse=True)[1]
+    # boxes first, as there may be very many of them
+    boxes = shapely.box(*(shapely.bounds(flat) + same * np.array([-1, -1, 1, 1])).T)
+    meetings = shapely.STRtree(boxes).query(boxes)
+    meetings = meetings[:, (curve[meetings[0]] != curve[meetings[1]]) & (meetings[0] < meetings[1])]
+    if meetings.shape[1] <= MOST_MEETINGS:
+        meetings = meetings[:, shapely.dwithin(np.array(flat)[meetings[0]], np.array(flat)[meetings[1]], same)]
+    else:
+        got = f"{meetings.shape[1]:,} places where edges of openings, zones and supports come together"
+        yield Fault("plate.outline", got, f"at most {MOST_MEETINGS:,}", "draw what overlaps as one")
+        return
+    meetings = np.hstack([meetings, meetings[::-1]])
+    for i, j in meetings.T.tolist():
+        (name, one), (other, two) = edges[i], edges[j]
+        pair = min(name, other), max(name, other)
+        if pair in seen:
+            continue
+        place = shapely.shortest_line(flat[i], flat[j]).coords[0]
+        parts = one.part(place) + np.array([-1, 1]) * step / one.length
+        away = two.distance(one.at(parts[(parts >= 0) & (parts <= 1)]))
+        if ((away > same) & (away < step * math.sin(TOO_SHARP))).any():
+            seen.add(pair)
+            got = f"an edge that parts from {other} at {at(place)} at less than {math.degrees(TOO_SHARP):.0f} degrees"
+            yield Fault(name, got, "a larger angle, or the same edge", "so narrow a wedge cannot be meshed")

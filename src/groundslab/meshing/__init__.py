@@ -1,0 +1,97 @@
+"""Nine-node meshes of plans: grids where everything runs along x and y, else quadrilaterals from Gmsh or Netgen.
+
+They are asked for a mesh of twice the wanted size, whose triangles and quadrilaterals are then cut into smaller
+quadrilaterals here. Nodes on arcs, midside nodes too, are put exactly on them.
+"""
+
+from __future__ import annotations
+
+from groundslab.errors import Fault, InputError
+from groundslab.geometry.plan import Plan, sections
+from groundslab.meshing.backends import Maker, available, choose, with_gmsh, with_netgen
+from groundslab.meshing.cells import Cells
+from groundslab.meshing.grid import rectilinear
+from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finished
+from groundslab.meshing.quadrangulation import all_quadrilaterals, mend, nine_nodes, smoothed, without_flat_corners
+from groundslab.meshing.quality import Quality, quality
+from groundslab.meshing.sizing import along_edges, both, doubling, sources
+
+__all__ = [
+    "Maker",
+    "PlanMesh",
+    "Quality",
+    "available",
+    "choose",
+    "mesh",
+    "quality",
+    "rectilinear",
+    "sources",
+    "unstructured",
+    "with_gmsh",
+    "with_netgen",
+]
+
+#: A mesh whose least scaled Jacobian exceeds this is good; else the next one that the maker has is looked at.
+ENOUGH = 0.35
+#: Such a next mesh takes the place of the one before if its least scaled Jacobian is larger by this.
+CLEARLY = 0.05
+
+
+def mesh(
+    plan: Plan,
+    size: float,
+    beyond_growth: float | None = None,
+    maker: Maker | None = None,
+    edge_size: float | None = None,
+) -> PlanMesh:
+    """Return a mesh with sides of at most about `size` [m], smaller where the plan asks for it.
+
+    On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
+    the plate's longer side). Along the plate's edges on this ground, on both sides, they are at most `edge_size` [m]
+    (default: `size`). Where a grid does not fit, `maker` makes the cells (default: what `choose` returns).
+    """
+    if plan.rectilinear:
+        return rectilinear(plan, size, beyond_growth, edge_size)
+    return unstructured(plan, size, beyond_growth, maker, edge_size)
+
+
+def unstructured(
+    plan: Plan,
+    size: float,
+    beyond_growth: float | None = None,
+    maker: Maker | None = None,
+    edge_size: float | None = None,
+) -> PlanMesh:
+    """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
+    check(plan, size)
+    scale = doubling(plan, beyond_growth)
+    make = choose() if maker is None else maker
+    best = None
+    refused = InputError([Fault("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
+    smaller = sources(plan, size)
+    if edge_size is not None and edge_size < size * (1 - 1e-9):
+        smaller = both(smaller, along_edges(plan, edge_size))
+    for cells in make(plan, size, smaller, scale):
+        try:
+            result = _quadrilaterals(plan, cells)
+        except InputError as error:
+            refused = error
+            continue
+        if best is None or result.quality.worst > best.quality.worst + CLEARLY:
+            best = result
+        if best.quality.worst > ENOUGH:
+            break
+    if best is None:
+        raise refused
+    return best
+
+
+def _quadrilaterals(plan: Plan, cells: Cells) -> PlanMesh:
+    """Return cells cut into good nine-node quadrilaterals, or say that there are bad ones."""
+    nodes, quadrilaterals, drawn = all_quadrilaterals(without_flat_corners(cells))
+    nodes = smoothed(nodes, quadrilaterals, drawn)
+    mend(nodes, quadrilaterals, drawn)
+    nodes, elements = nine_nodes(nodes, quadrilaterals, drawn)
+    result = finished(nodes, elements, sections(plan, nodes[elements[:, 8]]))
+    check_area(plan, result)
+    return result

@@ -1,0 +1,93 @@
+"""Grids on plans in which everything runs along x and y."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.errors import Fault, InputError
+from groundslab.fem.mesh import GRADING, graded, graded_towards, grid, intervals
+from groundslab.geometry.plan import NOTHING, Plan, sections
+from groundslab.meshing.plan_mesh import MOST_ELEMENTS, PlanMesh, check, finished, too_many
+from groundslab.meshing.sizing import doubling
+
+#: Neighbouring intervals of a grid may differ by this factor before the longer one is graded.
+SIMILAR = 1.5
+
+
+def rectilinear(
+    plan: Plan, size: float, beyond_growth: float | None = None, edge_size: float | None = None
+) -> PlanMesh:
+    """Return a grid with lines through all corners and points of a plan in which everything runs along x or y."""
+    check(plan, size)
+    if not plan.rectilinear:
+        raise InputError([Fault("plan", "an oblique edge or an arc", "edges along x and y", "mesh it unstructured")])
+    scale = doubling(plan, beyond_growth)
+    corners = np.array([point for ring in plan.rings().values() for point in ring.points])
+    others = np.array([*plan.points, *(point for line in plan.lines for point in line)]).reshape(-1, 2)
+    outline = np.array(plan.outline.points)
+    domain = outline if plan.beyond is None else np.array(plan.beyond.points)
+    lines = []
+    for axis in (0, 1):
+        breaks = _apart(np.concatenate([corners[:, axis], others[:, axis]]), plan.extent)
+        low, high = domain[:, axis].min(), domain[:, axis].max()
+        plate = outline[:, axis].min(), outline[:, axis].max()
+        edges = [np.array(ring.points)[:, axis] for ring in plan.edges_on_ground()]
+        limit = graded_towards(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size)
+        lines.append(_divide(breaks[(breaks >= low) & (breaks <= high)], size, plate, scale, limit))
+    x, y = lines
+    if (len(x) - 1) * (len(y) - 1) > 4 * MOST_ELEMENTS:
+        raise InputError([too_many()])
+    whole = grid(x, y)
+    section = sections(plan, whole.nodes[whole.elements[:, 8]])
+    kept = section != NOTHING
+    return finished(whole.nodes, whole.elements[kept], section[kept])
+
+
+def _apart(values: Array, extent: float) -> Array:
+    """Return values ascending, of those that are one place only the first given: an edge before a support on it."""
+    ascending, given = np.unique(values, return_index=True)
+    place = np.concatenate([[0], np.cumsum(np.diff(ascending) > 1e-8 * extent)])
+    order = np.lexsort((given, place))
+    different: Array = ascending[order[np.unique(place[order], return_index=True)[1]]]
+    return different
+
+
+def _divide(
+    breaks: Array, size: float, plate: tuple[float, float], scale: float, limit: Callable[[Array], Array]
+) -> Array:
+    """Return lines through all breaks, at most `size` apart, further where d / scale says so at d from the plate.
+
+    Nowhere are they further apart than `limit` says.
+
+    Each interval is divided evenly at first; then those beside shorter ones are graded towards these.
+    """
+
+    def wanted(x: Array) -> Array:
+        beyond: Array = np.maximum(0.0, np.maximum(plate[0] - x, x - plate[1]))
+        return np.minimum(size * (1 + beyond / scale), limit(x))
+
+    spans = list(pairwise(breaks.tolist()))
+    even = []
+    for low, high in spans:
+        count = intervals(wanted, low, high)
+        even.append(count / math.ceil(count - 1e-9))
+    lows, highs = breaks[:-1], breaks[1:]
+    at_low, at_high = np.array(even) * wanted(lows), np.array(even) * wanted(highs)
+    lines = [breaks[:1]]
+    for i, (low, high) in enumerate(spans):
+
+        def wanted_here(x: Array, i: int = i) -> Array:
+            own = even[i] * wanted(x)
+            for k in range(len(spans)):
+                if k != i:
+                    near, side = (highs[k], at_high[k]) if k < i else (lows[k], at_low[k])
+                    own = np.minimum(own, SIMILAR * side + GRADING * np.abs(x - near))
+            return own
+
+        lines.append(graded(wanted_here, low, high))
+    return np.concatenate(lines)

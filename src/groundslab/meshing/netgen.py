@@ -1,0 +1,259 @@
+"""Netgen, where Gmsh is not to be had: cells of twice the wanted size from its advancing front.
+
+Netgen is given nothing but straight sides that share only their ends: the plan is cut into pieces here, and each piece
+into chords of the wanted length. So each node on an arc is on it to rounding.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.errors import Fault, InputError
+from groundslab.geometry.plan import FLAT, Place, Plan, Segment
+from groundslab.meshing.arrangement import Piece, pieces
+from groundslab.meshing.cells import Cells, Drawn, keys_of, onto, sides_of
+from groundslab.meshing.sizing import Sources, doubled
+
+#: Extent of what Netgen is given: it takes places 1e-6 of the extent apart for one.
+SCALED_EXTENT = 100.0
+#: Ways to ask Netgen, in turn until a mesh is good: for quadrilaterals or not, and how fast sizes may grow where it is
+#: told none (it is told them everywhere). Triangles alone are never bad, but become many elements of middling shape.
+WAYS = ((True, 1.0), (True, 0.3), (False, 0.5))
+#: Wanted sizes along an edge are looked up at this many places at least and at most.
+SAMPLES, MOST_SAMPLES = 401, 40001
+#: An arc is cut into chords that turn by no more than this [rad].
+CHORD_TURN = math.pi / 2
+#: How often chords that cross others are halved.
+HALVINGS = 8
+#: A point on no edge is held by two short sides through it: each of this part of the way to what is nearest.
+STUB = 0.4
+
+
+class Chords(NamedTuple):
+    """Straight sides that share only their ends, the piece that each stands for (-1: none), and what must be nodes."""
+
+    nodes: Array  # (n, 2)
+    ends: Integers  # (e, 2)
+    piece: Integers  # (e,)
+    points: Integers  # (p,)
+
+
+class Made(NamedTuple):
+    """What Netgen makes of chords."""
+
+    nodes: Array  # (n, 2)
+    triangles: Integers  # (t, 3)
+    quadrilaterals: Integers  # (q, 4)
+    sides: Integers  # (s, 2): on chords
+
+
+def load() -> Any:
+    """Return Netgen's modules for plane geometry and for meshing, or raise what keeps them from being loaded."""
+    import netgen.geom2d
+    import netgen.meshing
+
+    return netgen.geom2d, netgen.meshing
+
+
+def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
+    """Yield Netgen's meshes of twice the wanted sizes: mostly quadrilaterals with some triangles, at last triangles."""
+    wanted = doubled(plan, size, smaller, scale)
+    parts, points = pieces(plan)
+    chords = _chords(parts, points, wanted)
+    refused, made = _refused("no mesh"), False
+    for quadrilaterals, grading in WAYS:
+        try:
+            cells = _cells(plan, parts, chords, _meshed(plan, parts, chords, wanted, quadrilaterals, grading))
+        except InputError as error:
+            refused = error
+            continue
+        made = True
+        yield cells
+    if not made:
+        raise refused
+
+
+def _cells(plan: Plan, parts: list[Piece], chords: Chords, made: Made) -> Cells:
+    """Return what Netgen made, with all nodes on edges exactly there."""
+    nodes = made.nodes.copy()
+    number = _nearest(chords.nodes, nodes)
+    if not np.linalg.norm(nodes[number] - chords.nodes, axis=1).max() < FLAT * plan.extent:
+        raise _refused("a corner is not met by the mesh")
+    nodes[number] = chords.nodes
+    drawn = _drawn(parts, chords, nodes, number, made.sides)
+    keys = np.concatenate([sides_of(kind, len(nodes)).ravel() for kind in (made.triangles, made.quadrilaterals)])
+    if not np.isin(keys_of(drawn.ends, len(nodes)), keys).all():
+        raise _refused("an edge is not followed by the mesh")
+    return Cells(nodes, made.triangles, made.quadrilaterals, drawn)
+
+
+def _refused(said: object) -> InputError:
+    return InputError([Fault("plan", f"a plan that Netgen refuses ({said})", "one that can be meshed")])
+
+
+def _chords(parts: list[Piece], points: list[Place], wanted: Callable[[Array], Array]) -> Chords:
+    """Return chords of the wanted lengths on all pieces, and short sides through the points."""
+    counts = [_count(part.edge, wanted) for part in parts]
+    for _ in range(HALVINGS):
+        chords = _ends_of(parts, counts, wanted)
+        crossing = np.unique(chords.piece[_crossing(chords)])
+        if not len(crossing):
+            break
+        for k in crossing:
+            counts[k] *= 2
+    else:
+        raise _refused("edges too close to each other")
+    return _with_points(chords, points, wanted)
+
+
+def _count(edge: Segment, wanted: Callable[[Array], Array]) -> int:
+    """Return into how many chords an edge is cut."""
+    least = 1 if edge.straight else math.ceil(abs(edge.sweep) / CHORD_TURN - 1e-9)
+    return max(least, round(float(_sums(edge, wanted)[1][-1])))
+
+
+def _sums(edge: Segment, wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
+    """Return parts of an edge, and how many chords of the wanted lengths come before each."""
+    least = wanted(edge.at(np.linspace(0, 1, SAMPLES))).min()
+    part = np.linspace(0, 1, min(MOST_SAMPLES, SAMPLES + 4 * math.ceil(edge.length / least)))
+    density = edge.length / wanted(edge.at(part))
+    return part, np.concatenate([[0.0], np.cumsum(np.diff(part) * (density[1:] + density[:-1]) / 2)])
+
+
+def _ends_of(parts: list[Piece], counts: list[int], wanted: Callable[[Array], Array]) -> Chords:
+    """Return the chords of pieces, each cut into a number of them."""
+    number: dict[Place, int] = {}
+    places: list[Array] = []
+    ends, owner = [], []
+    for k, (part, n) in enumerate(zip(parts, counts, strict=True)):
+        edge = part.edge
+        for place in (edge.start, edge.end):
+            if place not in number:
+                number[place] = len(places)
+                places.append(np.array(place))
+        along, sums = _sums(edge, wanted)
+        inner = edge.at(np.interp(sums[-1] * np.arange(1, n) / n, sums, along))
+        row = [number[edge.start], *range(len(places), len(places) + n - 1), number[edge.end]]
+        places += list(inner)
+        ends += list(pairwise(row))
+        owner += [k] * n
+    return Chords(np.array(places), np.array(ends), np.array(owner), np.array(sorted(number.values())))
+
+
+def _crossing(chords: Chords) -> Integers:
+    """Return the chords that meet others elsewhere than at ends that both have."""
+    import shapely
+
+    lines = shapely.linestrings(chords.nodes[chords.ends])
+    one, two = shapely.STRtree(lines).query(lines, predicate="intersects")
+    one, two = one[one < two], two[one < two]
+    shared = (chords.ends[one][:, :, None] == chords.ends[two][:, None, :]).sum(axis=(1, 2))
+    apart = shapely.length(shapely.intersection(lines[one], lines[two])) > 0
+    wrong = (shared == 0) | (shared == 2) | ((shared == 1) & apart)
+    found: Integers = np.unique(np.concatenate([one[wrong], two[wrong]]))
+    return found
+
+
+def _with_points(chords: Chords, points: list[Place], wanted: Callable[[Array], Array]) -> Chords:
+    """Return chords with short sides added through points that lie on none: Netgen keeps no node without a side."""
+    import shapely
+
+    nodes, ends, held = [*chords.nodes], [*chords.ends], [*chords.points]
+    lines = shapely.multilinestrings(shapely.linestrings(chords.nodes[chords.ends]))
+    for place in np.array(points).reshape(-1, 2):
+        others = [shapely.Point(other) for other in points if math.dist(other, place) > 0]
+        free = min(shapely.Point(place).distance(other) for other in (lines, *others))
+        reach = min(float(wanted(place[None])[0]), STUB * free)
+        n = len(nodes)
+        nodes += list(place + reach * np.array([[0, 0], [-1, 0], [1, 0]]))
+        ends += [np.array([n, n + 1]), np.array([n, n + 2])]
+        held.append(n)
+    owner = np.concatenate([chords.piece, np.full(len(ends) - len(chords.ends), -1)])
+    return Chords(np.array(nodes), np.array(ends), owner, np.array(held))
+
+
+def _meshed(
+    plan: Plan,
+    parts: list[Piece],
+    chords: Chords,
+    wanted: Callable[[Array], Array],
+    quadrilaterals: bool,
+    grading: float,
+) -> Made:
+    """Return what Netgen makes of chords when asked in one way, in a plane of its own: centred and scaled."""
+    geom2d, meshing = load()
+    meshing.SetMessageImportance(0)
+    x0, y0, x1, y1 = plan.bounds
+    middle, scale = np.array([(x0 + x1) / 2, (y0 + y1) / 2]), SCALED_EXTENT / plan.extent
+    geometry = geom2d.SplineGeometry()
+    for x, y in ((chords.nodes - middle) * scale).tolist():
+        geometry.AppendPoint(x, y)
+    for (a, b), k in zip(chords.ends.tolist(), chords.piece.tolist(), strict=True):
+        left, right = (parts[k].left, parts[k].right) if k >= 0 else (True, True)
+        geometry.Append(["line", a, b], leftdomain=int(left), rightdomain=int(right))
+    places, sizes = _sampled(plan.bounds, wanted)
+    asked = meshing.MeshingParameters(maxh=float(sizes.max() * scale), quad_dominated=quadrilaterals, grading=grading)
+    for (x, y), h in zip(((places - middle) * scale).tolist(), (sizes * scale).tolist(), strict=True):
+        asked.RestrictH(x, y, 0.0, h)
+    try:
+        mesh = geometry.GenerateMesh(mp=asked)
+    except Exception as refused:
+        # Netgen knows no other exception; what it says is for people
+        raise _refused(refused) from None
+    nodes = np.array([point.p[:2] for point in mesh.Points()]) / scale + middle
+    cells = [[vertex.nr - 1 for vertex in cell.vertices] for cell in mesh.Elements2D()]
+    three, four = (
+        np.array([corners for corners in cells if len(corners) == n], dtype=np.int64).reshape(-1, n) for n in (3, 4)
+    )
+    sides = np.array([[vertex.nr - 1 for vertex in side.vertices] for side in mesh.Elements1D()], dtype=np.int64)
+    return Made(nodes, three, four, sides)
+
+
+def _sampled(bounds: tuple[float, float, float, float], wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
+    """Return places about as far apart as the sizes wanted there, and these sizes: squares quartered until they are."""
+    x0, y0, x1, y1 = bounds
+    side = max(x1 - x0, y1 - y0)
+    corner = np.array([[(x0 + x1 - side) / 2, (y0 + y1 - side) / 2]])
+    places, sizes = [], []
+    while len(corner):
+        centre = corner + side / 2
+        least = wanted(centre)
+        small = least < side
+        places.append(centre[~small])
+        sizes.append(least[~small])
+        side /= 2
+        corner = np.concatenate([corner[small] + side * np.array(step) for step in ((0, 0), (1, 0), (0, 1), (1, 1))])
+        inside = (corner[:, 0] <= x1) & (corner[:, 1] <= y1) & (corner[:, 0] + side >= x0) & (corner[:, 1] + side >= y0)
+        corner = corner[inside]
+    return np.concatenate(places), np.concatenate(sizes)
+
+
+def _nearest(places: Array, nodes: Array) -> Integers:
+    """Return for each place the node that is nearest."""
+    from scipy.spatial import KDTree
+
+    number: Integers = KDTree(nodes).query(places)[1].astype(np.int64)
+    return number
+
+
+def _drawn(parts: list[Piece], chords: Chords, nodes: Array, number: Integers, sides: Integers) -> Drawn:
+    """Return the sides on pieces, after putting nodes that Netgen added on arcs exactly there."""
+    import shapely
+
+    middles = shapely.points(nodes[sides].mean(axis=1))
+    nearest = shapely.STRtree(shapely.linestrings(chords.nodes[chords.ends])).nearest(middles)
+    owner = chords.piece[nearest]
+    own, owner = sides[owner >= 0], owner[owner >= 0]
+    centre = np.array([part.edge.centre for part in parts])[owner]
+    radius = np.array([part.edge.radius for part in parts])[owner]
+    added = (radius > 0)[:, None] & ~np.isin(own, number)
+    for k in (0, 1):
+        at = own[added[:, k], k]
+        nodes[at] = onto(nodes[at], centre[added[:, k]], radius[added[:, k]])
+    return Drawn(own, centre, radius, number[chords.points])

@@ -1,0 +1,75 @@
+"""What a mesher hands back, and what it refuses to take or to hand back."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.errors import Fault, InputError
+from groundslab.fem.shape_functions import gauss, jacobian, q9
+from groundslab.geometry.plan import NOTHING, Plan, at
+from groundslab.geometry.validity import faults
+from groundslab.meshing.quality import Quality, quality
+
+#: Largest number of elements: more is nearly always a slip in the size.
+MOST_ELEMENTS = 4_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class PlanMesh:
+    """A mesh of nine-node quadrilaterals on a plan: n nodes [m], m elements, counter-clockwise."""
+
+    nodes: Array  # (n, 2) [m]
+    elements: Integers  # (m, 9)
+    section: Integers  # (m,): number of the plate's section, -1 where there is only ground
+    quality: Quality
+
+    @property
+    def xy(self) -> Array:
+        """Return the nodes of each element, (m, 9, 2)."""
+        xy: Array = self.nodes[self.elements]
+        return xy
+
+
+def check(plan: Plan, size: float) -> None:
+    """Raise what is wrong with a plan and a size."""
+    found = faults(plan)
+    if not (math.isfinite(size) and size > 0):
+        found.append(Fault("mesh.size", f"{size!r}", "a length greater than 0"))
+    elif not found and plan.area / size**2 > MOST_ELEMENTS:
+        found.append(too_many())
+    if found:
+        raise InputError(found)
+
+
+def too_many() -> Fault:
+    """Return what is said of a size that makes more elements than a computer can hold."""
+    return Fault("mesh.size", f"more than {MOST_ELEMENTS} elements", "fewer", "make the elements larger")
+
+
+def finished(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
+    """Return a mesh without the nodes that no element uses, and refuse one with elements turned inside out."""
+    if len(elements) > MOST_ELEMENTS:
+        raise InputError([too_many()])
+    used, number = np.unique(elements, return_inverse=True)
+    found = quality(nodes[elements])
+    if not found.worst > 0:
+        got = f"a mesh with an element turned inside out at {at(found.worst_place)}"
+        raise InputError([Fault("plan", got, "elements that can be used", "simplify the plan there or mesh it finer")])
+    return PlanMesh(nodes[used], number.reshape(elements.shape).astype(np.int64), section, found)
+
+
+def check_area(plan: Plan, result: PlanMesh) -> None:
+    """Raise if the mesh does not cover the plan: nothing that a mesher leaves out may go unnoticed."""
+    points, weights = gauss(3)
+    area = jacobian(q9(points)[1], result.xy)[2] @ weights
+    for what, got, wanted in (
+        ("the plate", float(area[result.section >= 0].sum()), plan.area),
+        ("plate and ground", float(area.sum()), plan.area if plan.beyond is None else plan.beyond.area),
+    ):
+        if abs(got - wanted) > 1e-3 * wanted or (result.section == NOTHING).any():
+            said = f"a mesh of {what} with an area of {got:.6g} m2 instead of {wanted:.6g} m2"
+            raise InputError([Fault("plan", said, "one that covers it", "simplify the plan or mesh it finer")])

@@ -1,0 +1,105 @@
+"""How large elements may be: what in a plan asks for smaller ones, and how they grow away from it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.errors import Fault, InputError
+from groundslab.fem.mesh import GRADING
+from groundslab.geometry.plan import FLAT, Plan, Ring, Segment
+
+#: An element's side turns by no more than this on an arc [rad].
+TURN = math.pi / 8
+#: Longest row of places at which an edge can ask for smaller elements.
+MOST_SOURCES = 200
+
+#: Places and the largest size [m] of elements around each: (k, 2) and (k,).
+Sources = tuple[Array, Array]
+
+
+def sources(plan: Plan, size: float) -> Sources:
+    """Return where a plan needs elements smaller than `size`, and how small: short edges, arcs, narrow places."""
+    import shapely
+
+    edges = [edge for ring in plan.rings().values() for edge in ring.segments()] + plan.line_segments()
+    same = FLAT * plan.extent
+    flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(same) + 1))) for edge in edges]
+    flat += [shapely.Point(point) for point in plan.points]
+    edges += [Segment(point, point) for point in plan.points]
+    places, sizes = [np.zeros((0, 2))], [np.zeros(0)]
+
+    def ask(where: Array, wanted: Array) -> None:
+        small = wanted < size * (1 - 1e-9)
+        places.append(where[small])
+        sizes.append(wanted[small])
+
+    for edge in edges:
+        if edge.length > 0:
+            wanted = edge.length if edge.straight else edge.length / math.ceil(abs(edge.sweep) / TURN - 1e-9)
+            n = min(MOST_SOURCES, math.ceil(edge.length / min(wanted, size)) + 1)
+            ask(edge.at(np.linspace(0, 1, n)), np.full(n, wanted))
+    tree = shapely.STRtree(flat)
+    for i, j in tree.query(flat, predicate="dwithin", distance=2 * size).T:
+        gap = 0.0 if i == j else flat[i].distance(flat[j])
+        if gap > 2 * same:
+            n = min(MOST_SOURCES, math.ceil(2 * edges[i].length / gap) + 1)
+            where = edges[i].at(np.linspace(0, 1, n))
+            ask(where, edges[j].distance(where) / 2)
+    return np.concatenate(places), np.concatenate(sizes)
+
+
+def along_edges(plan: Plan, size: float) -> Sources:
+    """Return places along the plate's edges on ground that reaches beyond them, which want elements of a size [m]."""
+    rings = plan.edges_on_ground()
+    places = np.concatenate([np.zeros((0, 2)), *(along(ring, size) for ring in rings)])
+    return places, np.full(len(places), size)
+
+
+def both(one: Sources, other: Sources) -> Sources:
+    """Return the places of two sources together."""
+    return np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1]])
+
+
+def along(ring: Ring, spacing: float) -> Array:
+    """Return places along a ring about a spacing apart."""
+    edges = ring.segments()
+    counts = [max(1, math.ceil(edge.length / spacing)) for edge in edges]
+    return np.concatenate([edge.at(np.arange(n) / n) for edge, n in zip(edges, counts, strict=True)])
+
+
+def doubling(plan: Plan, given: float | None) -> float:
+    """Return the distance from the plate at which elements are twice as large [m]."""
+    if given is not None and not given > 0:
+        raise InputError([Fault("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
+    outline = np.array(plan.outline.flat(FLAT * plan.extent))
+    return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
+
+
+def doubled(plan: Plan, size: float, smaller: Sources, scale: float) -> Callable[[Array], Array]:
+    """Return a function from places (p, 2) to twice the wanted sizes (p,) [m] there.
+
+    Twice, since cells are halved afterwards: `size` on the plate, growing on the ground beyond until it is twice that
+    at a distance `scale` [m], less near `smaller`.
+    """
+    import shapely
+    from scipy.spatial import KDTree
+
+    places, sizes = smaller
+    level = np.ceil(2 * np.log2(size / sizes)).astype(np.int64)
+    near = [(2 * size * 2 ** (-k / 2), KDTree(places[level == k])) for k in np.unique(level)]
+    plate = plan.outline.polygon(1e-3 * plan.extent)
+    shapely.prepare(plate)
+
+    def wanted(at: Array) -> Array:
+        result = np.full(len(at), 2 * size)
+        if plan.beyond is not None:
+            result *= 1 + shapely.distance(plate, shapely.points(at)) / scale
+        for least, tree in near:
+            result = np.minimum(result, least + GRADING * tree.query(at)[0])
+        return result
+
+    return wanted

@@ -1,0 +1,64 @@
+"""Columns on the plate as the input file says them: where they stand and what they cover."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, ClassVar
+
+from groundslab.model.ground import POSITIVE
+from groundslab.schema.base import Check, Part
+from groundslab.schema.fields import Quantity, Text
+from groundslab.schema.issues import Finding
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+    from groundslab.geometry.plan import Ring
+
+
+def one_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[Finding]:
+    """Find a footprint that is neither nothing, nor a rectangle, nor a circle."""
+    if diameter is not None and (width_x is not None or width_y is not None):
+        yield Finding(("diameter",), "a diameter beside a width", "width_x and width_y, or diameter")
+    if (width_x is None) != (width_y is None):
+        missing = "width_x" if width_x is None else "width_y"
+        yield Finding((missing,), "nothing", "width_x and width_y, both of them")
+
+
+def footprint(x: float, y: float, width_x: float | None, width_y: float | None, diameter: float | None) -> Ring | None:
+    """Return the curve around a footprint centred at (x, y) [m], None if it is a point."""
+    from groundslab.geometry.plan import circle, rectangle
+
+    if diameter is not None:
+        return circle((x, y), diameter / 2)
+    if width_x is not None and width_y is not None:
+        return rectangle(x - width_x / 2, x + width_x / 2, y - width_y / 2, y + width_y / 2)
+    return None
+
+
+def _has_a_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[Finding]:
+    if width_x is None and width_y is None and diameter is None:
+        yield Finding(("width_x",), "nothing", "width_x and width_y, or diameter")
+
+
+class Column(Part):
+    """A column that stands on the plate."""
+
+    checks: ClassVar[tuple[Check, ...]] = (one_footprint, _has_a_footprint)
+
+    name: Annotated[str, Text("name of the column, by which loads call it")]
+    x: Annotated[float, Quantity("length", "x", "its centre")]
+    y: Annotated[float, Quantity("length", "y", "its centre")]
+    width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None
+    width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE)] = None
+    diameter: Annotated[float | None, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
+
+    def ring(self) -> Ring:
+        """Return the curve around the column."""
+        ring = footprint(self.x, self.y, self.width_x, self.width_y, self.diameter)
+        assert ring is not None
+        return ring
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return what it covers, arcs as chords at most so far off [m]."""
+        return self.ring().polygon(chord)

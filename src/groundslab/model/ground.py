@@ -1,0 +1,204 @@
+"""The ground under the plate, as the input file says it; see ``groundslab.model``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from groundslab.schema.base import Check, Part, Table, kind_of
+from groundslab.schema.fields import Choice, Number, Quantity, Whole
+from groundslab.schema.issues import Finding, describe, quote
+from groundslab.schema.ranges import Range
+
+POSITIVE = Range(above=0)
+#: Stiffness against shear: none, or one whose reach is more than nothing.
+SHEAR = Range(at_least=0, smallest=1e-3)
+POISSON = Range(at_least=0, below=0.5)
+
+Variation = Literal["linear", "quadratic"]
+Mode = Literal["auto", "sinh", "profile"]
+Formulas = Literal["exact", "as printed"]
+Coupling = Literal["interface", "consistent"]
+
+Gamma = Annotated[
+    float | Literal["iterate"],
+    Number(
+        "gamma", "decay of the mode over the depth; iterated by default", Range(above=0, at_most=1000), ("iterate",)
+    ),
+]
+FormulasKey = Annotated[
+    Formulas, Choice(Formulas, 'formulas for k0 and k1; "as printed" repeats the misprints of the paper')
+]
+
+
+class Selvadurai(Part):
+    """Soil from which Selvadurai's formula finds the modulus of subgrade reaction."""
+
+    E: Annotated[float, Quantity("pressure", "E_s", "Young's modulus of the soil", POSITIVE)]
+    depth: Annotated[float, Quantity("length", "H", "depth of the soil over the rigid base", POSITIVE)]
+
+
+def _one_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[Finding]:
+    if (k is None) == (selvadurai is None):
+        got = "neither k nor selvadurai" if k is None else "both k and selvadurai"
+        yield Finding((), got, "exactly one of k and selvadurai")
+
+
+class Winkler(Part):
+    """Independent springs."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_one_stiffness,)
+
+    kind: Annotated[Literal["winkler"], Table("independent springs")] = "winkler"
+    k: Annotated[float | None, Quantity("pressure per length", "k", "modulus of subgrade reaction", POSITIVE)] = None
+    selvadurai: Annotated[Selvadurai | None, Table("soil that gives k, instead of k")] = None
+
+
+class Pasternak(Part):
+    """Springs under a layer that carries shear only."""
+
+    kind: Annotated[Literal["pasternak"], Table("springs under a shear layer, both given")] = "pasternak"
+    k0: Annotated[float, Quantity("pressure per length", "k_0", "modulus of subgrade reaction", POSITIVE)]
+    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", SHEAR)]
+
+
+def _variation_has_an_end(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[Finding]:
+    if "variation" in given and E_bottom is None:
+        yield Finding(("variation",), quote(variation), "no variation without E_bottom", "give E_bottom as well")
+
+
+class SoilLayer(Part):
+    """A layer of soil given by its elastic constants."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_variation_has_an_end,)
+
+    E: Annotated[float, Quantity("pressure", "E", "Young's modulus, at the top of the layer", POSITIVE)]
+    E_bottom: Annotated[
+        float | None,
+        Quantity("pressure", "E_b", "Young's modulus at the bottom of the layer; E by default", POSITIVE),
+    ] = None
+    variation: Annotated[Variation, Choice(Variation, "how the modulus varies from E to E_bottom")] = "linear"
+    nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
+    thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000))]
+    sublayers: Annotated[
+        int, Whole("equal parts to divide the layer into, for consistent coupling only", at_most=100)
+    ] = 1
+
+
+class InterfaceLayer(Part):
+    """A layer given by the two stiffnesses between its top and its bottom."""
+
+    k0: Annotated[float, Quantity("pressure per length", "k_0", "stiffness against compression", POSITIVE)]
+    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness against shear", SHEAR)]
+
+
+def _no_sublayers(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str = "interface") -> Iterator[Finding]:
+    for position, layer in enumerate(layers):
+        if coupling != "consistent" and isinstance(layer, SoilLayer) and layer.sublayers != 1:
+            expected = 'no sublayers, which only a layered ground with coupling = "consistent" has'
+            yield Finding(("layers", position, "sublayers"), str(layer.sublayers), expected)
+
+
+def _vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[Finding]:
+    return _no_sublayers(layers)
+
+
+def _one_layer_only(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[Finding]:
+    if mode == "sinh" and len(layers) > 1:
+        yield Finding(
+            ("mode",),
+            f'"sinh" with {len(layers)} layers',
+            'one layer, or mode = "profile"',
+            "the sinh mode is exact for one layer",
+        )
+
+
+def _printed_for_one_layer(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[Finding]:
+    if formulas == "as printed" and len(layers) > 1:
+        yield Finding(("formulas",), f'"as printed" with {len(layers)} layers', 'one layer, or formulas = "exact"')
+
+
+class Vlasov(Part):
+    """Soil layers whose settlement follows one mode over the whole depth."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_vlasov_sublayers, _one_layer_only, _printed_for_one_layer)
+
+    kind: Annotated[Literal["vlasov"], Table("soil layers that settle in one mode over the depth")] = "vlasov"
+    layers: Annotated[tuple[SoilLayer, ...], Field(min_length=1), Table("the layers, from the top downwards")]
+    gamma: Gamma = "iterate"
+    mode: Annotated[
+        Mode,
+        Choice(Mode, "shape of the mode: sinh is for one layer, profile for any; auto takes sinh for one layer"),
+    ] = "auto"
+    formulas: FormulasKey = "exact"
+
+
+def _layer_kind(layer: Any) -> str | None:
+    """Return which kind of layer is described; by keys, as there is no key of that name."""
+    if isinstance(layer, SoilLayer | InterfaceLayer):
+        return type(layer).__name__
+    if not isinstance(layer, Mapping):
+        return None
+    soil = layer.keys() & (SoilLayer.model_fields.keys() - InterfaceLayer.model_fields.keys())
+    return "SoilLayer" if soil or not layer.keys() & {"k0", "k1"} else "InterfaceLayer"
+
+
+AnyLayer = Annotated[
+    Annotated[SoilLayer, Tag("SoilLayer")] | Annotated[InterfaceLayer, Tag("InterfaceLayer")],
+    Discriminator(_layer_kind),
+]
+
+
+def _layers_fit(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -> Iterator[Finding]:
+    given = [isinstance(layer, InterfaceLayer) for layer in layers]
+    if coupling == "consistent":
+        for position in (position for position, by_k in enumerate(given) if by_k):
+            yield Finding(("layers", position), "k0 and k1", 'E, nu and thickness, as coupling is "consistent"')
+    elif any(given) and not all(given):
+        expected = "all layers given by k0 and k1, or all by E, nu and thickness"
+        yield Finding(("layers",), "layers of both kinds", expected)
+
+
+def _gamma_fits(
+    layers: tuple[SoilLayer | InterfaceLayer, ...],
+    coupling: str,
+    gamma: float | str,
+    formulas: str,
+    given: set[str],
+) -> Iterator[Finding]:
+    if coupling == "interface" and any(isinstance(layer, SoilLayer) for layer in layers):
+        return
+    for key, value in (("gamma", gamma), ("formulas", formulas)):
+        if key in given:
+            yield Finding((key,), describe(value), f"no {key}, which only interface layers given by E use")
+
+
+class Layered(Part):
+    """A stack of layers with an unknown settlement at each surface between them."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_layers_fit, _no_sublayers, _gamma_fits)
+
+    kind: Annotated[Literal["layered"], Table("a stack of layers, each surface with its own settlement")] = "layered"
+    coupling: Annotated[
+        Coupling,
+        Choice(Coupling, "interface: two stiffnesses per layer; consistent: settlement linear over each sublayer"),
+    ]
+    layers: Annotated[
+        tuple[AnyLayer, ...],
+        Field(min_length=1),
+        Table("the layers, from the top downwards, all by E, nu and thickness, or (interface) all by k0, k1"),
+    ]
+    gamma: Gamma = "iterate"
+    formulas: FormulasKey = "exact"
+
+
+AnyGround = Winkler | Pasternak | Vlasov | Layered
+Ground = Annotated[
+    Annotated[Winkler, Tag("winkler")]
+    | Annotated[Pasternak, Tag("pasternak")]
+    | Annotated[Vlasov, Tag("vlasov")]
+    | Annotated[Layered, Tag("layered")],
+    Discriminator(kind_of),
+]

@@ -1,0 +1,265 @@
+"""Loads cut off at the edge of the plate: what of them acts, and how much does not.
+
+Areas and lines may reach over the plate's edge or over openings, as engineers draw them; only what lies on the plate
+acts, and the rest is reported.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.geometry.bulges import Edge
+from groundslab.geometry.intersections import crossings
+from groundslab.geometry.plan import Segment, loaded_polygon
+from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_of
+from groundslab.model.plate import Plate
+from groundslab.schema.issues import Finding, quote
+from groundslab.units import show
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+#: What reaches over the edge by less than this, relative to the plate, lies on the plate: by rounding, and where arcs
+#: are chords.
+STRAIGHT, CURVED = 1e-9, 5e-5
+#: A part of a line shorter than this, relative to the line, is nothing but rounding.
+NO_PART = 1e-9
+
+#: A load that reaches further off the plate than so many times its longer side was not meant so.
+FAR = 1e3
+#: The tangents around an arc span this angle [rad] at most.
+TANGENT = 2 * math.pi / 256
+
+#: What is spread over an area or along a line, and can be cut off.
+Spread = PatchLoad | AreaLoad | LineLoad
+#: A pressure [Pa] as a function of places (..., 2).
+Pressure = Callable[[Array], Array]
+
+
+@dataclass(frozen=True, slots=True)
+class Clipped:
+    """What of a load lies off the plate and does not act."""
+
+    number: int  # of the load, from 1
+    name: str
+    case: str
+    share: float  # of its area or length
+    force: float  # [N]
+    drawn: float  # force of all that is drawn [N]
+
+    def words(self) -> str:
+        """Return it as a remark."""
+        name = f" {quote(self.name)}" if self.name else ""
+        return (
+            f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies off the plate; "
+            f"{show(self.force, 'force')} of {show(self.drawn, 'force')} do not act"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """A plate in plan: its edges, its area, and the same grown by what counts as rounding."""
+
+    edges: tuple[Segment, ...]
+    area: Polygon
+    grown: BaseGeometry
+    near: float  # [m]
+    tree: Any  # of the boxes around the edges
+
+
+@dataclass(frozen=True, slots=True)
+class LinePiece:
+    """A part of a line load that lies on the plate; q [N/m] at its start and its end, linear between."""
+
+    edge: Segment
+    q: tuple[float, float]
+
+    @property
+    def force(self) -> float:
+        """Return the force [N]."""
+        return self.edge.length * (self.q[0] + self.q[1]) / 2
+
+
+@lru_cache(maxsize=4)
+def region_of(plate: Plate) -> Region:
+    """Return the region of a plate."""
+    import shapely
+
+    rings = [plate.ring(), *(opening.ring() for opening in plate.openings)]
+    edges = tuple(edge for ring in rings for edge in ring.segments())
+    openings = shapely.union_all([loaded_polygon(ring) for ring in rings[1:]])
+    area = loaded_polygon(rings[0]).difference(openings)
+    near = (STRAIGHT if all(ring.straight for ring in rings) else CURVED) * max(plate.sides)
+    grown = area.buffer(near, join_style="mitre")
+    shapely.prepare(grown)
+    return Region(edges, area, grown, near, shapely.STRtree([_box([edge]) for edge in edges]))
+
+
+def clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
+    """Return what of each load lies off the plate, those left out of which all does act."""
+    return tuple(_clipped(plate, _drawn(loads)))
+
+
+def loads_reach_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+    """Find areas and lines of which nothing lies on the plate, and such as are far too large."""
+    import shapely
+
+    expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
+    drawn = _drawn(loads)
+    if not drawn:
+        return
+    (x0, x1, y0, y1), far = plate.bounds, FAR * max(plate.sides)
+    reach = shapely.bounds([shape for _, _, shape in drawn])
+    near = (reach[:, :2] >= (x0 - far, y0 - far)).all(axis=1) & (reach[:, 2:] <= (x1 + far, y1 + far)).all(axis=1)
+    for k in np.flatnonzero(~near):
+        yield Finding(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
+    for found in _clipped(plate, [drawn[int(k)] for k in np.flatnonzero(near)]):
+        if found.share >= 1 - NO_PART:
+            yield Finding(("loads", found.number - 1), "a load off the plate", expected)
+
+
+def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:
+    """Return the parts of a line load that lie on the plate."""
+    region, edges = region_of(plate), load.segments()
+    ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
+    end = load.q if load.q_end is None else load.q_end
+
+    def q(way: float) -> float:
+        return load.q + (end - load.q) * way / float(ways[-1])
+
+    return [
+        LinePiece(_part(edge, low, high), (q(start + low * edge.length), q(start + high * edge.length)))
+        for edge, start in zip(edges, ways.tolist(), strict=False)
+        for low, high in _parts_on(region, edge)
+    ]
+
+
+def _drawn(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, BaseGeometry]]:
+    """Return areas and lines of loads, each with its position and what it covers; for arcs a box around them."""
+    return [
+        (n, load, load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else _box(load.segments()))
+        for n, load in enumerate(loads)
+        if isinstance(load, PatchLoad | AreaLoad | LineLoad)
+    ]
+
+
+def _clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+    """Yield what lies off the plate."""
+    import shapely
+
+    if not drawn:
+        return
+    region = region_of(plate)
+    for k in np.flatnonzero(~shapely.covers(region.grown, [shape for _, _, shape in drawn])):
+        position, load, shape = drawn[int(k)]
+        found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
+        if found is not None:
+            share, force, total = found
+            yield Clipped(position + 1, load.name, load.case, share, force, total)
+
+
+def _off_area(region: Region, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:
+    """Return the share of an area that lies off the plate, the force there and in all [N]."""
+    off, pressure = drawn.difference(region.area), pressure_of(load)
+    return off.area / drawn.area, integral(off, pressure), integral(drawn, pressure)
+
+
+def _off_line(plate: Plate, load: LineLoad) -> tuple[float, float, float] | None:
+    """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it."""
+    pieces = line_on_plate(plate, load)
+    length = sum(edge.length for edge in load.segments())
+    share = 1 - sum(piece.edge.length for piece in pieces) / length
+    if share <= NO_PART:
+        return None
+    total = length * (load.q + (load.q if load.q_end is None else load.q_end)) / 2
+    return share, total - sum(piece.force for piece in pieces), total
+
+
+def integral(area: BaseGeometry, pressure: Pressure) -> float:
+    """Return the force [N] of a pressure [Pa], quadratic in x and y at most, on polygons."""
+    from shapely import get_coordinates, get_parts
+
+    force = 0.0
+    for part in get_parts(area):
+        if part.geom_type != "Polygon":
+            continue
+        for sign, ring in ((1.0, part.exterior), *((-1.0, hole) for hole in part.interiors)):
+            # triangles with the first point; the rule of the sides' middles is exact for quadratic functions
+            at = get_coordinates(ring)
+            a, b = at[:-1] - at[0], at[1:] - at[0]
+            twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+            middles = at[0] + np.stack([a, b, a + b], axis=1) / 2
+            force += sign * math.copysign(1.0, twice.sum()) * float(twice @ pressure(middles).sum(axis=1)) / 6
+    return force
+
+
+def _parts_on(region: Region, edge: Segment) -> list[tuple[float, float]]:
+    """Return the parts of an edge, from 0 to 1, that lie on the plate."""
+    from shapely import LineString, Point
+
+    if region.grown.covers(LineString(_around(edge))):
+        return [(0.0, 1.0)]
+    cuts = {0.0, 1.0}
+    for k in region.tree.query(_box([edge])):
+        for place in crossings(_edge(edge), _edge(region.edges[k])):
+            if max(side.distance(np.array([place]))[0] for side in (edge, region.edges[k])) <= region.near:
+                cuts.add(min(max(_way(edge, place), 0.0), 1.0))
+    parts: list[tuple[float, float]] = []
+    for low, high in itertools.pairwise(sorted(cuts)):
+        if high - low > NO_PART and region.grown.covers(Point(edge.at(np.array([(low + high) / 2]))[0])):
+            joined = bool(parts) and parts[-1][1] == low
+            parts[-1:] = [(parts[-1][0], high)] if joined else [*parts[-1:], (low, high)]
+    return parts
+
+
+def _around(edge: Segment) -> Array:
+    """Return the corners (p, 2) of lines that an edge does not leave to the outside: tangents of an arc."""
+    if edge.straight:
+        return np.array([edge.start, edge.end])
+    n = max(2, math.ceil(abs(edge.sweep) / TANGENT))
+    places, centre = edge.at((np.arange(n) + 0.5) / n), np.array(edge.centre)
+    corners: Array = centre + (places - centre) / math.cos(edge.sweep / n / 2)
+    return np.vstack([edge.start, corners, edge.end])
+
+
+def _way(edge: Segment, place: tuple[float, float]) -> float:
+    """Return after which part of an edge a place on it comes; about 0 or 1, not round the circle, near its ends."""
+    near = 1e-9 * edge.length
+    if math.dist(place, edge.start) <= near or math.dist(place, edge.end) <= near:
+        return float(math.dist(place, edge.start) > math.dist(place, edge.end))
+    return edge.part(place)
+
+
+def _part(edge: Segment, low: float, high: float) -> Segment:
+    """Return a part of an edge."""
+    start, end = map(tuple, edge.at(np.array([low, high])).tolist())
+    if edge.straight:
+        return Segment(start, end)
+    return replace(edge, start=start, end=end, angle=edge.angle + low * edge.sweep, sweep=(high - low) * edge.sweep)
+
+
+def _edge(edge: Segment) -> Edge:
+    """Return an edge as points and a bulge."""
+    return Edge(edge.start, edge.end, 0.0 if edge.straight else math.tan(edge.sweep / 4))
+
+
+def _box(edges: Sequence[Segment]) -> BaseGeometry:
+    """Return a box that holds edges, of an arc its whole circle."""
+    from shapely import box
+
+    ends = [end for edge in edges for end in (edge.start, edge.end)]
+    for edge in edges:
+        if not edge.straight:
+            (x, y), r = edge.centre, edge.radius
+            ends += [(x - r, y - r), (x + r, y + r)]
+    (left, low), (right, high) = (tuple(map(pick, zip(*ends, strict=True))) for pick in (min, max))
+    return box(left, low, right, high)

@@ -1,0 +1,210 @@
+"""Load cases and their factored combinations as the input file says them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from groundslab.errors import InputError
+from groundslab.schema.base import Check, Part
+from groundslab.schema.fields import Choice, Factors, Number, Several, Text
+from groundslab.schema.issues import Finding, describe, one_of, suggestion
+from groundslab.schema.ranges import Range
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+
+Kind = Literal["permanent", "variable"]
+LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
+
+SHARE = Range(at_least=0, at_most=1)
+PARTIAL = Range(at_least=0, at_most=100)
+
+
+def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[Finding]:
+    if action == "variable" and psi_2 > psi_1:
+        mend = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990, 4.1.3)"
+        yield Finding(("psi_2",), repr(psi_2), f"at most psi_1, {psi_1!r}", mend)
+
+
+class LoadCase(Part):
+    """Loads that always act together."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_shares_fall,)
+
+    name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
+    action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
+    psi_0: Annotated[float, Number("psi_0", "factor of its combination value, if variable", SHARE)] = 0.7
+    psi_1: Annotated[float, Number("psi_1", "factor of its frequent value, if variable", SHARE)] = 0.5
+    psi_2: Annotated[float, Number("psi_2", "factor of its quasi-permanent value, if variable", SHARE)] = 0.3
+    group: Annotated[
+        str, Text("variable cases of one group never act together, such as wind from the left and from the right")
+    ] = ""
+
+
+def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[Finding]:
+    if not any(value for _, value in factors):
+        yield Finding(("factors",), "no factor that is not 0", "a factor for at least one case")
+
+
+class Combination(Part):
+    """Load cases that act together, each with a factor."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_some_factor,)
+
+    name: Annotated[str, Text("name of the combination")]
+    limit_state: Annotated[LimitState, Choice(LimitState, "limit state that it is for")] = "ultimate"
+    factors: Annotated[
+        tuple[tuple[str, float], ...], Factors("", "factor of each case that takes part, by the case's name")
+    ]
+
+
+def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[Finding]:
+    for name, (most, least) in (("permanent", permanent), ("variable", variable)):
+        if least > most:
+            yield Finding((name,), f"[{most!r}, {least!r}]", "the unfavourable factor first, the larger one")
+    if variable[1] != 0:
+        mend = "variable actions that are favourable are left out (EN 1990, Table A1.2(B))"
+        yield Finding(("variable", 1), repr(variable[1]), "0", mend)
+
+
+class Combine(Part):
+    """Which combinations are made from the cases by themselves, by EN 1990."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_factors_fall,)
+
+    sets: Annotated[
+        tuple[LimitState, ...],
+        Several(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
+    ]
+    permanent: Annotated[
+        tuple[float, float],
+        Several(
+            Number("gamma_G", "", PARTIAL),
+            "gamma_G",
+            "partial factors of permanent actions, unfavourable and favourable; ultimate only",
+            2,
+        ),
+    ] = (1.35, 1.0)
+    variable: Annotated[
+        tuple[float, float],
+        Several(
+            Number("gamma_Q", "", PARTIAL),
+            "gamma_Q",
+            "partial factors of variable actions, unfavourable and favourable; ultimate only",
+            2,
+        ),
+    ] = (1.5, 0.0)
+
+
+def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+    """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
+    names = [case.name for case in cases]
+    known = set(names)
+    for position, name in enumerate(named):
+        if name is None or (not name and not names):
+            continue
+        if name not in known:
+            expected = one_of(names) if names else "no case, as there are no [[cases]]"
+            got = describe(name) if name else "no case"
+            yield Finding((part, position, key), got, expected, suggestion(name, names))
+
+
+def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+    """Find factors of cases that are not there, and combinations of nothing."""
+    names = [case.name for case in cases]
+    if combinations and not names:
+        yield Finding(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
+        return
+    known = set(names)
+    for position, combination in enumerate(combinations):
+        for name, _ in combination.factors:
+            if name not in known:
+                place = ("combinations", position, "factors", name)
+                yield Finding(place, "a case that is not there", one_of(names), suggestion(name, names))
+
+
+def combine_makes(
+    combine: Combine | None, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...]
+) -> Iterator[Finding]:
+    """Find automatic combinations that cannot be made, are too many or none, or have the name of another one."""
+    if combine is None:
+        return
+    if not cases:
+        yield Finding(("combine",), "automatic combinations", "[[cases]] to combine")
+        return
+    named_well = [bool(case.name) and case.name == " ".join(case.name.split()) and "+" not in case.name.split()
+                  for case in cases]  # fmt: skip
+    for position, case in enumerate(cases):
+        if case.name and not named_well[position]:
+            mend = "without outer or double blanks and without a + standing alone"
+            yield Finding(("cases", position, "name"), describe(case.name), "a name that can stand in a sum", mend)
+    if not all(named_well) or len({case.name for case in cases}) < len(cases):
+        return
+    try:
+        made = {each.name for each in _made(combine, cases)}
+    except InputError as error:
+        for fault in error.faults:
+            yield Finding(("combine",), fault.got, fault.expected, fault.mend)
+        return
+    if not made:
+        yield Finding(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
+    for position, combination in enumerate(combinations):
+        if combination.name in made:
+            got = f"{describe(combination.name)}, which combine makes as well"
+            yield Finding(("combinations", position, "name"), got, "a name of its own")
+
+
+def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
+    """Return whether any combination given or made is for the ultimate limit state."""
+    return any(each.limit_state == "ultimate" for each in combinations) or (
+        combine is not None and "ultimate" in combine.sets
+    )
+
+
+def design_has_loads(
+    reinforcement: object, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...], combine: Combine | None
+) -> Iterator[Finding]:
+    """Find a design that is asked for without ultimate combinations to design for."""
+    if reinforcement is None or has_ultimate(combinations, combine):
+        return
+    add = '[[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
+    cased = "" if cases else "[[cases]], the case of each load, and then "
+    mend = f"add {cased}{add}; loads that hold partial factors already take part with the factor 1"
+    yield Finding(("reinforcement",), "no ultimate combination of loads", "at least one to design for", mend)
+
+
+def combinations_of(model: Model) -> tuple[Combination, ...]:
+    """Return all combinations of a model: those given and those made by EN 1990.
+
+    With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both
+    are as the file gives them, without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
+    """
+    if not model.cases:
+        return (Combination(name="all loads", limit_state="characteristic", factors={"": 1.0}),)
+    made: tuple[Combination, ...] = ()
+    if model.combine is not None:
+        made = _made(model.combine, model.cases)
+    if not model.combinations and model.combine is None:
+        return tuple(
+            Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
+        )
+    return (*model.combinations, *made)
+
+
+def _made(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:
+    """Return the combinations that EN 1990 makes of the cases."""
+    from groundslab.model.loads.en1990 import Action, combinations
+    from groundslab.model.loads.en1990 import Factors as Partial
+
+    actions = [
+        Action(case.name, case.action, case.psi_0, case.psi_1, case.psi_2, case.group)
+        if case.action == "variable"
+        else Action(case.name, case.action)
+        for case in cases
+    ]
+    partial = Partial(combine.permanent, combine.variable)
+    return tuple(
+        Combination(name=each.name, limit_state=each.limit_state, factors=each.factors)
+        for each in combinations(actions, combine.sets, partial)
+    )

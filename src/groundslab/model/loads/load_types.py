@@ -1,0 +1,528 @@
+"""What acts on the plate as the input file says it: loads, settlements, voids; and whether it lies on the plate."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, Protocol
+
+from pydantic import Discriminator, Tag
+
+from groundslab.model.columns import Column, footprint, one_footprint
+from groundslab.model.ground import POSITIVE
+from groundslab.model.plate import Plate
+from groundslab.model.shapes import CHORD, AcrossX, AcrossY, AnyShape, Place, Shape
+from groundslab.schema.base import Check, Part, Table, kind_of
+from groundslab.schema.fields import Number, Quantity, Several, Text
+from groundslab.schema.issues import Finding, describe, one_of, suggestion
+from groundslab.schema.ranges import Range
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+    from groundslab.arrays import Array
+    from groundslab.geometry.plan import Ring, Segment
+
+NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
+LARGEST_BULGE = 100.0  # of an arc, as of the edges of outlines; a whole circle is a shape
+ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
+
+LoadName = Annotated[str, Text("name of the load, for people")]
+CaseName = Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")]
+Slope = Annotated[
+    tuple[float, float],
+    Several(
+        Quantity("pressure per length", "q_x, q_y", ""), "q_x, q_y", "growth of the pressure along x and along y", 2
+    ),
+]
+Bend = Annotated[
+    tuple[float, float, float],
+    Several(
+        Quantity("pressure per area", "q_xx, q_xy, q_yy", ""),
+        "q_xx, q_xy, q_yy",
+        "second derivatives of the pressure",
+        3,
+    ),
+]
+About = Annotated[
+    tuple[float, float],
+    Several(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
+]
+NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
+
+
+def _box(x: tuple[float, float], y: tuple[float, float]) -> BaseGeometry:
+    from shapely import box
+
+    return box(x[0], y[0], x[1], y[1])
+
+
+class UniformLoad(Part):
+    """A pressure on the whole plate."""
+
+    kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
+    name: LoadName = ""
+    case: CaseName = ""
+    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    slope: Slope = NO_SLOPE
+    bend: Bend = NO_BEND
+    about: About = ORIGIN
+
+
+class PatchLoad(Part):
+    """A pressure on a rectangle."""
+
+    kind: Annotated[Literal["patch"], Table("pressure on a rectangle")] = "patch"
+    name: LoadName = ""
+    case: CaseName = ""
+    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    slope: Slope = NO_SLOPE
+    bend: Bend = NO_BEND
+    about: About = ORIGIN
+    x: AcrossX
+    y: AcrossY
+
+    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
+        """Return the rectangle."""
+        return _box(self.x, self.y)
+
+
+def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Finding]:
+    from groundslab.geometry.plan import loaded_polygon
+
+    if not holes:
+        return
+    around = loaded_polygon(shape.ring())
+    for position, hole in enumerate(holes):
+        if not around.intersects(loaded_polygon(hole.ring())):
+            yield Finding(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
+    if not any(True for _ in _loaded(shape, holes)):
+        yield Finding(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
+
+
+def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
+    """Return the polygons of a shape without its holes."""
+    from shapely import get_parts, union_all
+
+    from groundslab.geometry.plan import loaded_polygon
+
+    cut = union_all([loaded_polygon(hole.ring()) for hole in holes])
+    left = loaded_polygon(shape.ring()).difference(cut)
+    return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
+
+
+class AreaLoad(Part):
+    """A pressure on a part of the plate of any shape."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_holes_in_shape,)
+
+    kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
+    name: LoadName = ""
+    case: CaseName = ""
+    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    slope: Slope = NO_SLOPE
+    bend: Bend = NO_BEND
+    about: About = ORIGIN
+    shape: Annotated[Shape, Table("where; what lies off the plate does not act, and is reported")]
+    holes: Annotated[tuple[Shape, ...], Table("parts of the shape that are not loaded, as in a ring")] = ()
+
+    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
+        """Return the loaded area, its arcs as chords that enclose the same area."""
+        from shapely import union_all
+
+        return union_all(_loaded(self.shape, self.holes))
+
+
+def _points_or_shape(
+    points: tuple[tuple[float, float], ...] | None,
+    bulges: tuple[float, ...],
+    shape: AnyShape | None,
+    q_end: float | None,
+) -> Iterator[Finding]:
+    if points is None and shape is None:
+        yield Finding(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
+    if shape is None:
+        return
+    for name, given in (("points", points), ("bulges", bulges or None), ("q_end", q_end)):
+        if given is not None:
+            yield Finding((name,), f"{name} beside a shape", "one of them", "all of a shape's edge bears the same q")
+
+
+def _no_standstill(points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]) -> Iterator[Finding]:
+    if points is None:
+        return
+    if len(points) < 2:
+        yield Finding(("points",), f"{len(points)} point", "at least two")
+    elif len(bulges) >= len(points):
+        expected = f"at most {len(points) - 1}, one for each of the line's pieces"
+        yield Finding(("bulges",), f"{len(bulges)} bulges", expected)
+    for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
+        if math.dist(a, b) < NO_LENGTH:
+            yield Finding(("points", position), f"({b[0]!r}, {b[1]!r}) m twice", "another place than the one before")
+
+
+class LineLoad(Part):
+    """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_points_or_shape, _no_standstill)
+
+    kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
+    name: LoadName = ""
+    case: CaseName = ""
+    q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
+    q_end: Annotated[
+        float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
+    ] = None
+    points: Annotated[
+        tuple[tuple[float, float], ...] | None,
+        Several(Place, "x, y", "the line's points, joined one after the other"),
+    ] = None
+    bulges: Annotated[
+        tuple[float, ...],
+        Several(
+            Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE)),
+            "b",
+            "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
+            "counter-clockwise; 0 for a straight piece",
+            least=0,
+        ),
+    ] = ()
+    shape: Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")] = (
+        None
+    )
+
+    def segments(self) -> tuple[Segment, ...]:
+        """Return the straight pieces and arcs that the load stands on, one after the other."""
+        from groundslab.geometry.plan import segment
+
+        if self.shape is not None:
+            return self.shape.ring().segments()
+        assert self.points is not None
+        bulges = self.bulges + (0.0,) * (len(self.points) - 1 - len(self.bulges))
+        return tuple(map(segment, self.points, self.points[1:], bulges))
+
+    @property
+    def straight(self) -> bool:
+        """Return whether no piece is an arc."""
+        return all(edge.straight for edge in self.segments())
+
+    def flat(self, chord: float) -> Array:
+        """Return places (p, 2) along the line from its start to its end, arcs as chords at most so far off [m]."""
+        import numpy as np
+
+        edges = self.segments()
+        parts = [edge.at(np.arange(n) / n) for edge in edges for n in (edge.chords(chord),)]
+        return np.concatenate([*parts, [edges[-1].end]])
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the line, arcs as chords at most so far off [m]."""
+        from shapely import LineString
+
+        return LineString(self.flat(chord))
+
+
+class SelfWeight(Part):
+    """The plate's own weight."""
+
+    kind: Annotated[Literal["self weight"], Table("the plate's own weight, by its thickness in each zone")] = (
+        "self weight"
+    )
+    name: LoadName = ""
+    case: CaseName = ""
+    unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
+
+
+def _one_place(
+    x: float | None,
+    y: float | None,
+    width_x: float | None,
+    width_y: float | None,
+    diameter: float | None,
+    column: str,
+) -> Iterator[Finding]:
+    own = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
+    if column:
+        for name in (name for name, value in own.items() if value is not None):
+            yield Finding((name,), f"{name} beside a column", "one of them", "the column says where its load acts")
+    else:
+        for name in (name for name in ("x", "y") if own[name] is None):
+            yield Finding((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
+
+
+class PointLoad(Part):
+    """A force and moments at a point, on a footprint or on a column."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_one_place, one_footprint)
+
+    kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"
+    name: LoadName = ""
+    case: CaseName = ""
+    P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone")]
+    M_x: Annotated[
+        float,
+        Quantity(
+            "moment",
+            "M_x",
+            "moment about the y axis, positive if it presses the side of larger x down: the sum of F (x - x_P) of "
+            "downward forces F; other programs call it M_y, some with the other sign",
+        ),
+    ] = 0.0
+    M_y: Annotated[
+        float,
+        Quantity(
+            "moment",
+            "M_y",
+            "moment about the x axis, positive if it presses the side of larger y down: the sum of F (y - y_P) of "
+            "downward forces F; other programs call it M_x, some with the other sign",
+        ),
+    ] = 0.0
+    x: Annotated[float | None, Quantity("length", "x", "position")] = None
+    y: Annotated[float | None, Quantity("length", "y", "position")] = None
+    width_x: Annotated[
+        float | None, Quantity("length", "c_x", "width along x of what it is spread over; a point by default", POSITIVE)
+    ] = None
+    width_y: Annotated[
+        float | None, Quantity("length", "c_y", "width along y of what it is spread over; a point by default", POSITIVE)
+    ] = None
+    diameter: Annotated[
+        float | None, Quantity("length", "d", "diameter of what it is spread over, instead of both widths", POSITIVE)
+    ] = None
+    column: Annotated[str, Text("column that it acts on and is spread over, one of [[columns]]")] = ""
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the footprint, or the point; arcs as chords at most so far off [m]."""
+        from shapely import Point
+
+        assert self.x is not None
+        assert self.y is not None
+        ring = footprint(self.x, self.y, self.width_x, self.width_y, self.diameter)
+        return Point(self.x, self.y) if ring is None else ring.polygon(chord)
+
+    def on(self, columns: tuple[Column, ...]) -> PointLoad:
+        """Return the load with place and footprint of its column, itself if it stands on none."""
+        if not self.column:
+            return self
+        own = next(each for each in columns if each.name == self.column)
+        place = {name: getattr(own, name) for name in ("x", "y", "width_x", "width_y", "diameter")}
+        return self.replace(column="", **place)
+
+
+class TemperatureLoad(Part):
+    """A difference of temperature between the faces of the plate."""
+
+    kind: Annotated[Literal["temperature"], Table("difference of temperature over the thickness")] = "temperature"
+    name: LoadName = ""
+    case: CaseName = ""
+    difference: Annotated[
+        float, Quantity("temperature difference", "dT", "bottom less top: positive if the bottom is warmer")
+    ]
+
+
+class SettlementLoad(Part):
+    """A settlement that is forced on a support."""
+
+    kind: Annotated[Literal["settlement"], Table("settlement forced on a support")] = "settlement"
+    name: LoadName = ""
+    case: CaseName = ""
+    support: Annotated[str, Text("name of the support, one of [[supports]]")]
+    w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive")]
+
+
+def pressure_of(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
+    """Return the pressure [Pa] of a load as a function of places (..., 2) [m]."""
+    import numpy as np
+
+    if load.slope == NO_SLOPE and load.bend == NO_BEND:
+        return lambda places: np.full(places.shape[:-1], load.q)
+    slope, about = np.array(load.slope), np.array(load.about)
+    xx, xy, yy = load.bend
+
+    def pressure(places: Array) -> Array:
+        r = places - about
+        x, y = r[..., 0], r[..., 1]
+        q: Array = load.q + r @ slope + (xx * x * x + 2 * xy * x * y + yy * y * y) / 2
+        return q
+
+    return pressure
+
+
+AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight | TemperatureLoad | SettlementLoad
+Load = Annotated[
+    Annotated[UniformLoad, Tag("uniform")]
+    | Annotated[PatchLoad, Tag("patch")]
+    | Annotated[AreaLoad, Tag("area")]
+    | Annotated[LineLoad, Tag("line")]
+    | Annotated[PointLoad, Tag("point")]
+    | Annotated[SelfWeight, Tag("self weight")]
+    | Annotated[TemperatureLoad, Tag("temperature")]
+    | Annotated[SettlementLoad, Tag("settlement")],
+    Discriminator(kind_of),
+]
+
+
+def _one_extent(
+    x: tuple[float, float] | None, y: tuple[float, float] | None, shape: AnyShape | None
+) -> Iterator[Finding]:
+    if shape is None:
+        for name, value in (("x", x), ("y", y)):
+            if value is None:
+                yield Finding((name,), "nothing", "x and y, or a shape")
+    elif x is not None or y is not None:
+        yield Finding(("shape",), "a shape beside x or y", "one of them")
+
+
+class Void(Part):
+    """A part of the plan where the ground lies deeper, or is missing."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_one_extent,)
+
+    depth: Annotated[
+        float | None,
+        Quantity("length", "d", "initial gap there; without it a cavity, whose bottom is never reached", POSITIVE),
+    ] = None
+    x: Annotated[
+        tuple[float, float] | None,
+        Several(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
+    ] = None
+    y: Annotated[
+        tuple[float, float] | None,
+        Several(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
+    ] = None
+    shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
+
+    def ring(self) -> Ring:
+        """Return the curve around it."""
+        if self.shape is not None:
+            return self.shape.ring()
+        from groundslab.geometry.plan import rectangle
+
+        assert self.x is not None
+        assert self.y is not None
+        return rectangle(*self.x, *self.y)
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the area, arcs as chords at most so far off [m]."""
+        return self.ring().polygon(chord)
+
+
+class Placed(Protocol):
+    """What has a place in plan."""
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return it, arcs as chords at most so far off [m]."""
+        ...
+
+
+class Covered:
+    """What of the plan a plate covers, found once for all that may lie on it."""
+
+    def __init__(self, plate: Plate) -> None:
+        self.plate = plate
+        self.bounds = plate.bounds
+        x0, x1, y0, y1 = self.bounds
+        self.size = max(x1 - x0, y1 - y0)
+        #: Whether nothing but the rectangle counts.
+        self.plain = plate.outline is None and not plate.openings
+
+    @property
+    def near(self) -> float:
+        """Return how far off the plate a place may lie by rounding [m]."""
+        return ON_PLATE * self.size
+
+    @property
+    def chord(self) -> float:
+        """Return how far off an arc its chords may be [m]."""
+        return CHORD * self.size
+
+    @cached_property
+    def area(self) -> BaseGeometry:
+        """The plate without its openings."""
+        from shapely import union_all
+
+        openings = union_all([opening.ring().polygon(self.chord) for opening in self.plate.openings])
+        return self.plate.ring().polygon(self.chord).difference(openings)
+
+    @cached_property
+    def reach(self) -> BaseGeometry:
+        """What a part must not leave, wider than the plate by what rounding and chords may take."""
+        from shapely import prepare
+
+        rings = (self.plate.ring(), *(opening.ring() for opening in self.plate.openings))
+        reach = self.area.buffer(self.near if all(ring.straight for ring in rings) else 2 * self.chord)
+        prepare(reach)
+        return reach
+
+
+def on_plate(plate: Plate | Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+    """Find a part that does not lie on the plate."""
+    covered = plate if isinstance(plate, Covered) else Covered(plate)
+    x0, x1, y0, y1 = covered.bounds
+    near, plate = covered.near, covered.plate
+    mend = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
+    outside = False
+    for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
+        value = getattr(part, axis, None)
+        values = () if value is None else value if isinstance(value, tuple) else (value,)
+        if any(not low - near <= value <= high + near for value in values):
+            got = f"{values[0]!r} m" if len(values) == 1 else f"[{', '.join(f'{value!r} m' for value in values)}]"
+            yield Finding((*place, axis), got, f"a position on the plate, from {low!r} m to {high!r} m", mend)
+            outside = True
+    # for points and what runs along the sides of a rectangle that is all
+    if not outside and not (covered.plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
+        yield from _on_shape(covered, part, place)
+
+
+def _has_footprint(part: Placed) -> bool:
+    return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
+
+
+def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+    """Find a part that does not lie on the plate, be it within the rectangle around it."""
+    expected = "a place on the plate, not in an opening nor beside the outline"
+    (x0, x1, y0, y1), far = covered.bounds, covered.size
+    # arcs drawn roughly: chords so short would be too many for what is so large
+    left, low, right, high = part.drawn(math.inf).bounds
+    if not (x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far):
+        yield Finding(place, "a part that reaches far off the plate", expected)
+        return
+    loaded = part.drawn(covered.chord)
+    if not covered.reach.covers(loaded):
+        left = loaded.difference(covered.area)
+        off = left.representative_point()
+        got, mend = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
+        if _has_footprint(part) and left.area < loaded.area:
+            got = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
+            mend = "move it or make it smaller; a force is not cut off at the edge as a pressure is"
+        yield Finding(place, got, expected, mend)
+
+
+def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+    """Find point loads that do not lie on the plate; those on columns lie where these do.
+
+    A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
+    edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
+    """
+    covered = Covered(plate)
+    for position, load in enumerate(loads):
+        if isinstance(load, PointLoad) and not load.column:
+            yield from on_plate(covered, load, ("loads", position))
+
+
+def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[Finding]:
+    """Find loads on columns that are not there."""
+    names = [column.name for column in columns]
+    known = set(names)
+    for position, load in enumerate(loads):
+        if isinstance(load, PointLoad) and load.column and load.column not in known:
+            expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
+            place = ("loads", position, "column")
+            yield Finding(place, describe(load.column), expected, suggestion(load.column, names))
+
+
+def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[Finding]:
+    """Find voids that do not lie under the plate."""
+    covered = Covered(plate)
+    for position, void in enumerate(voids):
+        yield from on_plate(covered, void, ("contact", "voids", position))

@@ -1,0 +1,158 @@
+"""The plate as the input file says it: outline, openings, zones, material, element, supported edges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from groundslab.model.ground import POISSON, POSITIVE
+from groundslab.model.shapes import AnyShape, Rectangle, Shape, box_of
+from groundslab.schema.base import Check, Part, Table
+from groundslab.schema.fields import Choice, Number, Quantity
+from groundslab.schema.issues import Finding, quote
+from groundslab.schema.ranges import Range
+
+if TYPE_CHECKING:
+    from groundslab.geometry.plan import Ring
+
+Element = Literal["mitc9", "q9", "heterosis"]
+Support = Literal["free", "hinged", "soft", "clamped"]
+
+
+def _differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[Finding]:
+    if thickness is None and E is None and nu is None:
+        yield Finding((), "a zone like the rest of the plate", "a thickness, E or nu of its own")
+
+
+class Zone(Part):
+    """A part of the plate with another thickness or material; the last zone that covers a place counts."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_differs,)
+
+    shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
+    thickness: Annotated[float | None, Quantity("length", "t", "thickness there; else the plate's", POSITIVE)] = None
+    E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus there; else the plate's", POSITIVE)] = None
+    nu: Annotated[float | None, Number("nu", "Poisson's ratio there; else the plate's", POISSON)] = None
+
+
+class Edges(Part):
+    """How the edges on the four sides of the rectangle around the plate are supported."""
+
+    left: Annotated[Support, Choice(Support, "support of the edge on the left, where x is least")] = "free"
+    right: Annotated[Support, Choice(Support, "support of the edge on the right, where x is largest")] = "free"
+    bottom: Annotated[Support, Choice(Support, "support of the edge at the bottom, where y is least")] = "free"
+    top: Annotated[Support, Choice(Support, "support of the edge at the top, where y is largest")] = "free"
+
+
+def _one_outline(
+    length_x: float | None, length_y: float | None, outline: AnyShape | None, given: set[str]
+) -> Iterator[Finding]:
+    mend = "length_x and length_y make a rectangle about the origin, outline any shape where it is drawn"
+    if outline is None:
+        for name, value in (("length_x", length_x), ("length_y", length_y)):
+            if value is None:
+                yield Finding((name,), "nothing", 'a length such as "6 m", or an outline', mend)
+    else:
+        for name in ("length_x", "length_y"):
+            if name in given:
+                yield Finding((name,), "a length beside an outline", "one of them", mend)
+
+
+def _edges_or_support(support: str, edges: Edges) -> Iterator[Finding]:
+    if support != "free" and edges != Edges():
+        yield Finding(("support",), quote(support), "either support or edges", "edges = {...} holds sides one by one")
+
+
+def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[Finding]:
+    """Find a hinged edge along which it cannot be said which rotation is held."""
+    if support != "hinged" or outline is None:
+        return
+    for edge in outline.ring().segments():
+        (x0, y0), (x1, y1) = edge.start, edge.end
+        if not edge.straight or (x0 != x1 and y0 != y1):
+            got = f'"hinged" on the edge from ({x0:g}, {y0:g}) to ({x1:g}, {y1:g}) m'
+            yield Finding(("support",), got, 'edges along x or y, or support = "soft" (w = 0) or "clamped"')
+            return
+
+
+def _can_be_meshed(
+    length_x: float | None,
+    length_y: float | None,
+    outline: AnyShape | None,
+    openings: tuple[AnyShape, ...],
+    zones: tuple[Zone, ...],
+) -> Iterator[Finding]:
+    """Find what keeps a drawn plate from being meshed: crossings, parts outside, strips too narrow, sharp corners."""
+    if outline is None and not openings and not zones:
+        return
+    if outline is None:
+        if length_x is None or length_y is None:
+            return
+        outline = Rectangle(x=(-length_x / 2, length_x / 2), y=(-length_y / 2, length_y / 2))
+    from groundslab.geometry.plan import Plan
+    from groundslab.geometry.validity import faults
+
+    rings = tuple(opening.ring() for opening in openings)
+    plan = Plan(outline.ring(), rings, tuple((zone.shape.ring(), n) for n, zone in enumerate(zones, start=1)))
+    for fault in faults(plan):
+        name, _, number = fault.where.removeprefix("plate.").rstrip("]").partition("[")
+        yield Finding((name, int(number) - 1) if number else (name,), fault.got, fault.expected, fault.mend)
+
+
+class Plate(Part):
+    """The plate: a rectangle about the origin, or any outline."""
+
+    checks: ClassVar[tuple[Check, ...]] = (
+        _one_outline,
+        _edges_or_support,
+        _hinged_along_axes,
+        _can_be_meshed,
+    )
+
+    length_x: Annotated[
+        float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)
+    ] = None
+    length_y: Annotated[
+        float | None, Quantity("length", "L_y", "side along y of a rectangle about the origin", POSITIVE)
+    ] = None
+    outline: Annotated[Shape | None, Table("outline of any shape, instead of length_x and length_y")] = None
+    openings: Annotated[tuple[Shape, ...], Table("what is cut out of the plate")] = ()
+    zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
+    thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE)]
+    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
+    nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
+    shear_factor: Annotated[
+        float, Number("kappa", "shear correction factor, 5/6 by default", Range(above=0, at_most=1))
+    ] = 5 / 6
+    thermal_expansion: Annotated[
+        float, Quantity("strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE)
+    ] = 1e-5
+    element: Annotated[Element, Choice(Element, "plate element; mitc9 does not lock")] = "mitc9"
+    edges: Annotated[Edges, Table("supports: hinged is w = 0 without tangential rotation, soft is w = 0 only")] = (
+        Edges()
+    )
+    support: Annotated[Support, Choice(Support, "support of the whole outline, of any shape")] = "free"
+
+    @property
+    def plain(self) -> bool:
+        """Return whether the plate is a rectangle about the origin with nothing cut out and one section."""
+        return self.outline is None and not self.openings and not self.zones
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the rectangle x0, x1, y0, y1 around the plate [m]."""
+        if self.outline is None:
+            assert self.length_x is not None
+            assert self.length_y is not None
+            return -self.length_x / 2, self.length_x / 2, -self.length_y / 2, self.length_y / 2
+        return box_of(self.outline.ring())
+
+    def ring(self) -> Ring:
+        """Return the outline as a curve."""
+        return (self.outline or Rectangle(x=self.bounds[:2], y=self.bounds[2:])).ring()
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """Return the sides of the rectangle around the plate [m]."""
+        x0, x1, y0, y1 = self.bounds
+        return x1 - x0, y1 - y0

@@ -1,0 +1,131 @@
+"""Shapes in plan as the input file says them: rectangles, polygons with arcs, circles; and zones of the plate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from pydantic import Discriminator, Tag
+
+from groundslab.model.ground import POSITIVE
+from groundslab.schema.base import Check, Part, Table, kind_of
+from groundslab.schema.fields import Number, Quantity, Several
+from groundslab.schema.issues import Finding
+from groundslab.schema.ranges import Range
+
+if TYPE_CHECKING:
+    from groundslab.geometry.plan import Ring
+
+#: Two points make a curve if one of its edges has at least this bulge.
+FLATTEST = 1e-3
+#: Arcs are judged by chords that are at most this far off, relative to the size of the curve.
+CHORD = 1e-4
+
+AcrossX = Annotated[tuple[float, float], Several(Quantity("length", "x", ""), "x", "extent along x", 2, rising=True)]
+AcrossY = Annotated[tuple[float, float], Several(Quantity("length", "y", ""), "y", "extent along y", 2, rising=True)]
+Place = Several(Quantity("length", "x, y", ""), "x, y", "a place in plan", 2)
+
+
+class Rectangle(Part):
+    """A rectangle along x and y."""
+
+    kind: Annotated[Literal["rectangle"], Table("a rectangle along x and y")] = "rectangle"
+    x: AcrossX
+    y: AcrossY
+
+    def ring(self) -> Ring:
+        """Return the curve around it."""
+        from groundslab.geometry.plan import rectangle
+
+        return rectangle(*self.x, *self.y)
+
+
+def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[Finding]:
+    least = 2 if any(abs(bulge) >= FLATTEST for bulge in bulges) else 3
+    if len(points) < least:
+        yield Finding(("points",), f"{len(points)} points", f"at least {least}")
+    if len(bulges) > len(points):
+        yield Finding(("bulges",), f"{len(bulges)} bulges", f"at most one for each of the {len(points)} points")
+
+
+def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[Finding]:
+    from shapely.validation import explain_validity
+
+    from groundslab.geometry.plan import Ring
+
+    if any(_few_points(points, bulges)):
+        return
+    ring = Ring(points, bulges)
+    x0, x1, y0, y1 = box_of(ring)
+    size = max(x1 - x0, y1 - y0)
+    reason = "all points at one place"
+    if size > 0:
+        reason = explain_validity(ring.polygon(CHORD * size))
+    if reason != "Valid Geometry":
+        got = reason.replace("[", " at (").replace("]", ") m").lower()
+        yield Finding(("points",), got, "a curve that neither crosses nor touches itself")
+
+
+class Polygon(Part):
+    """A closed curve through points, its edges straight or arcs."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_few_points, _crosses_itself)
+
+    kind: Annotated[Literal["polygon"], Table("a closed curve through points")] = "polygon"
+    points: Annotated[
+        tuple[tuple[float, float], ...],
+        Several(Place, "x, y", "the corners in order; the last is joined to the first"),
+    ]
+    bulges: Annotated[
+        tuple[float, ...],
+        Several(
+            Number("b", "", Range(at_least=-100.0, at_most=100.0)),
+            "b",
+            "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
+            least=0,
+        ),
+    ] = ()
+
+    def ring(self) -> Ring:
+        """Return the curve."""
+        from groundslab.geometry.plan import Ring
+
+        return Ring(self.points, self.bulges)
+
+
+class Circle(Part):
+    """A circle."""
+
+    kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
+    centre: Annotated[tuple[float, float], Several(Quantity("length", "x, y", ""), "x, y", "its centre", 2)] = (
+        0.0,
+        0.0,
+    )
+    radius: Annotated[float, Quantity("length", "r", "its radius", POSITIVE)]
+
+    def ring(self) -> Ring:
+        """Return the curve."""
+        from groundslab.geometry.plan import circle
+
+        return circle(self.centre, self.radius)
+
+
+def box_of(ring: Ring) -> tuple[float, float, float, float]:
+    """Return the rectangle x0, x1, y0, y1 around a curve, its arcs followed exactly [m]."""
+    places = list(ring.points)
+    for edge in () if ring.straight else ring.segments():
+        for quarter in () if edge.straight else range(-8, 9):
+            turned = (quarter * math.pi / 2 - edge.angle) * math.copysign(1.0, edge.sweep)
+            if 0 < turned < abs(edge.sweep):
+                x, y = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
+                places.append((edge.centre[0] + edge.radius * x, edge.centre[1] + edge.radius * y))
+    x_values, y_values = zip(*places, strict=True)
+    return min(x_values), max(x_values), min(y_values), max(y_values)
+
+
+AnyShape = Rectangle | Polygon | Circle
+Shape = Annotated[
+    Annotated[Rectangle, Tag("rectangle")] | Annotated[Polygon, Tag("polygon")] | Annotated[Circle, Tag("circle")],
+    Discriminator(kind_of),
+]

@@ -1,0 +1,124 @@
+"""Supports of the plate as the input file says them: points and lines, rigid or elastic, one-sided or not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Discriminator, Tag
+
+from groundslab.model.ground import POSITIVE
+from groundslab.model.plate import Plate
+from groundslab.model.shapes import Place
+from groundslab.schema.base import Check, Part, Table, kind_of
+from groundslab.schema.fields import Choice, Quantity, Several, Text
+from groundslab.schema.issues import Finding, describe
+from groundslab.schema.ranges import Range
+
+Acts = Literal["both ways", "in compression", "in tension"]
+Turning = Literal["free", "fixed"]
+
+SupportName = Annotated[str, Text("name of the support, by which loads and results call it")]
+ActsKey = Annotated[Acts, Choice(Acts, "in compression: it only pushes up; in tension: it only holds down")]
+GapKey = Annotated[
+    float, Quantity("length", "g_s", "way that the plate goes freely before the support acts", Range(at_least=0))
+]
+
+
+def _one_sided_only(acts: str, gap: float, limit: float | None) -> Iterator[Finding]:
+    mend = 'acts = "in compression" or "in tension"'
+    if acts == "both ways" and gap > 0:
+        yield Finding(("gap",), f"{gap!r} m", "no gap for a support that acts both ways", mend)
+    if acts == "both ways" and limit is not None:
+        yield Finding(("limit",), "a limit", "no limit for a support that acts both ways", mend)
+
+
+def _one_way_to_turn(rotation: str, rotational_stiffness: float | None) -> Iterator[Finding]:
+    if rotation == "fixed" and rotational_stiffness is not None:
+        yield Finding(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"')
+
+
+class PointSupport(Part):
+    """A support at a point, such as a column below or a pile."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _one_way_to_turn)
+
+    kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
+    name: SupportName = ""
+    x: Annotated[float, Quantity("length", "x", "position")]
+    y: Annotated[float, Quantity("length", "y", "position")]
+    stiffness: Annotated[
+        float | None, Quantity("stiffness", "K", "force per settlement; rigid by default", POSITIVE)
+    ] = None
+    acts: ActsKey = "both ways"
+    gap: GapKey = 0.0
+    limit: Annotated[
+        float | None, Quantity("force", "R_max", "largest force; with it the support yields", POSITIVE)
+    ] = None
+    rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn there")] = "free"
+    rotational_stiffness: Annotated[
+        float | None,
+        Quantity("moment per angle", "K_r", "moment per rotation, about both axes; none by default", POSITIVE),
+    ] = None
+
+
+def _turning_needs_rigid(rotation: str, stiffness: float | None, acts: str) -> Iterator[Finding]:
+    if rotation == "fixed" and (stiffness is not None or acts != "both ways"):
+        expected = '"free", or a rigid support that acts both ways: along the line w = 0 then says how it turns'
+        yield Finding(("rotation",), '"fixed"', expected)
+
+
+class LineSupport(Part):
+    """A support along straight lines, such as a wall or a beam below; rigid lines hinge or clamp the plate."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _turning_needs_rigid)
+
+    kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
+    name: SupportName = ""
+    points: Annotated[
+        tuple[tuple[float, float], ...], Several(Place, "x, y", "the line's points, joined one after the other")
+    ]
+    stiffness: Annotated[
+        float | None,
+        Quantity("stiffness per length", "K_l", "force per length and settlement; rigid by default", POSITIVE),
+    ] = None
+    acts: ActsKey = "both ways"
+    gap: GapKey = 0.0
+    limit: Annotated[
+        float | None, Quantity("force per length", "r_max", "largest force per length; with it it yields", POSITIVE)
+    ] = None
+    rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn across the line")] = "free"
+
+
+AnySupport = PointSupport | LineSupport
+Support = Annotated[Annotated[PointSupport, Tag("point")] | Annotated[LineSupport, Tag("line")], Discriminator(kind_of)]
+
+
+def lines_run(supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+    """Find lines that go nowhere."""
+    for position, support in enumerate(supports):
+        if isinstance(support, LineSupport) and len(support.points) < 2:
+            yield Finding(("supports", position, "points"), f"{len(support.points)} point", "at least two")
+
+
+def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+    """Find supports further off the plate than it is long, which no drawing of a plan need hold."""
+    x0, x1, y0, y1 = plate.bounds
+    far = max(plate.sides)
+    for position, support in enumerate(supports):
+        places = support.points if isinstance(support, LineSupport) else ((support.x, support.y),)
+        for x, y in places:
+            if not (x0 - far <= x <= x1 + far and y0 - far <= y <= y1 + far):
+                yield Finding(("supports", position), f"a place far off the plate, ({x:.6g}, {y:.6g}) m", "one on it")
+                break
+
+
+def named_once(part: str, names: list[str], needed: bool) -> Iterator[Finding]:
+    """Find names that are empty though needed, or given twice, among the parts of a list."""
+    seen = set[str]()
+    for position, name in enumerate(names):
+        if not name and needed:
+            yield Finding((part, position, "name"), "no name", "a name")
+        if name in seen:
+            yield Finding((part, position, "name"), f"{describe(name)} again", "a name of its own")
+        seen |= {name} - {""}

@@ -1,7 +1,0 @@
-"""The report: one HTML file that holds all of a solved model, opens without a network, and prints."""
-
-from __future__ import annotations
-
-from groundslab.report.document import check, default_path, html_of, text_of, write
-
-__all__ = ["check", "default_path", "html_of", "text_of", "write"]

@@ -1,0 +1,1 @@
+"""What an analysis returns: fields, their recovery from a solution, and the certificate."""

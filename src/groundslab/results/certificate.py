@@ -1,0 +1,278 @@
+"""The certificate of a result: equilibrium and complementarity, computed anew from the solution."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.fem.assembly import scatter
+from groundslab.fem.bearings import CLOSED, YIELDING
+from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
+from groundslab.fem.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    Problem,
+    System,
+    W,
+    edge_lengths,
+    fields_of,
+    planes,
+    surface_settlement,
+    tails,
+    without_rigid_motion,
+)
+from groundslab.results.results import Certificate
+from groundslab.solvers.equilibrium import free_motions
+from groundslab.solvers.solution import Solution
+
+_CHUNK = 4096
+#: A settlement this small against the plate, or a contact force this small against the load, counts as none.
+NOTHING = 1e-12
+#: Forces are exact to 1e-15 of stiffness times displacement: the share of it whose TOLERANCE that is.
+ROUNDING = 1e-15 / Certificate.TOLERANCE
+
+
+def decay_squared(s: System, U: Array, column: Column) -> float:
+    """Return int |grad w0|^2 / int w0^2 [1/m2] over all ground, that beyond infinite edges included (paper (2.23))."""
+    problem, b = s.problem, s.blocks
+    w = surface_settlement(s, U)
+    we = w[0][problem.mesh.elements]
+    squares = _by_kind(b.mass, b.kind, we, we)
+    varying = we - we[:, 8:]  # else rounding makes slopes of a settlement that is everywhere the same
+    slopes = _by_kind(b.slope, b.kind, varying, varying)
+    if len(problem.edges):
+        t, at_corners = tails(problem, column)
+        X, Y, _, _ = t.square_integrals()
+        _, _, Xc, Yc = at_corners.square_integrals()
+        length = edge_lengths(problem)
+        # the amplitudes' products are summed over edges and corners where the tails are the same
+        products = "emn" if t.varies else "mn"
+        c = np.einsum("...ms,s...k->...km", t.share, w[:, problem.edges])
+        along = np.einsum(f"e,ekm,kl,eln->{products}", length, c, EDGE_MASS, c)
+        across = np.einsum(f"e,ekm,kl,eln->{products}", 1 / length, c, EDGE_SLOPE, c)
+        c = np.einsum("...ms,s...->...m", at_corners.share, w[:, problem.corners])
+        corner = np.einsum(f"em,en->{products}", c, c)
+        squares += float((X * along).sum() + (Xc * corner).sum())
+        slopes += float((Y * along).sum() + (X * across).sum() + (Yc * corner).sum())
+    return max(slopes, 0.0) / squares if squares > 0 else 0.0
+
+
+def _by_kind(matrices: Array, kind: Integers, u: Array, v: Array) -> float:
+    """Return the sum over elements of u_e . M_kind(e) v_e."""
+    return float(np.einsum("ea,ea->", u, apply(matrices, kind, v)))
+
+
+def apply(matrices: Array, kind: Integers, v: Array) -> Array:
+    """Return M_kind(e) v_e for every element, (m, rows), some thousand elements at a time to spare memory."""
+    if len(matrices) == 1:
+        only: Array = v @ matrices[0].T
+        return only
+    out = np.empty((len(v), matrices.shape[1]))
+    for start in range(0, len(v), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        out[part] = np.einsum("eab,eb->ea", matrices[kind[part]], v[part], optimize=True)
+    return out
+
+
+def plate_forces(s: System, U: Array) -> Array:
+    """Return the forces (n, 3) that the plate's deformation puts on w, beta_x, beta_y of each node."""
+    problem, b = s.problem, s.blocks
+    elements = problem.mesh.elements[problem.plate_elements]
+    U = without_rigid_motion(problem, U)
+    u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
+    f = apply(b.plate, b.kind[problem.plate_elements], u)
+    n = len(problem.mesh.nodes)
+    return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
+
+
+def ground_forces(s: System, U: Array, column: Column) -> Array:
+    """Return the forces (n, 1 + S) that the ground's deformation puts on the plate's w and on each surface.
+
+    The first column differs from the second only where a plate's centre w hangs on its element's other nodes.
+    """
+    problem, b = s.problem, s.blocks
+    w = surface_settlement(s, U)
+    elements, n = problem.mesh.elements, len(problem.mesh.nodes)
+    forces = np.zeros((n, 1 + column.surfaces))
+    mass = [apply(b.mass, b.kind, w[j][elements]) for j in range(column.surfaces)]
+    slope = [apply(b.slope, b.kind, w[j][elements]) for j in range(column.surfaces)]
+    for i in range(column.surfaces):
+        by_element = np.zeros_like(mass[0])
+        for j in range(column.surfaces):
+            by_element += column.A0[..., i, j, None] * mass[j] + column.A1[..., i, j, None] * slope[j]
+        forces[:, 1 + i] = scatter(elements, by_element, n)
+        if i == 0:
+            on_w = np.einsum("ea,eab->eb", by_element, b.T[b.kind])
+            under = problem.plate_nodes
+            forces[under, 0] = scatter(elements, on_w, n)[under]
+    if len(problem.edges):
+        forces[:, 1:] += _tail_forces(problem, w, column)
+    return forces
+
+
+def moved_as_a_whole(s: System, column: Column) -> tuple[Array, Array]:
+    """Return orthonormal rigid motions of the plate with the ground under it (size, 3), and their forces (size, 3).
+
+    The forces are the ground's alone, which the matrix knows with the rounding of a plate that may be much stiffer.
+    Of a plate that supports hold, or of which a part is meshed, the motions that are left, (size, m).
+    """
+    problem, size = s.problem, s.pattern.size
+    nodes, free = problem.plate_nodes, free_motions(problem)
+    motions, forces = np.zeros((size, free.shape[1])), np.zeros((size, free.shape[1]))
+    has = problem.unknown >= 0
+    for number, motion in enumerate(np.moveaxis(planes(problem) @ free, 2, 0)):
+        U = np.zeros(problem.unknown.shape)
+        U[nodes, :TOP] = motion[nodes]
+        ground = ground_forces(s, U, column)
+        resisting = np.zeros_like(U)
+        for surface in range(column.surfaces):
+            for field in fields_of(surface):
+                resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
+        motions[problem.unknown[has], number] = U[has]
+        forces[problem.unknown[has], number] = resisting[has]
+    Q, R = np.linalg.qr(motions)
+    return Q, np.linalg.solve(R.T, forces.T).T
+
+
+def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
+    """Return the forces (n, S) that infinite ground puts on the outer edges."""
+    (t, at_corners), length = tails(problem, column), edge_lengths(problem)
+    we = w[:, problem.edges]
+    f = np.einsum("...ij,...,kl,j...l->i...k", t.spring, length, EDGE_MASS, we)
+    f += np.einsum("...ij,...,kl,j...l->i...k", t.slope, 1 / length, EDGE_SLOPE, we)
+    n = len(problem.mesh.nodes)
+    forces = np.column_stack([scatter(problem.edges, each, n) for each in f])
+    forces[problem.corners] += np.einsum("...ij,j...->...i", at_corners.corner, w[:, problem.corners])
+    return forces
+
+
+def resistance(solution: Solution) -> tuple[Array, Array]:
+    """Return the forces (n, F) with which plate and ground resist, and the ground's share of them (n, 1 + S)."""
+    s, U, column = solution.system, solution.U, solution.column
+    ground = ground_forces(s, U, column)
+    inner = np.zeros_like(U)
+    inner[:, :TOP] = plate_forces(s, U)
+    for surface in range(column.surfaces):
+        for field in fields_of(surface):
+            inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
+    return inner, ground
+
+
+def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
+    """Return the certificate of a solution under the full load."""
+    s, U, column, c = solution.system, solution.U, solution.column, solution.contact
+    problem = s.problem
+    nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
+    (inner, ground), load = resistance(solution), problem.load
+    rest = inner - load
+
+    held = problem.unknown < 0
+    borne = np.zeros_like(U)
+    np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
+    # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
+    springs = np.abs(c.force[np.isfinite(solution.law.stiffness)])
+    way = np.abs(solution.law.level[c.state == CLOSED]).max(initial=0.0)
+    rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
+    residual = float(
+        np.abs((rest - borne)[~held]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
+    )
+
+    # what the supports push on the plate, moments about the origin
+    support = np.where(held[:, :TOP], rest[:, :TOP], 0.0)
+    support[:, W] *= _own_w(problem)
+    own = bearing.field != TOP
+    np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
+    pushed = ground[:, 0].sum()
+    up = np.column_stack([ground[:, 0], np.zeros((len(nodes), 2))])
+    reaction = _resultant(nodes, up - support)
+    wanted = _resultant(nodes, load[:, :TOP])
+    missing = np.abs(reaction - wanted)
+    length = np.ptp(nodes[under], axis=0).max()
+    parts = (
+        (load + np.pad(support, ((0, 0), (0, load.shape[1] - TOP))))[:, :TOP] / [1.0, length, length],
+        ground[:, 0],
+        springs,
+    )
+    size = max(rounding, *(np.abs(part).sum() for part in parts)) or 1.0
+    moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
+
+    settlement = max(np.abs(U[:, W]).max(), NOTHING * length)
+    gap, force, product = _bearing_errors(solution, NOTHING * size)
+    share = 2.0 ** sum(problem.symmetry)
+    return Certificate(
+        residual=residual,
+        load=float(wanted[0] * share),
+        reaction=float(reaction[0] * share),
+        force_balance=float(missing[0] / size),
+        moment_balance=float(moments.max() / (size * length)),
+        ground_balance=float(abs(_carried(s, U, column, inner) - pushed) / size),
+        worst_gap=float(gap / settlement),
+        worst_pressure=force,
+        worst_product=float(product / settlement),
+        gamma_change=solution.gamma_change,
+        margin_effect=margin_effect,
+    )
+
+
+def worst(proofs: Sequence[Certificate]) -> Certificate:
+    """Return the first certificate with the largest of all for every figure that must vanish."""
+    names = proofs[0].must_vanish()
+    return replace(proofs[0], **{name: max(getattr(proof, name) for proof in proofs) for name in names})
+
+
+def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
+    """Return how badly the laws of the bearings are broken: way [m], force, and force times way [m].
+
+    One-sided bearings may not be driven in further than their force says, pull, exceed their capacity, or carry
+    anything while there is a way to go. Forces are relative to those of their own kind: at a node of the ground to what
+    the largest pressure would give on its area, at a support to the largest force of a support, and each to a force
+    that counts as nothing.
+    """
+    problem, law, c = solution.system.problem, solution.law, solution.contact
+    if not len(law):
+        return 0.0, 0.0, 0.0
+    ground = problem.bearing.support < 0
+    scale = np.full(len(law), np.abs(c.force[~ground]).max(initial=0.0))
+    area = problem.depths.area[problem.bearing.node[ground], problem.bearing.depth[ground]]
+    scale[ground] = area * np.abs(c.force[ground][area > 0] / area[area > 0]).max(initial=0.0)
+    scale = np.maximum(scale, nothing)
+    elastic = np.isfinite(law.stiffness)
+    way = law.driven(c.u)
+    way[elastic] -= c.force[elastic] / law.stiffness[elastic]
+    one_sided = ~law.both_ways
+    yielding = c.state == YIELDING
+    broken = np.where(law.both_ways, np.abs(way), np.where(yielding, -way, way))[law.capacity > 0]
+    force = np.where(one_sided, np.maximum(-c.force, c.force - law.capacity), 0.0) / scale
+    product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
+    return max(0.0, float(broken.max(initial=0.0))), max(0.0, float(force.max())), float(product.max())
+
+
+def _own_w(problem: Problem) -> Array:
+    """Return 0.0 at centres whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
+    own = np.ones(len(problem.mesh.nodes))
+    if not problem.element.centre_w:
+        own[problem.mesh.elements[problem.plate_elements, 8]] = 0.0
+    return own
+
+
+def _resultant(nodes: Array, forces: Array) -> Array:
+    """Return sum F, sum F x + M_x, sum F y + M_y of nodal forces (n, 3) on w, beta_x, beta_y."""
+    F = forces[:, W]
+    return np.array([F.sum(), F @ nodes[:, 0] + forces[:, BETA_X].sum(), F @ nodes[:, 1] + forces[:, BETA_Y].sum()])
+
+
+def _carried(s: System, U: Array, column: Column, inner: Array) -> float:
+    """Return the force that leaves the ground: into the rigid base, into fixed outer edges and into infinite ground."""
+    problem = s.problem
+    w = surface_settlement(s, U)
+    volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
+    base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
+    fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)
+    fixed[problem.plate_nodes] = False
+    edge = -inner[:, TOP:][fixed].sum()
+    lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
+    return float(base + edge + lost)

@@ -1,0 +1,110 @@
+"""What happens between plate and ground in a solution: pressure, gap and contact, at nodes and by element."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.fem.assembly import scatter
+from groundslab.fem.problem import MIDSIDES, TOP, plate_settlement
+from groundslab.fem.shape_functions import areas
+from groundslab.results.certificate import ground_forces
+from groundslab.results.edge_forces import ground_shear, parted, pressed
+from groundslab.results.result_mesh import Frame
+from groundslab.solvers.solution import Solution
+
+
+def contact_fields(solution: Solution, frame: Frame) -> tuple[dict[str, Array], Array]:
+    """Return fields at the nodes of a frame (k,), whether they touch as 1 or 0, and each element's mean pressure (mp,).
+
+    A node's pressure is the contact force on its own elements over their share of area, less the line force along the
+    plate's edge, so that all nodes together, and all elements together, carry the whole contact force beside that.
+    """
+    problem, elements = solution.system.problem, frame.mesh.elements
+    pressure, touching, gap, sunk, line_force = _at_depths(solution, frame)
+    of = problem.mesh.elements[problem.plate_elements]
+    share = frame.mean * areas(frame.mesh.xy)[:, None]
+
+    def by_element(values: Array) -> Array:
+        found: Array = np.einsum("ed,ead->ea", problem.depths.share, values[of])
+        return found
+
+    bears = scatter(elements, by_element(touching) * share, len(frame.node))
+    here = frame.node, frame.depth
+    in_contact = bears > 0
+    at_elements = by_element(pressure)
+    at_nodes = pressure[here]
+    if len(problem.depths.depth) > 1:
+        at_nodes = scatter(elements, at_elements * share, len(frame.node)) / frame.area
+    return {
+        "gap": np.where(in_contact, 0.0, gap[here]),
+        "penetration": np.where(in_contact, sunk[here], 0.0),
+        "pressure": at_nodes,
+        "in_contact": in_contact.astype(np.float64),
+        "contact_area": bears,
+        "line_force": np.where(frame.edge_length > 0, line_force[frame.node], 0.0),
+    }, np.einsum("ea,ea->e", frame.mean, at_elements)
+
+
+def _at_depths(solution: Solution, frame: Frame) -> tuple[Array, Array, Array, Array, Array]:
+    """Return what lies at each depth at each node of the plate, arrays (n, d), and the edge line force (n,) [N/m].
+
+    The pressure that it carries, 1.0 where it touches the plate, the gap above it and how far the plate has sunk into
+    it. A cavity has no bottom: its gap is that above the level of the ground around it, if there is any.
+    """
+    s, U = solution.system, solution.U
+    problem, under = s.problem, s.problem.plate_nodes
+    below, b = problem.depths, problem.bearing
+    pressure, touching, gap, sunk = np.zeros((4, *below.area.shape))
+    if not problem.tensionless:
+        pressure[under, 0] = ground_forces(s, U, solution.column)[under, 1] / below.area[under, 0]
+        touching[under, 0] = 1.0
+        return pressure, touching, gap, sunk, _line_force(solution, frame, pressure)
+    ground = np.flatnonzero(b.support < 0)
+    at = b.node[ground], b.depth[ground]
+    pressure[at] = solution.contact.force[ground] / below.area[at]
+    touching[at] = solution.contact.closed[ground] & (b.law.capacity[ground] > 0)
+    for k in range(1, len(below.depth)):
+        # the bottom of a void that takes a part of an element bears at its sides only
+        part = problem.mesh.elements[problem.plate_elements]
+        part = part[below.first[part[:, 8]] < k]
+        touching[part[:, 8], k] = touching[part[:, MIDSIDES], k].mean(axis=1)
+    sunk[at] = solution.slip[ground]
+
+    depth = np.where(np.isfinite(below.depth), below.depth, 0.0)
+    first = below.first[under]
+    own = problem.initial_gap - depth[below.first]
+    opened = U[under, TOP] + problem.initial_gap[under] + sunk[under, first]
+    # ground without shear that bears nothing does not settle
+    alone = own - plate_settlement(s, U) if below.steps else np.zeros(len(own))
+    if not below.steps:
+        alone[under] = opened - depth[first]
+    gap[under] = np.maximum(alone[under, None] + depth, 0.0)
+    gap[under, first] = opened
+    return pressure, touching, gap, sunk, _line_force(solution, frame, pressure)
+
+
+def _line_force(solution: Solution, frame: Frame, pressure: Array) -> Array:
+    """Return the line force along the plate's edge (n,) [N/m], and take it off the pressure (n, d) [Pa] in place.
+
+    pressure holds it at first, spread over the area of each node of the edge. Ground without shear has none.
+    """
+    s, problem = solution.system, solution.system.problem
+    line_force = np.zeros(len(pressure))
+    edge = np.flatnonzero(frame.nodal_edge_length)
+    if not problem.shear_at_edges or not len(edge):
+        return line_force
+    at_points = ground_shear(s, solution.U, solution.column)
+    shear = frame.at_nodes(at_points, ("shear_x", "shear_y"), ())  # smooth, and linear in U
+    share = pressed(s, solution.U, solution.column, frame.edges, shear)
+    at = edge, problem.depths.first[edge]
+    area = problem.depths.area[at]
+    pressure[at], line_force[edge] = parted(
+        pressure[at] * area,
+        share[edge],
+        area,
+        frame.nodal_edge_length[edge],
+        problem.limit_pressure,
+        problem.tensionless,
+    )
+    return line_force

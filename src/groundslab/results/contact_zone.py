@@ -1,0 +1,75 @@
+"""What several readers ask of results: are they finite, where does the plate lift, is there a line force."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.errors import GroundslabError
+
+if TYPE_CHECKING:
+    from groundslab.results.results import (
+        Array,
+        Certificate,
+        Constants,
+        ElementResult,
+        GroundResult,
+        PlateResult,
+        Results,
+    )
+
+
+def require_finite(results: Results) -> None:
+    """Raise GroundslabError if any number of the results is infinite or not a number."""
+    parts: dict[str, PlateResult | ElementResult | GroundResult | Constants | Certificate] = {
+        "plate": results.plate,
+        "elements": results.elements,
+        "ground": results.ground,
+        "constants": results.constants,
+        "certificate": results.certificate,
+    }
+    for part, values in parts.items():
+        for item in fields(values):
+            value = getattr(values, item.name)
+            if value is not None and not np.all(np.isfinite(value)):
+                raise GroundslabError(
+                    f"{part}.{item.name} of the results holds a number that is not finite; nothing is shown or written"
+                )
+
+
+def contact_share(plate: PlateResult) -> float:
+    """Return the part of the plate's area that rests on the ground."""
+    return float(plate.contact_area.sum() / plate.area.sum())
+
+
+def has_line_force(results: Results) -> bool:
+    """Return whether the ground acts by a line force, too, along the plate's edge: it does if it carries shear."""
+    return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.edge_length.any())
+
+
+def goes_below_zero(values: Array) -> bool:
+    """Return whether the smallest of the values is negative by more than rounding."""
+    return bool(values.min() < -1e-9 * np.abs(values).max())
+
+
+def contact_function(results: Results) -> Array:
+    """Return a field (n,) that is negative at nodes in contact, positive elsewhere, zero on the boundary.
+
+    Without shear in the ground it is k0 g - p, with k0 of all layers in series: on Winkler ground it crosses
+    zero linearly. With shear the pressure jumps to zero at the boundary and the gap grows as the square of the
+    distance, so its root stands for the distance on the open side, and half a usual first step on the other.
+    """
+    plate = results.plate
+    closed = plate.in_contact
+    if any(k1 > 0 for k1 in results.constants.k1):
+        outside = np.sqrt(np.maximum(plate.gap, 0.0))
+        mixed = closed[plate.elements].any(axis=1) & ~closed[plate.elements].all(axis=1)
+        front = np.setdiff1d(plate.elements[mixed], np.flatnonzero(closed))
+        inside = np.full(len(closed), np.median(outside[front]) / 2 if len(front) else 1.0)
+    else:
+        stiffness = 1 / sum(1 / k0 for k0 in results.constants.k0)
+        outside, inside = stiffness * plate.gap, plate.pressure
+    small = 1e-9 * max(float(np.abs(outside).max()), float(np.abs(inside).max()), 1e-300)
+    return np.where(closed, -np.maximum(inside, small), np.maximum(outside, small))

@@ -1,0 +1,204 @@
+"""From unknowns to results: moments and shear forces, contact pressure, the full plate from its meshed part."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.discretize.nodal_loads import materials
+from groundslab.fem.assembly import scatter
+from groundslab.fem.problem import (
+    BETA_X,
+    BETA_Y,
+    Problem,
+    W,
+    plate_settlement,
+    surface_settlement,
+    without_rigid_motion,
+)
+from groundslab.fem.vlasov import Soil
+from groundslab.model.loads.load_cases import Combination
+from groundslab.model.model import Model
+from groundslab.results.certificate import apply, resistance
+from groundslab.results.contact_fields import contact_fields
+from groundslab.results.result_mesh import Frame
+from groundslab.results.results import (
+    Certificate,
+    Constants,
+    ElementResult,
+    GroundResult,
+    Increment,
+    PlateResult,
+    Results,
+    Step,
+    SupportResult,
+)
+from groundslab.solvers.solution import Solution
+
+#: What is recovered from the Gauss points, in the order of plate.section_forces.
+FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+#: Weights of their squares in the size of the moment tensor, and of the shear force, in any direction alike.
+SIZES = (np.array([1.0, 1.0, 2.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0, 1.0]))
+
+
+def recover(
+    model: Model,
+    combination: Combination,
+    solution: Solution,
+    frame: Frame,
+    proof: Certificate,
+    steps: tuple[Step, ...],
+    solver: str,
+    increments: tuple[Increment, ...] = (),
+) -> Results:
+    """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
+    plate, elements, ground = _parts(model, solution, frame)
+    return Results(
+        model=model,
+        plate=plate,
+        elements=elements,
+        ground=ground,
+        constants=_constants(solution),
+        certificate=proof,
+        steps=steps,
+        solver=solver,
+        unknowns=solution.system.pattern.size,
+        symmetry=solution.system.problem.symmetry,
+        combination=combination.name,
+        limit_state=combination.limit_state,
+        factors=combination.factors if model.cases else (),
+        supports=_supports(model, solution),
+        increments=increments,
+    )
+
+
+def increment(model: Model, solution: Solution, frame: Frame, share: float) -> Increment:
+    """Return the state under a share of the load; the solution's problem has that share for its load."""
+    return Increment(share, *_parts(model, solution, frame))
+
+
+def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
+    """Return plate, elements and ground of the whole, with their fields."""
+    problem, plate, ground = solution.system.problem, frame.plate, frame.ground
+    contact, pressure = contact_fields(solution, frame)
+    fields = _plate_fields(solution, frame) | contact
+    at_centres = _element_fields(model, problem, solution.U, frame) | {"pressure": pressure}
+    nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
+    elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
+    section = elements.pop("section").astype(np.int64)
+    in_contact = nodal.pop("in_contact") > 0
+    surfaces = surface_settlement(solution.system, solution.U)
+    return (
+        PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, **nodal),
+        ElementResult(section=section, **elements),
+        GroundResult(ground.mesh.nodes, ground.mesh.elements, surfaces[:, ground.node]),
+    )
+
+
+def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
+    """Return what each support carries."""
+    problem, b = solution.system.problem, solution.system.problem.bearing
+    if not model.supports:
+        return ()
+    rest = resistance(solution)[0] - problem.load
+    w = plate_settlement(solution.system, solution.U)
+    force = b.law.sign * solution.contact.force
+    found = []
+    for number, support in enumerate(model.supports):
+        own = np.flatnonzero((b.support == number) & (b.field == W))
+        nodes = b.node[own]
+        moments = np.zeros((len(nodes), 2))
+        for axis in (0, 1):
+            if support.rotation == "fixed":
+                moments[:, axis] = rest[nodes, BETA_X + axis]
+            turned = np.flatnonzero((b.support == number) & (b.field == BETA_X + axis))
+            if len(turned) and len(nodes):
+                moments[:, axis] += force[turned]
+        found.append(
+            SupportResult(
+                name=support.name or f"support {number + 1}",
+                nodes=problem.mesh.nodes[nodes],
+                length=b.length[own],
+                settlement=w[nodes],
+                force=-force[own],
+                moment_x=moments[:, 0],
+                moment_y=moments[:, 1],
+            )
+        )
+    return tuple(found)
+
+
+def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
+    """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1.
+
+    Without those of contact, see `contact_fields`.
+    """
+    s, U = solution.system, solution.U
+    fields = {
+        "settlement": plate_settlement(s, U),
+        "rotation_x": U[:, BETA_X],
+        "rotation_y": U[:, BETA_Y],
+    }
+    at_nodes = {name: field[frame.node] for name, field in fields.items()}
+    shares = {"area": frame.area, "edge_length": frame.edge_length}
+    return {**at_nodes, **shares, **section_forces(s.problem, U, frame)}
+
+
+def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
+    """Return the fields at the centres of the plate's elements (mp,), the number of the section as a float among them.
+
+    Without the pressure.
+    """
+    thickness = np.array([t for _, _, t in materials(model)])[problem.section]
+    forces = dict(zip(FORCES, centre_forces(problem, U, frame).T, strict=True))
+    return {**forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
+
+
+def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5)."""
+    elements = problem.mesh.elements[problem.plate_elements]
+    U = without_rigid_motion(problem, U)
+    u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
+    forces = apply(frame.matrices, frame.kind, u).reshape(len(elements), 4, 5)
+    if problem.loading.warp.any():
+        # what bends freely carries nothing
+        free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.warp[:, None]
+        forces[..., :3] += free[:, None]
+    return forces
+
+
+def centre_forces(problem: Problem, U: Array, frame: Frame) -> Array:
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the centres of the plate's elements, (mp, 5).
+
+    Nothing is averaged between elements: each has the mean of its 2 x 2 Gauss points, which is their bilinear field's
+    value at its centre. The elements are those of the meshed part, in its order.
+    """
+    centres: Array = gauss_forces(problem, U, frame).mean(axis=1)
+    return centres
+
+
+def section_forces(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
+    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, recovered part by part.
+
+    From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992) in the parts of the
+    mesh in which they are smooth, whose nodes stand apart; nodes that are one in the mesh take the mean.
+    """
+    mesh = frame.mesh
+    at_nodes = frame.at_nodes(gauss_forces(problem, U, frame), FORCES, SIZES)
+    n = len(mesh.nodes)
+    meeting = np.bincount(mesh.elements.ravel(), minlength=n)
+    return {name: scatter(mesh.elements, at_nodes[..., i], n) / meeting for i, name in enumerate(FORCES)}
+
+
+def _constants(solution: Solution) -> Constants:
+    """Return k0 and k1 of each layer, given or from gamma; where the ground varies, the means over the plate's area."""
+    problem, gamma = solution.system.problem, solution.gamma
+    ground = problem.ground
+    if isinstance(ground, Soil):
+        assert gamma is not None
+        k0, k1 = ground.layer_parameters(gamma)
+        if ground.share is not None:
+            k0, k1 = ground.share @ k0, ground.share @ k1
+    else:
+        k0, k1 = problem.constants
+    return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations)

@@ -1,0 +1,1 @@
+"""How input is described and checked: types of fields, the base class, issues and their wording, the reference."""

@@ -1,0 +1,448 @@
+"""The kinds of keys that a description consists of, and what is said when the value of one is wrong.
+
+A key's kind states type, unit, symbol, range and meaning once; checks, JSON schema and docs come from it.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import numbers
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, get_args
+
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema, core_schema
+
+from groundslab import units
+from groundslab.schema import ranges
+from groundslab.schema.issues import Finding, Wrong, describe, listed, quote, suggestion, wrong
+from groundslab.schema.ranges import ANY, Range
+
+#: Validation context of what comes from a file: there units are mandatory, a key without effect a fault.
+FROM_FILE = {"from_file": True}
+MOST_FAULTS = 100  # reported for one table
+MOST_VALUES = 10_000  # of a list, unless its key says otherwise
+LARGEST_WHOLE = 2**31 - 1
+
+
+class Key:
+    """The kind of a key that holds a value: how it is read, checked, written and described.
+
+    Stands in the ``Annotated`` of a field. Subclasses are frozen dataclasses with ``symbol`` and ``meaning``.
+    """
+
+    symbol: str = ""
+    meaning: str = ""
+
+    def read(self, value: Any, from_file: bool) -> Any:
+        """Return the value as it is kept; raises Wrong."""
+        raise NotImplementedError
+
+    def expected(self) -> str:
+        """Return what the value should be, for messages and examples."""
+        raise NotImplementedError
+
+    def write(self, value: Any) -> str:
+        """Return the value as TOML."""
+        raise NotImplementedError
+
+    def type_words(self) -> str:
+        """Return type or unit for the table of keys."""
+        raise NotImplementedError
+
+    def range_words(self) -> str:
+        """Return the range for the table of keys."""
+        return ""
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return the JSON schema of the value in a file."""
+        raise NotImplementedError
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Let pydantic read the value with ``read``; None is allowed where the type says so."""
+        schema = core_schema.with_info_plain_validator_function(self._read)
+        return core_schema.nullable_schema(schema) if type(None) in get_args(source) else schema
+
+    def _read(self, value: Any, info: core_schema.ValidationInfo) -> Any:
+        return self.read(value, from_file=is_from_file(info.context))
+
+
+def is_from_file(context: Any) -> bool:
+    """Whether pydantic's validation context is FROM_FILE."""
+    return isinstance(context, Mapping) and bool(context.get("from_file"))
+
+
+def _looks_like_number(text: str) -> bool:
+    try:
+        return len(text) <= 40 and math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
+def _number(value: Any, expected: str, mend: str = "") -> float:
+    """Return a finite number as float; raises Wrong."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise wrong(value, expected, mend)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise wrong(value, expected, mend or "the number must be finite")
+    return number
+
+
+@dataclass(frozen=True)
+class Quantity(Key):
+    """A number with a unit: text in files, text or a float in SI units in Python."""
+
+    dimension: str
+    symbol: str
+    meaning: str
+    range: Range = ANY
+
+    def read(self, value: Any, from_file: bool) -> float:
+        """Return the quantity in SI units."""
+        if isinstance(value, str):
+            try:
+                number = units.parse(value, self.dimension)
+            except units.QuantityError as error:
+                raise wrong(value, self.expected(), error.reason) from None
+        elif from_file:
+            mend = "write number and unit in quotes" if isinstance(value, int | float) else ""
+            raise wrong(value, self.expected(), "" if isinstance(value, bool) else mend)
+        else:
+            number = _number(value, f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si}")
+        limits = ranges.of_quantity(self.range, self.dimension)
+        if not limits.holds(number):
+            raise wrong(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
+        return number
+
+    def _limit(self, value: float) -> str:
+        """Return a limit for messages."""
+        if value == 0:
+            return "0"
+        known = units.DIMENSIONS[self.dimension]
+        if known.smallest < abs(value) < known.largest and abs(value) >= 1e-3:
+            return units.show(value, self.dimension)
+        return f"{ranges.short(value)} {known.si}"
+
+    def expected(self) -> str:
+        """Return an example."""
+        return units.expectation(self.dimension)
+
+    def write(self, value: float) -> str:
+        """Return the quantity with its SI unit, in quotes."""
+        return quote(units.write(value, self.dimension))
+
+    def type_words(self) -> str:
+        """Return the dimension and an example of its units."""
+        return f"{self.dimension} (`{quote(units.DIMENSIONS[self.dimension].example)}`)"
+
+    def range_words(self) -> str:
+        """Return the range with its unit."""
+        return f"{ranges.of_quantity(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return a string with a number at its front; the unit's dimension is left to the program."""
+        return {
+            "type": "string",
+            "pattern": rf"^\s*{units.NUMBER}\s*(?:1/)?[A-Za-zµμ]",
+            "maxLength": units.LONGEST,
+            "examples": [units.DIMENSIONS[self.dimension].example],
+            "x-dimension": self.dimension,
+            "x-range": self.range_words(),
+        }
+
+
+@dataclass(frozen=True)
+class Number(Key):
+    """A pure number, or one of some words that stand for a rule to find it."""
+
+    symbol: str
+    meaning: str
+    range: Range = ANY
+    words: tuple[str, ...] = ()
+
+    def read(self, value: Any, from_file: bool) -> float | str:  # noqa: ARG002
+        """Return the number as float, or the word."""
+        if isinstance(value, str) and value in self.words:
+            return value
+        mend = "write it without quotes" if isinstance(value, str) and _looks_like_number(value) else ""
+        number = _number(value, self.expected(), mend)
+        limits = ranges.of_number(self.range)
+        if not limits.holds(number):
+            own = replace(self.range, smallest=0.0).holds(number)
+            raise wrong(value, f"a number {limits.wanted(number)}" if own else self.expected())
+        return number
+
+    def expected(self) -> str:
+        """Return the range in words."""
+        return listed([f"a number {self.range.words()}".strip(), *map(quote, self.words)])
+
+    def write(self, value: float | str) -> str:
+        """Return the number with all its digits, or the word in quotes."""
+        return quote(value) if isinstance(value, str) else repr(value)
+
+    def type_words(self) -> str:
+        """Return that it is a number, or a word."""
+        return listed(["number", *(f"`{quote(word)}`" for word in self.words)])
+
+    def range_words(self) -> str:
+        """Return the range."""
+        return ranges.of_number(self.range).signs()
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return a number, or the words."""
+        number = {"type": "number", **ranges.of_number(self.range).schema()}
+        return {"anyOf": [number, {"enum": list(self.words)}]} if self.words else number
+
+
+@dataclass(frozen=True)
+class Whole(Key):
+    """A whole number from ``at_least`` to ``at_most``."""
+
+    meaning: str
+    at_least: int = 1
+    at_most: int = LARGEST_WHOLE
+
+    def read(self, value: Any, from_file: bool) -> int:  # noqa: ARG002
+        """Return the number as int."""
+        if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+            raise wrong(value, self.expected())
+        number = int(value)
+        if not self.at_least <= number <= self.at_most:
+            raise wrong(value, self.expected())
+        return number
+
+    def expected(self) -> str:
+        """Return the range in words."""
+        return f"a whole number from {self.at_least} to {self.at_most}"
+
+    def write(self, value: int) -> str:
+        """Return the digits."""
+        return str(value)
+
+    def type_words(self) -> str:
+        """Return that it is a whole number."""
+        return "whole number"
+
+    def range_words(self) -> str:
+        """Return the range."""
+        return f">= {self.at_least}" if self.at_most == LARGEST_WHOLE else f"{self.at_least} to {self.at_most}"
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return an integer."""
+        return {"type": "integer", "minimum": self.at_least, "maximum": self.at_most}
+
+
+@dataclass(frozen=True)
+class Choice(Key):
+    """One word out of the words of a ``Literal``."""
+
+    words_of: Any
+    meaning: str
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """The words to choose from."""
+        return get_args(self.words_of)
+
+    def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
+        """Return the word."""
+        if not isinstance(value, str) or value not in self.words:
+            raise wrong(value, self.expected(), suggestion(value, self.words))
+        return value
+
+    def expected(self) -> str:
+        """Return the words."""
+        return listed(map(quote, self.words))
+
+    def write(self, value: str) -> str:
+        """Return the word in quotes."""
+        return quote(value)
+
+    def type_words(self) -> str:
+        """Return the words."""
+        return listed(f"`{quote(word)}`" for word in self.words)
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return the words."""
+        return {"enum": list(self.words)}
+
+
+@dataclass(frozen=True)
+class Flag(Key):
+    """Yes or no."""
+
+    meaning: str
+
+    def read(self, value: Any, from_file: bool) -> bool:  # noqa: ARG002
+        """Return the flag."""
+        if not isinstance(value, bool):
+            raise wrong(value, self.expected(), "write it without quotes" if value in ("true", "false") else "")
+        return value
+
+    def expected(self) -> str:
+        """Return both values."""
+        return "true or false"
+
+    def write(self, value: bool) -> str:
+        """Return the flag as TOML."""
+        return "true" if value else "false"
+
+    def type_words(self) -> str:
+        """Return both values."""
+        return "`true` or `false`"
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return a boolean."""
+        return {"type": "boolean"}
+
+
+@dataclass(frozen=True)
+class Text(Key):
+    """Free text."""
+
+    meaning: str
+
+    def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
+        """Return the text."""
+        if not isinstance(value, str):
+            raise wrong(value, self.expected())
+        if any("\ud800" <= letter <= "\udfff" for letter in value):
+            raise wrong(value, "text without lone surrogates")
+        return value
+
+    def expected(self) -> str:
+        """Return that it is text."""
+        return "text in quotes"
+
+    def write(self, value: str) -> str:
+        """Return the text in quotes."""
+        return quote(value)
+
+    def type_words(self) -> str:
+        """Return that it is text."""
+        return "text"
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return a string."""
+        return {"type": "string"}
+
+
+@dataclass(frozen=True)
+class Several(Key):
+    """A list of values of one kind, kept as a tuple: of a fixed ``length``, ``rising``, or ``unique``."""
+
+    each: Key
+    symbol: str
+    meaning: str
+    length: int | None = None
+    rising: bool = False
+    unique: bool = False
+    least: int = 1  # values, where no length is fixed
+    most: int = MOST_VALUES
+
+    @property
+    def _most(self) -> int:
+        return self.length or (len(self.each.words) if self.unique and isinstance(self.each, Choice) else self.most)
+
+    def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
+        """Return the values as a tuple."""
+        if not isinstance(value, list | tuple) or not (self.length or self.least) <= len(value):
+            raise wrong(value, self.expected())
+        if len(value) > self._most:
+            raise wrong(value, f"at most {self._most} values" if self.length is None else self.expected())
+        kept, findings = [], []
+        for position, item in enumerate(value):
+            try:
+                kept.append(self.each.read(item, from_file))
+            except Wrong as error:
+                findings += [finding.below((position,)) for finding in error.findings]
+        if findings:
+            raise Wrong(*findings[:MOST_FAULTS])
+        pair = f"[{', '.join(describe(item) for item in value[:8])}]"
+        if self.rising and not all(a < b for a, b in itertools.pairwise(kept)):
+            raise Wrong(Finding((), pair, "the smaller value first and no empty range"))
+        if self.unique and len(set(kept)) < len(kept):
+            raise Wrong(Finding((), pair, "each value at most once"))
+        return tuple(kept)
+
+    def expected(self) -> str:
+        """Return how many of what."""
+        least = {0: "any number", 1: "at least one"}.get(self.least, f"at least {self.least}")
+        count = least if self.length is None else str(self.length)
+        return f"a list of {count}, each {self.each.expected()}"
+
+    def write(self, value: Sequence[Any]) -> str:
+        """Return the list as TOML."""
+        return f"[{', '.join(map(self.each.write, value))}]"
+
+    def type_words(self) -> str:
+        """Return how many of what."""
+        count = self.length or (f"{self.least} to {self._most}" if self.least else f"up to {self._most}")
+        return f"list of {count}: {self.each.type_words()}"
+
+    def range_words(self) -> str:
+        """Return each value's range and the order."""
+        order = "rising" if self.rising else "no repeats" if self.unique else ""
+        return ", ".join(filter(None, (self.each.range_words(), order)))
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return an array."""
+        count = {"minItems": self.length or self.least, "maxItems": self._most}
+        return {
+            "type": "array",
+            "items": self.each.json_schema(),
+            **count,
+            **({"uniqueItems": True} if self.unique else {}),
+        }
+
+
+@dataclass(frozen=True)
+class Factors(Key):
+    """A table of numbers by names that the file is free to choose, kept as pairs in the order of the file."""
+
+    EACH: ClassVar = Number("", "")
+
+    symbol: str
+    meaning: str
+
+    def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:
+        """Return the pairs of name and number; a tuple of pairs is taken as well."""
+        pairs = tuple(value.items()) if isinstance(value, Mapping) else value
+        sound = isinstance(pairs, tuple) and bool(pairs)
+        if not sound or not all(isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str)
+                                for pair in pairs):  # fmt: skip
+            raise wrong(value, self.expected())
+        kept, findings, seen = [], [], set[str]()
+        for name, number in pairs:
+            if name in seen:
+                findings.append(Finding((name,), "a second factor", "one factor for each name"))
+            seen.add(name)
+            try:
+                kept.append((name, float(self.EACH.read(number, from_file))))
+            except Wrong as error:
+                findings += [finding.below((name,)) for finding in error.findings]
+        if findings:
+            raise Wrong(*findings[:MOST_FAULTS])
+        return tuple(kept)
+
+    def expected(self) -> str:
+        """Return an example."""
+        return "a table of numbers such as {dead = 1.35, live = 1.5}"
+
+    def write(self, value: Sequence[tuple[str, float]]) -> str:
+        """Return an inline table."""
+        return "{" + ", ".join(f"{quote(name)} = {number!r}" for name, number in value) + "}"
+
+    def type_words(self) -> str:
+        """Return that it is a table of numbers."""
+        return "table of numbers"
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return an object of numbers."""
+        return {"type": "object", "additionalProperties": self.EACH.json_schema(), "minProperties": 1}

@@ -1,0 +1,141 @@
+"""What a part's fields say about themselves, as JSON schema for editors and as Markdown for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic.fields import FieldInfo
+
+from groundslab.schema.base import Part, key_of, meaning_of, most_of, nested
+from groundslab.schema.fields import Key
+
+
+def json_schema(root: type[Part], title: str) -> dict[str, Any]:
+    """Return the JSON schema (draft 7) of a file that describes ``root``."""
+    definitions: dict[str, Any] = {}
+    top = _part_schema(root, definitions)
+    return {
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "title": title,
+        **top,
+        "definitions": dict(sorted(definitions.items())),
+    }
+
+
+def docs_table(root: type[Part]) -> str:
+    """Return all keys below ``root`` as Markdown, one table per section and kind."""
+    return "\n".join(_tables(root, "", "", "")).strip() + "\n"
+
+
+def default_of(field: FieldInfo) -> Any:
+    """Return a field's default, None if there is none."""
+    return None if field.is_required() else field.get_default(call_default_factory=True)
+
+
+def _part_schema(part: type[Part], definitions: dict[str, Any]) -> dict[str, Any]:
+    properties = {name: _field_schema(field, definitions) for name, field in part.model_fields.items()}
+    # what tells one kind from another is needed in a file, although Python knows it from the class
+    required = [name for name, field in part.model_fields.items() if field.is_required() or _is_tag(field)]
+    return {
+        "type": "object",
+        "description": (part.__doc__ or "").strip(),
+        "properties": properties,
+        "additionalProperties": False,
+        **({"required": required} if required else {}),
+    }
+
+
+def _field_schema(field: FieldInfo, definitions: dict[str, Any]) -> dict[str, Any]:
+    key, about = key_of(field), meaning_of(field)
+    if key is not None:
+        named = f"{key.symbol}: {about}" if key.symbol else about
+        symbol = {"x-symbol": key.symbol} if key.symbol else {}
+        return {"description": named, **key.json_schema(), **symbol, **_default_schema(field, key)}
+    if _is_tag(field):
+        return {"description": about, "const": field.default}
+    inner = nested(field)
+    for part in inner.parts:
+        if part.__name__ not in definitions:
+            definitions[part.__name__] = {}  # its place, so that it is not entered twice
+            definitions[part.__name__] = _part_schema(part, definitions)
+    references = [{"$ref": f"#/definitions/{part.__name__}"} for part in inner.parts]
+    one = references[0] if len(references) == 1 else {"oneOf": references}
+    if inner.many:
+        least = {"minItems": 1} if field.is_required() else {}
+        return {"description": about, "type": "array", "items": one, **least, "maxItems": most_of(field)}
+    return {"description": about, "allOf": [one]} if len(references) == 1 else {"description": about, **one}
+
+
+def _default_schema(field: FieldInfo, key: Key) -> dict[str, Any]:
+    default = default_of(field)
+    if default is None:
+        return {}
+    written = key.write(default)
+    # a quantity's default is text in a file
+    return {"default": written.strip('"') if isinstance(default, float) and written.startswith('"') else default}
+
+
+def _is_tag(field: FieldInfo) -> bool:
+    """Whether a field only says of which kind its part is."""
+    return key_of(field) is None and not nested(field).parts
+
+
+def _tables(part: type[Part], path: str, kind: str, about: str) -> Iterator[str]:
+    """Yield the lines of the table of a part's keys, then those of the parts in it."""
+    fields = part.model_fields
+    rows = [(name, field) for name, field in fields.items() if not nested(field).parts]
+    yield f"### {_heading(path, kind)}\n"
+    if about:
+        yield f"{about[0].upper()}{about[1:]}.\n"
+    yield "| key | symbol | type, dimension | range | default | meaning |\n|---|---|---|---|---|---|"
+    yield from (_row(f"{path}.{name}".lstrip("."), field) for name, field in rows)
+    yield ""
+    for name, field in fields.items():
+        inner = nested(field)
+        below = f"{path}.{name}".lstrip(".") + ("[]" if inner.many else "")
+        for each in inner.parts:
+            tag = next((field for field in each.model_fields.values() if _is_tag(field)), None)
+            which = f"given by {', '.join(_needed(each))}" if len(inner.parts) > 1 and not tag else ""
+            names = (kind if path else "", f'kind = "{tag.default}"' if tag else "", which)
+            told = meaning_of(tag) if tag else meaning_of(field)
+            told += f" (at most {most_of(field):,} in the list)" if inner.many else ""
+            yield from _tables(each, below, ", ".join(filter(None, names)), told)
+
+
+def _needed(part: type[Part]) -> list[str]:
+    return [name for name, field in part.model_fields.items() if field.is_required()]
+
+
+def _heading(path: str, kind: str) -> str:
+    if not path:
+        return "At the top of the file"
+    *outer, last = path.split(".")
+    name = ".".join((*outer, last.removesuffix("[]"))).replace("[]", "")
+    table = f"`[[{name}]]`" if last.endswith("[]") else f"`[{name}]`"
+    return f"{table} {kind}".strip()
+
+
+def _row(path: str, field: FieldInfo) -> str:
+    key = key_of(field)
+    if key is None:
+        return f'| `{path}` |  | `"{field.default}"` |  | needed | says which kind it is |'
+    default = default_of(field)
+    shown = "needed" if field.is_required() else "" if default in (None, "") else f"`{_short(key, default)}`"
+    cells = (
+        f"`{path}`",
+        key.symbol and f"`{key.symbol}`",
+        key.type_words(),
+        key.range_words(),
+        shown,
+        key.meaning,
+    )
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def _short(key: Key, default: Any) -> str:
+    return (
+        f"{default:.4g}"
+        if isinstance(default, float) and not key.write(default).startswith('"')
+        else key.write(default)
+    )

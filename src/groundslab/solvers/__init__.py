@@ -1,0 +1,1 @@
+"""Solves one Problem: factorizations, contact, equilibrium, warm starts."""

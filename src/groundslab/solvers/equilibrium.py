@@ -1,0 +1,316 @@
+"""Whether a plate that the ground can only push can be in equilibrium, and whether that holds it in one place.
+
+Equilibrium is decided before anything is solved, hold once it is known what touches.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags
+from groundslab.errors import NeutralEquilibrium, NoEquilibrium
+from groundslab.fem.bearings import CLOSED, Contact
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes
+from groundslab.units import coordinate
+
+#: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
+MARGIN = 1e-9
+#: The same for bearings with limits: the share of its capacity by which each must be able to stay off both ends.
+ROOM = 1e-6
+#: What touches holds a rigid motion if the mean square of that motion over its forces is this share of the largest
+#: over the plate: forces that are rounding, or that all act on one line, do not.
+NEUTRAL = 1e-9
+
+
+def require_equilibrium(problem: Problem) -> None:
+    """Raise NoEquilibrium, saying why, unless contact pressure and supports can balance the load with room to spare.
+
+    The load's work on the rigid motions that the supports leave free must lie inside the cone of what single upward
+    forces under the plate do on them (docs/theory.md, equilibrium). A plate glued to the ground is always held.
+    """
+    if not problem.tensionless:
+        return
+    free = free_motions(problem)
+    if free.shape[1] == 0:
+        return
+    corners = _extreme_points(problem)
+    scale = _scale(corners)
+    motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
+    work = (_resultant(problem) * scale) @ motions
+    if _only_pushed(problem):
+        generators = np.column_stack([np.ones(len(corners)), corners * scale[1:]]) @ motions
+        worst = min((float(n @ work) for n in _faces(generators)), default=np.inf)
+        possible = worst > MARGIN * problem.loading.size
+    else:
+        possible = _share_balanced(problem, motions, scale, work, ROOM)[0] >= 1
+    if not possible:
+        raise NoEquilibrium(_reason(problem, corners, motions, scale, work))
+
+
+def rigid_motions(problem: Problem) -> Array:
+    """Return the plate's rigid motions against which only one-sided bearings hold it, as unknowns (size, m)."""
+    if not problem.tensionless:
+        return np.zeros((problem.unknown.max(initial=-1) + 1, 0))
+    nodes, unknown, moved = problem.plate_nodes, problem.unknown, planes(problem) @ free_motions(problem)
+    # where the plate goes the ground does not go with it
+    moved = np.concatenate([moved, -moved[:, [W]]], axis=1)[nodes]
+    motions = np.zeros((unknown.max(initial=-1) + 1, moved.shape[2]))
+    there = unknown[nodes, : TOP + 1] >= 0
+    motions[unknown[nodes, : TOP + 1][there]] = moved[there]
+    return motions
+
+
+def require_hold(problem: Problem, contact: Contact) -> None:
+    """Raise NeutralEquilibrium if the plate can still move as a rigid body against what touches it with some force.
+
+    The solution would then be one of many. Bearings that have reached their limit give way and hold nothing.
+    """
+    if not problem.tensionless:
+        return
+    free = free_motions(problem, mirrored=True)
+    if free.shape[1] == 0:
+        return
+    b = problem.bearing
+    touching = np.flatnonzero((contact.state == CLOSED) & ~b.law.both_ways)
+    places, force = problem.mesh.nodes[b.node[touching]], np.maximum(contact.force[touching], 0.0)
+    rows = np.column_stack([np.ones(len(touching)), places])
+    for field in (BETA_X, BETA_Y):
+        turned = b.field[touching] == field
+        rows[turned] = np.arange(3) == field
+    for axis in (0, 1):
+        if problem.symmetry[axis]:
+            rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
+    corners = _extreme_points(problem)
+    scale = _scale(corners)
+    centre = corners.mean(axis=0)
+    # motions about the plate's middle, as large at its ends as it is when it settles
+    about = np.array([[1.0, -centre[0] * scale[1], -centre[1] * scale[2]], [0, scale[1], 0], [0, 0, scale[2]]])
+    motions = np.linalg.qr(np.linalg.solve(about, free))[0]
+    size = max(force.sum(), problem.loading.size, np.finfo(float).tiny)
+    resisted = rows @ about @ motions
+    shares, directions = np.linalg.eigh(resisted.T @ (force[:, None] / size * resisted))
+    loose = about @ motions @ directions[:, shares < NEUTRAL]
+    if loose.shape[1]:
+        raise NeutralEquilibrium(
+            f"the equilibrium is neutral: the plate {_movement(loose, 1 / scale[1])} without any resistance, so that "
+            "its settlement is one of many; support it there, add the load that decides where it comes to rest, or "
+            "glue it to the ground with contact.tensionless = false"
+        )
+
+
+def _movement(motions: Array, size: float) -> str:
+    """Return in words how a plate of some size [m] can move; motions w = a + b x + c y as columns (3, 1 to 3)."""
+    if motions.shape[1] == 3:
+        return "can move up and down and rock in every direction"
+    if motions.shape[1] == 2:
+        # what both leave where it is lies on the line through their zeros
+        x, y, z = np.cross(motions[:, 0], motions[:, 1])[[1, 2, 0]]
+        if abs(z) > 1e-6 * max(abs(x), abs(y)) / size:
+            return f"can rock about the point ({coordinate(x / z):.6g}, {coordinate(y / z):.6g}) m in every direction"
+        return "can move up and down and rock"
+    a, b, c = motions[:, 0]
+    if max(abs(b), abs(c)) * size < 1e-6 * abs(a):
+        return "can move up and down"
+    if abs(b) < 1e-6 * abs(c):
+        return f"can rock about the line y = {coordinate(-a / c):.6g} m"
+    if abs(c) < 1e-6 * abs(b):
+        return f"can rock about the line x = {coordinate(-a / b):.6g} m"
+    return f"can rock about the line y = {coordinate(-a / c):.6g} m {'-' if b / c > 0 else '+'} {abs(b / c):.4g} x"
+
+
+def _scale(corners: Array) -> Array:
+    """Return what makes settlement and slopes of a plate alike: 1, and 1 over its size [1/m] twice."""
+    size = np.ptp(corners, axis=0).max()
+    return np.array([1.0, 1 / size, 1 / size])
+
+
+def _mirror(axis: int) -> Array:
+    """Return what a motion (a, b, c) is multiplied with in the mirror across an axis."""
+    return np.where(np.arange(3) == axis + 1, -1.0, 1.0)
+
+
+def _only_pushed(problem: Problem) -> bool:
+    """Return whether all that bears one way pushes up, without limit, on the plate that the ground pushes everywhere.
+
+    Supports that push up then add nothing to the ground.
+    """
+    b = problem.bearing
+    pulls = (b.law.sign > 0) & (b.support >= 0) & ~b.law.both_ways
+    return not (pulls.any() or np.isfinite(b.law.capacity).any())
+
+
+def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array, room: float) -> tuple[float, Flags]:
+    """Return which share of the load bearings with limits can balance, 1 at most, and which are then at their limit.
+
+    A linear programme: how large a share of the load's work on the free motions can forces do, each a little off zero
+    and off its capacity? The limits are told of all bearings (c,).
+    """
+    from scipy.optimize import linprog
+
+    b, law = problem.bearing, problem.bearing.law
+    full = np.zeros(len(law), dtype=bool)
+    use = np.flatnonzero(~law.both_ways & (law.capacity > 0))
+    size = problem.loading.size
+    if not len(use) or size == 0:
+        return 0.0, full
+    up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
+    places = problem.mesh.nodes[b.node[use]]
+    generators = up[:, None] * (np.column_stack([np.ones(len(use)), places * scale[1:]]) @ motions)
+    capacity = law.capacity[use] / size
+    little = room * np.minimum(capacity, 1 / len(use))
+    bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
+    found = linprog(
+        np.append(np.zeros(len(use)), -1.0),
+        A_eq=np.column_stack([generators.T, -work / size]),
+        b_eq=np.zeros(len(work)),
+        bounds=[*bounds, (0.0, 1.0)],
+        method="highs",
+    )
+    if found.status != 0:
+        return 0.0, full
+    full[use] = found.x[:-1] >= capacity - 2 * little
+    return float(found.x[-1]), full
+
+
+def free_motions(problem: Problem, mirrored: bool = False) -> Array:
+    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3, d).
+
+    Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the whole plate.
+    """
+    nodes, b = problem.plate_nodes, problem.bearing
+    held = problem.unknown[:, : BETA_Y + 1] < 0
+    both = b.law.both_ways
+    held[b.node[both], b.field[both]] = True
+    for axis in (0, 1):
+        if mirrored and problem.symmetry[axis]:
+            held[problem.mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
+    held = held[nodes]
+    x, y = problem.mesh.nodes[nodes].T
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    own_w = np.ones(len(nodes), dtype=bool)
+    if not problem.element.centre_w:
+        own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
+    constraints = np.vstack(
+        [
+            np.column_stack([one, x, y])[held[:, W] & own_w],
+            np.column_stack([zero, one, zero])[held[:, BETA_X]],
+            np.column_stack([zero, zero, one])[held[:, BETA_Y]],
+        ]
+    )
+    for axis in (0, 1):
+        if mirrored and problem.symmetry[axis]:
+            constraints = np.vstack([constraints, constraints * _mirror(axis)])
+    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
+    rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
+    return V[rank:].T
+
+
+def _extreme_points(problem: Problem) -> Array:
+    """Return the corners (c, 2) of the convex hull of the plate [m], in their order around it."""
+    from shapely import get_coordinates, linestrings
+
+    # a line through all nodes has their hull, and is one object instead of one a node
+    corners: Array = get_coordinates(linestrings(problem.mesh.nodes[problem.plate_nodes]).convex_hull)[:-1]
+    return corners
+
+
+def _resultant(problem: Problem) -> Array:
+    """Return the load's force and its moments (sum F, sum F x, sum F y) [N, N m], moments at nodes included."""
+    x, y = problem.mesh.nodes.T
+    F = problem.load[:, : TOP + 1]
+    return np.array([F[:, W].sum(), (F[:, W] * x + F[:, BETA_X]).sum(), (F[:, W] * y + F[:, BETA_Y]).sum()])
+
+
+def _faces(generators: Array) -> list[Array]:
+    """Return the inward normals of the faces of the cone that the rows of generators (c, d), d <= 3, span.
+
+    The rows stand in their order around the plate, so that with d = 3 each two neighbours span a face.
+    """
+    d = generators.shape[1]
+    if d == 3:
+        normals = np.cross(generators, np.roll(generators, -1, axis=0))
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        return list(normals * np.sign(normals @ generators.sum(axis=0))[:, None])
+    faces = []
+    for subset in combinations(generators, d - 1):
+        _, sizes, V = np.linalg.svd(np.reshape(subset, (d - 1, d)), full_matrices=True)
+        if len(sizes) and sizes.min() < 1e-12:
+            continue
+        faces += [n for n in (V[-1], -V[-1]) if (generators @ n >= -1e-12).all()]
+    return faces
+
+
+def _within(corners: Array, place: Array, symmetry: tuple[bool, bool]) -> bool:
+    """Return whether a place (2,) lies clear inside the hull of the corners (c, 2) and their images [m]."""
+    from shapely import MultiPoint, Point
+
+    for axis in (0, 1):
+        if symmetry[axis]:
+            corners = np.vstack([corners, corners * np.where(np.arange(2) == axis, -1.0, 1.0)])
+    hull = MultiPoint(corners).convex_hull
+    return bool(hull.contains(Point(place)) and hull.exterior.distance(Point(place)) > MARGIN * np.ptp(corners))
+
+
+def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work: Array) -> str:
+    """Return a sentence that says where the load goes and where it would have to go."""
+    F, Fx, Fy = _resultant(problem)
+    F = 0.0 if abs(F) <= MARGIN * problem.loading.size else F
+    share = 2.0 ** sum(problem.symmetry)
+    b, law = problem.bearing, problem.bearing.law
+    pushing = ~law.both_ways & ((b.support < 0) | (law.sign < 0))
+    pulling = ~law.both_ways & ~pushing
+    most, least = law.capacity[pushing].sum(), law.capacity[pulling].sum()
+    if most <= F * (1 + ROOM):
+        return (
+            f"the loads of {F * share / 1e3:.6g} kN are more than ground and supports can carry at their limits, "
+            f"{most * share / 1e3:.6g} kN; enlarge the plate, or look at {_limits(problem, pushing)}"
+        )
+    if 0 < least <= -F * (1 + ROOM):
+        return (
+            f"the loads lift the plate by {-F * share / 1e3:.6g} kN, more than the supports can hold down at their "
+            f"limits, {least * share / 1e3:.6g} kN; look at {_limits(problem, pulling)}, or add weight"
+        )
+    balanced, full = _share_balanced(problem, motions, scale, work, 0.0)
+    if MARGIN < balanced < 1 and full.any():
+        return (
+            f"the loads, {F * share / 1e3:.6g} kN in all (downwards positive), are more than ground and supports can "
+            f"balance where they act: {100 * balanced:.4g} % of them bring {_limits(problem, full)} to the limit; move "
+            "the loads, or add to what carries them"
+        )
+    if MARGIN * problem.loading.size >= F:
+        return (
+            f"the loads do not press the plate down: their sum is {F * share / 1e3:.6g} kN (downwards positive), and "
+            "ground that cannot pull holds nothing against it; add the missing load (self weight?), or glue the plate "
+            "to the ground with contact.tensionless = false"
+        )
+    place = [0.0 if mirrored else value / F for value, mirrored in zip((Fx, Fy), problem.symmetry, strict=True)]
+    place = [coordinate(value) for value in place]
+    if _within(corners, np.array(place), problem.symmetry):
+        return (
+            f"the loads cannot be balanced: their resultant of {F * share / 1e3:.6g} kN acts on the plate, at "
+            f"x = {place[0]:.6g} m, y = {place[1]:.6g} m, but ground and supports cannot carry it there; move the load "
+            "inwards, enlarge the plate, or look at contact.limit_pressure, at voids without depth and at the limits "
+            "of the supports"
+        )
+    (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
+    x0, y0 = (-x1 if problem.symmetry[0] else x0), (-y1 if problem.symmetry[1] else y0)
+    return (
+        f"the loads topple the plate: their resultant of {F * share / 1e3:.6g} kN acts at x = {place[0]:.6g} m, "
+        f"y = {place[1]:.6g} m, on or outside the edge of the plate (x {x0:.6g} .. {x1:.6g} m, "
+        f"y {y0:.6g} .. {y1:.6g} m), where pressure alone cannot balance it; move the load inwards, enlarge the plate "
+        "or support it"
+    )
+
+
+def _limits(problem: Problem, bearings: Flags) -> str:
+    """Return the names of the limits that some bearings (c,) have, as the file calls them."""
+    b = problem.bearing
+    limited = bearings & np.isfinite(b.law.capacity)
+    supports = b.support[limited]
+    names = [f"supports[{number + 1}].limit" for number in np.unique(supports[supports >= 0])]
+    if (supports < 0).any():
+        lasting = b.law.capacity[limited][supports < 0] > 0
+        names += ["contact.limit_pressure"] * bool(lasting.any()) + ["voids without depth"] * bool((~lasting).any())
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

@@ -1,0 +1,36 @@
+"""The converged state of one mesh, before it is turned into results."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.fem.bearings import Bearings, Contact
+from groundslab.fem.foundation import Column
+from groundslab.fem.problem import TOP, System
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A converged state of one mesh: unknowns as a table (n, F), contact, ground, and how gamma came about."""
+
+    system: System
+    U: Array  # (n, F)
+    contact: Contact
+    column: Column
+    gamma: float | None
+    gamma_change: float  # relative, of one more step
+    gamma_slope: float  # of the step's outcome over gamma
+    gamma_iterations: int
+    law: Bearings  # what the bearings followed, settlements and earlier slip included
+    slip: Array  # (c,) [m]: how far each bearing has slipped at its capacity, all increments together
+
+    def nodes_in(self, *states: int) -> Array:
+        """Return -1.0 at the nodes where the ground is in one of some states (see contact), else 1.0, (n,)."""
+        problem = self.system.problem
+        ground = problem.bearing.field == TOP
+        field = np.ones(len(problem.mesh.nodes))
+        field[problem.bearing.node[ground & np.isin(self.contact.state, states)]] = -1.0
+        return field

@@ -1,0 +1,143 @@
+"""Which files groundslab wrote, by their content: no others are ever replaced or removed."""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+import tomllib
+from collections.abc import Callable, Collection, Iterator
+from pathlib import Path, PurePosixPath
+
+from groundslab.errors import Fault, InputError
+from groundslab.storage.atomic import LITTER, require_possible
+
+#: Bytes of a file's beginning that are looked at.
+LOOK = 8192
+#: Longest header line of a table, and largest case file, that are read [bytes].
+LONGEST_HEADER, LARGEST_CASE = 1_000_000, 10_000_000
+
+
+def is_figure(path: Path) -> bool:
+    """Return whether a file is a figure (PDF, SVG or PNG) that groundslab drew, and that nobody has added to."""
+    start = _bytes(path, 0, LOOK)
+    if start.startswith(b"\x89PNG\r\n\x1a\n"):
+        return b"tEXtSoftware\x00groundslab " in start
+    if start.startswith(b"%PDF-"):
+        content = _bytes(path, 0, None)
+        return content.count(b"%%EOF") == 1 and re.search(rb"<< /Creator \(groundslab [^)]*\)", content) is not None
+    creator = rb"<dc:creator>\s*<cc:Agent>\s*<dc:title>groundslab "
+    return b"<svg" in start and re.search(creator, start) is not None
+
+
+def is_page(path: Path, what: str = "") -> bool:
+    """Return whether a file is a page that groundslab wrote, one of a kind ("report", "study") if that is named."""
+    return f'<meta name="generator" content="groundslab {what}'.encode() in _bytes(path, 0, LOOK)
+
+
+def kind_fits(path: Path) -> bool:
+    """Return whether a file holds what groundslab writes into files whose names end like that."""
+    test = _KINDS.get(path.suffix)
+    try:
+        return test is not None and test(path)
+    except OSError:
+        return False
+
+
+def strangers(folder: Path, names: Collection[str]) -> list[str]:
+    """Return the paths in a folder, and in folders within it, that groundslab did not write there.
+
+    What it wrote are files (no links) under these names, whose content is of the kind that belongs to the name; what
+    file managers leave counts as nobody's.
+    """
+    folders = {above.as_posix() for name in names for above in PurePosixPath(name).parents}
+    return sorted(_strangers(folder, "", names, folders))
+
+
+def require_replaceable(path: str | Path, ours: Callable[[Path], bool], what: str) -> Path:
+    """Return the full path, links followed, if a file may be written there; else raise InputError saying why not.
+
+    The name must be free, or that of a file that is ``ours``; ``what`` says in words what such a file is. Touches
+    nothing, so that it can be called before long work.
+    """
+    target = Path(os.path.realpath(path))
+    hint = "choose another name; nothing was changed"
+    try:
+        require_possible(target)
+        mode = target.stat().st_mode if os.path.lexists(target) else None
+        if mode is None:
+            return _require_folder(path, target)
+        if stat.S_ISREG(mode):
+            if ours(target):
+                return _require_folder(path, target)
+            expected = f"{what}, or a name that is free"
+            raise InputError([Fault(str(path), "a file that groundslab did not write", expected, hint)])
+        got = "a folder" if stat.S_ISDIR(mode) else "something that is neither a file nor a folder"
+    except OSError as error:
+        got = error.strerror or str(error)
+    raise InputError([Fault(str(path), got, "a file, or a name that is free", hint)])
+
+
+def _require_folder(path: str | Path, target: Path) -> Path:
+    """Return the target if its folder can be written to; else raise InputError."""
+    if not target.parent.is_dir():
+        raise InputError([Fault(str(path), f"no folder {target.parent}", "a name in a folder that is there")])
+    if not os.access(target.parent, os.W_OK | os.X_OK):
+        raise InputError([Fault(str(target.parent), "a folder without leave to write", "one that can be written to")])
+    return target
+
+
+def _strangers(folder: Path, below: str, names: Collection[str], folders: Collection[str]) -> Iterator[str]:
+    """Yield the paths in a folder that are neither our files nor folders that hold some."""
+    for path in folder.iterdir():
+        name = below + path.name
+        plain = path.is_file() and not path.is_symlink()
+        if name in folders and path.is_dir() and not path.is_symlink():
+            yield from _strangers(path, f"{name}/", names, folders)
+        elif not (plain and (path.name in LITTER or (name in names and kind_fits(path)))):
+            yield name
+
+
+def _bytes(path: Path, start: int, count: int | None) -> bytes:
+    """Return so many bytes of a file from a place on, all if no number is given."""
+    with path.open("rb") as file:
+        file.seek(start)
+        return file.read(-1 if count is None else count)
+
+
+def _is_vtk(path: Path, kind: str) -> bool:
+    return f'<VTKFile type="{kind}"'.encode() in _bytes(path, 0, LOOK)
+
+
+def _is_archive(path: Path) -> bool:
+    # a zip archive whose first member is the first array that is written
+    start = _bytes(path, 0, 64)
+    return start.startswith(b"PK\x03\x04") and start[30:].startswith(b"plate.nodes.npy")
+
+
+def _is_summary(path: Path) -> bool:
+    return re.match(rb'\{\s*"program":\s*"groundslab"', _bytes(path, 0, LOOK)) is not None
+
+
+def _is_case(path: Path) -> bool:
+    try:
+        return "plate" in tomllib.loads(_bytes(path, 0, LARGEST_CASE).decode())
+    except (ValueError, RecursionError):
+        return False
+
+
+def _is_table(path: Path) -> bool:
+    head, end, _ = _bytes(path, 0, LONGEST_HEADER).partition(b"\n")
+    return end == b"\n" and b"," in head and b"\0" not in head
+
+
+_KINDS: dict[str, Callable[[Path], bool]] = {
+    ".vtu": lambda path: _is_vtk(path, "UnstructuredGrid"),
+    ".pvd": lambda path: _is_vtk(path, "Collection"),
+    ".npz": _is_archive,
+    ".json": _is_summary,
+    ".toml": _is_case,
+    ".csv": _is_table,
+    ".html": is_page,
+    **dict.fromkeys((".png", ".pdf", ".svg"), is_figure),
+}

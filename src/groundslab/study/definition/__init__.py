@@ -1,0 +1,1 @@
+"""What a study file says: distributions, outputs, and the case that they apply to."""

@@ -1,0 +1,145 @@
+"""Keys of a case by their paths, as faults name them: what kind they are, what they hold, cases with other values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from groundslab.model.model import Model
+from groundslab.schema.base import Part, key_of, nested
+from groundslab.schema.fields import Factors, Key, Number, Several
+from groundslab.schema.issues import Finding, Wrong, describe, listed, one_of, quote, suggestion
+
+_STEP = re.compile(r'\.?(?:(?P<name>[A-Za-z_][\w-]*)|"(?P<quoted>(?:[^"\\]|\\.)*)")|\[(?P<number>[0-9]{1,6})\]')
+
+#: A step of a path: a key, or a position counted from 0.
+Step = str | int
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A key of a case: its path as written, the steps to it, its kind."""
+
+    path: str
+    steps: tuple[Step, ...]
+    key: Key
+
+
+def steps_of(path: str) -> tuple[Step, ...]:
+    """Return the steps of a path such as ``ground.layers[1].E``; raises Wrong."""
+    steps: list[Step] = []
+    position = 0
+    while position < len(path):
+        match = _STEP.match(path, position)
+        first = position == 0
+        if not match or (first and path[0] in ".[") or match["number"] == "0":
+            raise wrong_path(path, 'a path such as "ground.layers[1].E"', "positions count from 1")
+        if not first and match["number"] is None and path[position] != ".":
+            raise wrong_path(path, 'a path such as "ground.layers[1].E"', "a dot stands between keys")
+        if match["number"] is not None:
+            steps.append(int(match["number"]) - 1)
+        else:
+            quoted = match["quoted"]
+            steps.append(match["name"] if quoted is None else re.sub(r"\\(.)", r"\1", quoted))
+        position = match.end()
+    if not steps:
+        raise wrong_path(path, 'a path such as "ground.layers[1].E"')
+    return tuple(steps)
+
+
+def wrong_path(path: str, expected: str, mend: str = "") -> Wrong:
+    """Return the error for a path that leads to no key that can vary."""
+    return Wrong(Finding((), describe(path), expected, mend))
+
+
+def place_of(model: Model, path: str) -> Place:
+    """Return the key of a case that a path leads to; raises Wrong if it leads to none that holds a value."""
+    steps = steps_of(path)
+    part: Part = model
+    walked = ""
+    left = list(steps)
+    while left:
+        name = left.pop(0)
+        known = [key for key, field in type(part).model_fields.items() if key_of(field) or nested(field).parts]
+        where = f"{walked} has" if walked else "the case has"
+        if not isinstance(name, str) or name not in known:
+            if name in type(part).model_fields:
+                raise wrong_path(path, f"a key that {where} a value for", f"{quote(str(name))} says which kind it is")
+            shown = f"[{name + 1}]" if isinstance(name, int) else quote(name)
+            mend = suggestion(name, known)
+            raise wrong_path(path, f"a key that {where}: {one_of(known)}", mend or f"{shown} is none of them")
+        field = type(part).model_fields[name]
+        walked += f".{name}" if walked else name
+        key = key_of(field)
+        if key is not None:
+            return Place(path, steps, _within(key, getattr(part, name), left, path, walked))
+        held = getattr(part, name)
+        if nested(field).many:
+            if not left or not isinstance(left[0], int):
+                count = f"{walked} is a list of {len(held)}"
+                raise wrong_path(path, f"a position after {walked}, such as {walked}[1]", count)
+            number = left.pop(0)
+            assert isinstance(number, int)
+            if number >= len(held):
+                raise wrong_path(path, f"{walked}[1] to {walked}[{len(held)}]" if held else f"a case with {walked}")
+            held = held[number]
+            walked += f"[{number + 1}]"
+        if held is None:
+            raise wrong_path(path, f"a case with {walked}", "the case does not have it")
+        part = held
+    keys = [key for key, field in type(part).model_fields.items() if key_of(field)]
+    raise wrong_path(path, f"a key of {walked}: {one_of(keys)}", f"{walked} holds keys, not a value")
+
+
+def _within(key: Key, held: Any, left: list[Step], path: str, walked: str) -> Key:
+    """Return the kind of what stands in a list or a table of factors; the key itself if no step is left."""
+    while left:
+        step = left.pop(0)
+        if isinstance(key, Several) and isinstance(step, int) and held is not None and step < len(held):
+            key, held = key.each, held[step]
+            walked += f"[{step + 1}]"
+        elif isinstance(key, Factors) and isinstance(step, str):
+            names = [name for name, _ in held]
+            if step not in names:
+                raise wrong_path(path, f"a name in {walked}: {one_of(names)}", suggestion(step, names))
+            key, held = Number("", "factor"), dict(held)[step]
+        else:
+            raise wrong_path(path, f"a path that ends with {walked}, or a place within it", "there is no such place")
+    if isinstance(key, Factors):
+        names = [f"{walked}.{name}" for name, _ in held]
+        raise wrong_path(path, f"one of the factors: {listed(map(quote, names))}")
+    return key
+
+
+def value_at(model: Model, place: Place) -> Any:
+    """Return what a case holds at a place, None if nothing is given there."""
+    held: Any = model
+    for step in place.steps:
+        if isinstance(step, int):
+            held = held[step]
+        elif isinstance(held, Part):
+            held = getattr(held, step)
+        else:
+            held = dict(held)[step]
+    return held
+
+
+def changed(model: Model, values: Mapping[Place, Any]) -> Model:
+    """Return a case with other values at some places, checked anew; raises InputError with all faults."""
+    return Model(**_changed(model, [(place.steps, value) for place, value in values.items()])) if values else model
+
+
+def _changed(held: Any, changes: Sequence[tuple[tuple[Step, ...], Any]]) -> Any:
+    """Return a part, list or table of factors with the changes made, as data to be checked."""
+    if not changes[0][0]:
+        return changes[-1][1]
+    by_step: dict[Step, list[tuple[tuple[Step, ...], Any]]] = {}
+    for steps, value in changes:
+        by_step.setdefault(steps[0], []).append((steps[1:], value))
+    if isinstance(held, Part):
+        return {**dict(held), **{step: _changed(getattr(held, str(step)), below) for step, below in by_step.items()}}
+    if all(isinstance(step, str) for step in by_step):
+        return tuple((name, _changed(value, by_step[name]) if name in by_step else value) for name, value in held)
+    return [_changed(item, by_step[n]) if n in by_step else item for n, item in enumerate(held)]

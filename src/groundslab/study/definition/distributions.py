@@ -1,0 +1,316 @@
+"""Distributions of what varies: as a study file says them, and as scipy.stats knows them.
+
+Kinds are given by mean and cov or std, or by their ends, never by parameters that only one library knows; parameters
+follow from the moments (Johnson, Kotz and Balakrishnan 1994, Johnson, Kotz and Balakrishnan 1995).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+
+from pydantic import Discriminator, Tag
+
+from groundslab.schema.base import Check, Part, Table, kind_of
+from groundslab.schema.fields import Factors, Number, Text
+from groundslab.schema.issues import Finding, Wrong, describe, quote, suggestion
+from groundslab.schema.ranges import Range
+from groundslab.study.definition.field_types import Amount, Raw
+
+if TYPE_CHECKING:
+    from groundslab.arrays import Array
+
+#: Reads an amount as a float in SI units; raises Wrong.
+Read = Callable[[Raw], float]
+
+#: Keys that hold an amount.
+AMOUNTS = ("mean", "std", "low", "mode", "high")
+
+Mean = Annotated[Raw, Amount("mu", "mean")]
+Cov = Annotated[float | None, Number("V", "standard deviation over the mean's size", Range(above=0))]
+Std = Annotated[Raw | None, Amount("sigma", "standard deviation, instead of cov")]
+Low = Annotated[Raw, Amount("a", "smallest value")]
+High = Annotated[Raw, Amount("b", "largest value")]
+
+
+def _cov_or_std(cov: float | None, std: Raw | None) -> Iterator[Finding]:
+    if (cov is None) == (std is None):
+        yield Finding((), "neither cov nor std" if cov is None else "both cov and std", "exactly one of cov and std")
+
+
+class Normal(Part):
+    """The normal distribution."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: Annotated[Literal["normal"], Table("the normal distribution")] = "normal"
+    mean: Mean
+    cov: Cov = None
+    std: Std = None
+
+
+class TruncatedNormal(Part):
+    """The normal distribution between two ends."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: Annotated[
+        Literal["truncated normal"],
+        Table("the normal distribution cut off at one end or both; mean, cov and std are those before the cut"),
+    ] = "truncated normal"
+    mean: Mean
+    cov: Cov = None
+    std: Std = None
+    low: Annotated[Raw | None, Amount("a", "smallest value; no end by default")] = None
+    high: Annotated[Raw | None, Amount("b", "largest value; no end by default")] = None
+
+
+class Lognormal(Part):
+    """The lognormal distribution."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: Annotated[Literal["lognormal"], Table("the lognormal distribution from zero on")] = "lognormal"
+    mean: Mean
+    cov: Cov = None
+    std: Std = None
+
+
+class Gamma(Part):
+    """The gamma distribution."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: Annotated[Literal["gamma"], Table("the gamma distribution from zero on")] = "gamma"
+    mean: Mean
+    cov: Cov = None
+    std: Std = None
+
+
+class Weibull(Part):
+    """Weibull's distribution of smallest values."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: Annotated[Literal["weibull"], Table("Weibull's distribution of smallest values, from zero on")] = "weibull"
+    mean: Mean
+    cov: Cov = None
+    std: Std = None
+
+
+class Gumbel(Part):
+    """Gumbel's distribution of largest values."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: Annotated[Literal["gumbel"], Table("Gumbel's distribution of largest values")] = "gumbel"
+    mean: Mean
+    cov: Cov = None
+    std: Std = None
+
+
+class Uniform(Part):
+    """The uniform distribution."""
+
+    kind: Annotated[Literal["uniform"], Table("the uniform distribution")] = "uniform"
+    low: Low
+    high: High
+
+
+class Triangular(Part):
+    """The triangular distribution."""
+
+    kind: Annotated[Literal["triangular"], Table("the triangular distribution")] = "triangular"
+    low: Low
+    mode: Annotated[Raw, Amount("c", "value at the top of the triangle")]
+    high: High
+
+
+class Beta(Part):
+    """The beta distribution between two ends."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: Annotated[Literal["beta"], Table("the beta distribution between two ends")] = "beta"
+    low: Low
+    high: High
+    mean: Mean
+    cov: Cov = None
+    std: Std = None
+
+
+class Scipy(Part):
+    """Any continuous distribution of scipy.stats by its name and parameters."""
+
+    kind: Annotated[Literal["scipy"], Table("any continuous distribution of scipy.stats")] = "scipy"
+    name: Annotated[str, Text("its name in scipy.stats")]
+    parameters: Annotated[
+        tuple[tuple[str, float], ...],
+        Factors("", "its parameters by their names there, loc and scale in SI units"),
+    ]
+
+
+AnyDistribution = Normal | TruncatedNormal | Lognormal | Gamma | Weibull | Gumbel | Uniform | Triangular | Beta | Scipy
+DistributionOf = Annotated[
+    Annotated[Normal, Tag("normal")]
+    | Annotated[TruncatedNormal, Tag("truncated normal")]
+    | Annotated[Lognormal, Tag("lognormal")]
+    | Annotated[Gamma, Tag("gamma")]
+    | Annotated[Weibull, Tag("weibull")]
+    | Annotated[Gumbel, Tag("gumbel")]
+    | Annotated[Uniform, Tag("uniform")]
+    | Annotated[Triangular, Tag("triangular")]
+    | Annotated[Beta, Tag("beta")]
+    | Annotated[Scipy, Tag("scipy")],
+    Discriminator(kind_of),
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Distribution:
+    """A distribution by its name in scipy.stats and its parameters there, in SI units."""
+
+    name: str
+    parameters: tuple[tuple[str, float], ...]
+
+    def frozen(self) -> Any:
+        """Return scipy's own object."""
+        from scipy import stats
+
+        return getattr(stats, self.name)(**dict(self.parameters))
+
+    def at(self, probability: Array) -> Array:
+        """Return the values (n,) whose probabilities of not being exceeded are given, (n,), each within (0, 1)."""
+        found: Array = self.frozen().ppf(probability)
+        return found
+
+    @property
+    def mean(self) -> float:
+        """Return the mean; not a number where there is none."""
+        return float(self.frozen().mean())
+
+    @property
+    def std(self) -> float:
+        """Return the standard deviation; not a number where there is none."""
+        return float(self.frozen().std())
+
+
+def distribution_of(part: AnyDistribution, read: Read) -> Distribution:
+    """Return the distribution that a part describes, its amounts read by `read`; raises Wrong with all faults."""
+    if isinstance(part, Scipy):
+        return _from_scipy(part)
+    read_of = _amounts(part, read)
+    mean, low, high = read_of.get("mean", 0.0), read_of.get("low", -math.inf), read_of.get("high", math.inf)
+    if not low < high:
+        raise Wrong(Finding(("high",), f"{high:g}, where low is {low:g}", "more than low"))
+    if isinstance(part, Uniform):
+        return _made("uniform", loc=low, scale=high - low)
+    if isinstance(part, Triangular):
+        mode = read_of["mode"]
+        if not low <= mode <= high:
+            raise Wrong(Finding(("mode",), f"{mode:g}", f"a value from {low:g} to {high:g}"))
+        return _made("triang", c=(mode - low) / (high - low), loc=low, scale=high - low)
+    if part.cov is not None and mean == 0:
+        raise Wrong(Finding(("cov",), repr(part.cov), "std, as the mean is 0"))
+    std = part.cov * abs(mean) if part.cov is not None else read_of["std"]
+    if not std > 0:
+        raise Wrong(Finding(("std",), f"{std:g}", "more than 0"))
+    if isinstance(part, Normal):
+        return _made("norm", loc=mean, scale=std)
+    if isinstance(part, TruncatedNormal):
+        return _made("truncnorm", a=(low - mean) / std, b=(high - mean) / std, loc=mean, scale=std)
+    if isinstance(part, Gumbel):
+        scale = std * math.sqrt(6) / math.pi
+        return _made("gumbel_r", loc=mean - _EULER * scale, scale=scale)
+    if isinstance(part, Beta):
+        return _beta(mean, std, low, high)
+    if not mean > 0:
+        raise Wrong(Finding(("mean",), f"{mean:g}", f"more than 0, as kind is {quote(part.kind)}"))
+    return _positive(part, mean, std / mean)
+
+
+_EULER = 0.5772156649015329  # Euler's constant
+
+
+def _amounts(part: AnyDistribution, read: Read) -> dict[str, float]:
+    """Return all amounts of a part that are given, by their names, in SI units."""
+    found: dict[str, float] = {}
+    findings: list[Finding] = []
+    for name in AMOUNTS:
+        raw = getattr(part, name, None)
+        if raw is None:
+            continue
+        try:
+            found[name] = read(raw)
+        except Wrong as error:
+            findings += [finding.below((name,)) for finding in error.findings]
+    if findings:
+        raise Wrong(*findings)
+    return found
+
+
+def _made(name: str, **parameters: float) -> Distribution:
+    return Distribution(name, tuple(parameters.items()))
+
+
+def _beta(mean: float, std: float, low: float, high: float) -> Distribution:
+    """Return the beta distribution with given moments on (low, high) (Johnson, Kotz and Balakrishnan 1995, 25)."""
+    if not low < mean < high:
+        raise Wrong(Finding(("mean",), f"{mean:g}", f"a value between {low:g} and {high:g}"))
+    m, v = (mean - low) / (high - low), (std / (high - low)) ** 2
+    if v >= m * (1 - m):
+        most = math.sqrt(m * (1 - m)) * (high - low)
+        raise Wrong(Finding((), f"a standard deviation of {std:g}", f"less than {most:g} with this mean and ends"))
+    nu = m * (1 - m) / v - 1
+    return _made("beta", a=m * nu, b=(1 - m) * nu, loc=low, scale=high - low)
+
+
+def _positive(part: AnyDistribution, mean: float, cov: float) -> Distribution:
+    """Return a distribution on the positive numbers by its mean and its coefficient of variation."""
+    if isinstance(part, Lognormal):
+        variance = math.log1p(cov**2)
+        return _made("lognorm", s=math.sqrt(variance), scale=mean * math.exp(-variance / 2))
+    if isinstance(part, Gamma):
+        return _made("gamma", a=cov**-2, scale=mean * cov**2)
+    shape = _weibull_shape(cov)
+    return _made("weibull_min", c=shape, scale=mean / math.gamma(1 + 1 / shape))
+
+
+def _weibull_shape(cov: float) -> float:
+    """Return c with 1 + cov^2 = Gamma(1 + 2/c) / Gamma(1 + 1/c)^2 (Johnson, Kotz and Balakrishnan 1994, 21)."""
+    from scipy.optimize import brentq
+
+    def off(log_c: float) -> float:
+        c = math.exp(log_c)
+        return math.lgamma(1 + 2 / c) - 2 * math.lgamma(1 + 1 / c) - math.log1p(cov**2)
+
+    # the left side falls with c from far above any cov of soil or load to almost none
+    low, high = math.log(0.05), math.log(1e4)
+    if off(low) < 0 or off(high) > 0:
+        raise Wrong(Finding((), f"a cov of {cov:g}", "one between 0.0002 and 1000 for Weibull's distribution"))
+    return math.exp(float(brentq(off, low, high, xtol=1e-14)))
+
+
+def _from_scipy(part: Scipy) -> Distribution:
+    """Return a distribution of scipy.stats by its own name and parameters."""
+    from scipy import stats
+
+    known = [name for name in dir(stats) if isinstance(getattr(stats, name), stats.rv_continuous)]
+    if part.name not in known:
+        expected = "a continuous distribution of scipy.stats"
+        raise Wrong(Finding(("name",), describe(part.name), expected, suggestion(part.name, known)))
+    found = Distribution(part.name, part.parameters)
+    shapes = getattr(stats, part.name).shapes
+    names = [*(shapes.split(", ") if shapes else []), "loc", "scale"]
+    for name, _ in part.parameters:
+        if name not in names:
+            expected = f"one of {', '.join(names)}"
+            raise Wrong(Finding(("parameters", name), "an unknown parameter", expected, suggestion(name, names)))
+    missing = [name for name in names[:-2] if name not in dict(part.parameters)]
+    if missing:
+        raise Wrong(Finding(("parameters",), f"none called {missing[0]}", f"all of {', '.join(names[:-2])}"))
+    if not math.isfinite(float(found.frozen().ppf(0.5))):
+        raise Wrong(Finding(("parameters",), "parameters outside their range", "those that scipy.stats takes"))
+    return found

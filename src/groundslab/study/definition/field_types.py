@@ -1,0 +1,90 @@
+"""Kinds of keys that only a study file has: values in the unit of another key, one length or two."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from groundslab.schema.fields import Key, Several
+from groundslab.schema.issues import quote, wrong
+
+#: A value before it is known which key it is for: as the file or Python gives it.
+Raw = str | float | int | bool | tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Amount(Key):
+    """A value for a key elsewhere, whose unit and range it takes; they are checked once that key is known."""
+
+    symbol: str
+    meaning: str
+    like: str = "as the key at path"
+
+    def read(self, value: Any, from_file: bool) -> Raw:
+        """Return the value as it is given."""
+        if isinstance(value, list | tuple):
+            return tuple(self.read(item, from_file) for item in value)
+        if hasattr(value, "item"):  # NumPy's numbers
+            value = value.item()
+        if not isinstance(value, str | int | float | bool):
+            raise wrong(value, self.expected())
+        return value
+
+    def expected(self) -> str:
+        """Return where the unit comes from."""
+        return f"a value {self.like}"
+
+    def write(self, value: Raw) -> str:
+        """Return the value as TOML."""
+        if isinstance(value, tuple):
+            return f"[{', '.join(map(self.write, value))}]"
+        if isinstance(value, bool):
+            return "true" if value else "false"
+        return quote(value) if isinstance(value, str) else repr(value)
+
+    def type_words(self) -> str:
+        """Return where the unit comes from."""
+        return self.like
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return any value."""
+        return {"type": ["string", "number", "boolean", "array"]}
+
+
+@dataclass(frozen=True)
+class OneOrTwo(Key):
+    """One value for both directions, or two, along x and along y; kept as a pair."""
+
+    each: Key
+    symbol: str
+    meaning: str
+
+    def read(self, value: Any, from_file: bool) -> tuple[Any, Any]:
+        """Return the pair."""
+        if isinstance(value, list | tuple):
+            x, y = Several(self.each, "", "", 2).read(value, from_file)
+            return x, y
+        one = self.each.read(value, from_file)
+        return one, one
+
+    def expected(self) -> str:
+        """Return both ways to write it."""
+        return f"{self.each.expected()}, or a list of two, along x and y"
+
+    def write(self, value: tuple[Any, Any]) -> str:
+        """Return one value if both are the same, else the list."""
+        x, y = map(self.each.write, value)
+        return x if x == y else f"[{x}, {y}]"
+
+    def type_words(self) -> str:
+        """Return what each is."""
+        return f"{self.each.type_words()}, or a list of two"
+
+    def range_words(self) -> str:
+        """Return each one's range."""
+        return self.each.range_words()
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return one or an array of two."""
+        each = self.each.json_schema()
+        return {"anyOf": [each, {"type": "array", "items": each, "minItems": 2, "maxItems": 2}]}

@@ -1,0 +1,1 @@
+"""Tables, statistics and reliability made of the rows of a study."""

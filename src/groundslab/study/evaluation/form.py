@@ -1,0 +1,289 @@
+"""The first-order reliability index of a limit state: the nearest failure in the space of standard normal scores."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.design.tables.table import table_of
+from groundslab.errors import Fault, GroundslabError, InputError, NotConverged
+from groundslab.schema.issues import describe, one_of, suggestion
+from groundslab.study.evaluation.samples import Input, Output
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from groundslab.arrays import Array
+    from groundslab.design.tables.table import Cell, Head, Table
+    from groundslab.study.definition.setup import Limit as StudyLimit
+    from groundslab.study.definition.setup import Setup
+    from groundslab.study.evaluation.samples import Limit
+    from groundslab.study.evaluation.statistics import Estimate
+    from groundslab.study.evaluation.study import Study
+
+#: Step of the central differences, in standard deviations: large against the noise of a solution, small against what
+#: bends a limit state.
+STEP = 1e-2
+#: The search ends when a step moves the design point by less than this, in standard deviations.
+TOLERANCE = 1e-3
+#: What is found is accepted if the limit state lies no farther from it, and the origin no farther from its normal, as a
+#: share of the distance or of one standard deviation.
+ACCEPTED = 1e-2
+MOST_ITERATIONS = 40
+
+
+@dataclass(frozen=True, slots=True)
+class DesignPoint:
+    """The most probable failure in the space of normal scores, and what it tells (Hasofer and Lind 1974)."""
+
+    beta: float  # its distance from the origin; negative if the medians fail already
+    probability: float  # Phi(-beta)
+    scores: Array  # (d,): the normal scores there, correlated as the inputs are
+    importance: Array  # (d,): shares that sum to one
+    solves: int
+
+
+def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint:
+    """Return the design point of a limit state g(z) < 0 over standard normal scores z (d,) with a correlation (d, d).
+
+    beta is the distance of the nearest point with g = 0 from the origin of uncorrelated scores u, z = L u (Hasofer and
+    Lind 1974), found by the iteration of Rackwitz and Fiessler 1978 with a line search. The importance of an input is
+    the square of its score there over the sum of all. Raises NotConverged, and InputError where OpenTURNS is missing.
+    """
+    from scipy.special import ndtr
+
+    ot = _openturns()
+    d, known, raised = len(correlation), dict[tuple[float, ...], float](), list[GroundslabError]()
+
+    def raw(z: Iterable[float]) -> float:
+        at = tuple(float(each) for each in z)
+        # each point costs a solution of the plate
+        if at not in known:
+            try:
+                known[at] = float(g(np.array(at)))
+            except GroundslabError as error:
+                # OpenTURNS makes errors of its own of it
+                raised.append(error)
+                raise
+        return known[at]
+
+    def slope(z: Iterable[float]) -> Array:
+        at, steps = np.array([float(each) for each in z]), STEP * np.eye(d)
+        return np.array([raw(at + step) - raw(at - step) for step in steps]) / (2 * STEP)
+
+    L = np.linalg.cholesky(correlation)
+    # so scaled the limit state counts standard deviations of itself, whatever its unit
+    scale = float(np.linalg.norm(L.T @ slope(np.zeros(d))))
+    if not 0 < scale < np.inf:
+        raise GroundslabError("the limit state does not depend on any of the inputs near their medians")
+    function = ot.Function(
+        ot.PythonFunction(
+            d, 1, func=lambda z: [raw(z) / scale], gradient=lambda z: [[float(s) / scale] for s in slope(z)]
+        )
+    )
+    scores = ot.Normal([0.0] * d, [1.0] * d, ot.CorrelationMatrix(d, [float(each) for each in correlation.ravel()]))
+    event = ot.ThresholdEvent(ot.CompositeRandomVector(function, ot.RandomVector(scores)), ot.Less(), 0.0)
+    algorithm = ot.FORM(_search(ot, d), event)
+    try:
+        algorithm.run()
+    except Exception as error:
+        if raised:
+            raise raised[0] from None
+        raise NotConverged("the search for the design point", _history(known), {}) from error
+    z = np.array(algorithm.getResult().getPhysicalSpaceDesignPoint())
+    u, steepest = np.linalg.solve(L, z), L.T @ slope(z) / scale
+    if _off(u, raw(z) / scale, steepest) > ACCEPTED:
+        raise NotConverged("the search for the design point", _history(known), {"scores": z})
+    # one more step, that needs no solution: to the foot of the tangent plane
+    size = float(np.linalg.norm(steepest))
+    beta = (raw(z) / scale - float(steepest @ u)) / size
+    z = L @ (-beta * steepest / size)
+    importance = z**2 / float(z @ z) if z.any() else np.full(d, np.nan)
+    return DesignPoint(beta, float(ndtr(-beta)), z, importance, len(known))
+
+
+@dataclass(frozen=True, slots=True)
+class Reliability:
+    """A limit state at first order, beside what a study's own sample tells of it."""
+
+    limit: Limit
+    inputs: tuple[Input, ...]  # with one value each: that at the design point, SI
+    output: Output  # with one value: the bound, SI
+    point: DesignPoint
+    sampled: Estimate | None  # probability of failure by the sample, if it is one of chance
+
+    @property
+    def condition(self) -> str:
+        """Return the limit state in words: "largest settlement at most 25 mm"."""
+        unit = self.output.unit
+        return f"{self.limit.output} {self.limit.sense} {self.limit.bound * unit.scale:.6g} {unit.name}".rstrip()
+
+    def __str__(self) -> str:
+        """Return the figures in a few lines."""
+        point, p = self.point, self.sampled
+        beside = "" if p is None else f"; by sampling {p.value:.4g} ({p.low:.4g} to {p.high:.4g})"
+        lines = [
+            f"{self.limit.name}: {self.condition}",
+            f"beta {point.beta:.4g}, probability of failure {point.probability:.4g}{beside}",
+            f"design point, after {point.solves} solutions:",
+        ]
+        for each, z, share in zip(self.inputs, point.scores, point.importance, strict=True):
+            value = f"{each.values[0] * each.unit.scale:.5g} {each.unit.name}".rstrip()
+            lines.append(f"  {each.name} = {value}, normal score {z:+.3f}, importance {share:.1%}")
+        return "\n".join(lines)
+
+
+def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability:
+    """Return the first-order reliability of a limit state of a study, by name if it has several.
+
+    Solves the case anew at points between the medians and the design point, in this process: about 2 d + 1 times as
+    often as the search has steps, with d variables. What the study has sampled is told beside. Raises InputError for a
+    study with random fields or listed values, which have no normal scores, and NotConverged.
+    """
+    from groundslab.study.evaluation import from_study
+    from groundslab.study.evaluation import tables as evaluation
+    from groundslab.study.evaluation.study import Study
+
+    study = study if isinstance(study, Study) else Study(study)
+    setup = study.setup
+    limit = _limit(setup, limit_state)
+    margin = Margin(setup, limit.keep, limit.margin)
+    point = design_point(margin, setup.correlation)
+    sample = from_study.sample_in(study)
+    shown = next(each for each in sample.limits if each.name == limit.name)
+    output = sample.output(limit.keep)
+    values = values_of(setup, point.scores)
+    inputs = tuple(
+        Input(each.name, each.unit, np.array([value])) for each, value in zip(sample.inputs, values, strict=True)
+    )
+    rows = sample.groups[0]
+    sampled = evaluation.failure(sample, rows, shown) if sample.random and len(sample.number) else None
+    bound = Output(output.name, output.unit, np.array([limit.value]))
+    return Reliability(shown, inputs, bound, point, sampled)
+
+
+class Margin:
+    """How far a study's limit state is on the safe side at given scores; each call solves the case."""
+
+    def __init__(self, setup: Setup, keep: str, margin: Callable[[float], float]) -> None:
+        from groundslab.study.execution.variant import Worker, split
+
+        self._setup, self._margin = setup, margin
+        self._worker = Worker(setup)
+        self._place = [output.name for output in split(setup.outputs)[0]].index(keep)
+
+    def __call__(self, scores: Array) -> float:
+        """Return the margin at dependent normal scores (d,); raises GroundslabError where there is no result."""
+        from groundslab.study.sampling.designs import Variant
+
+        values = values_of(self._setup, scores)
+        row = self._worker.row(Variant(0, values, ()))
+        result = row.results[self._place]
+        if result is None:
+            at = ", ".join(
+                f"{each.name} = {value:g}" for each, value in zip(self._setup.variables, values, strict=True)
+            )
+            raise GroundslabError(f"no result on the way to the design point, at {at}: {row.reason} {row.message}")
+        return self._margin(result)
+
+
+def values_of(setup: Setup, scores: Array) -> tuple[float, ...]:
+    """Return the values (SI) of a study's variables at dependent standard normal scores (d,): of equal probability."""
+    from scipy.special import ndtr
+
+    found = []
+    for variable, z in zip(setup.variables, scores, strict=True):
+        assert variable.distribution is not None
+        marginal = variable.distribution.frozen()
+        # on the side where the probability is small it has all its digits
+        found.append(float(marginal.ppf(ndtr(z)) if z < 0 else marginal.isf(ndtr(-z))))
+    return tuple(found)
+
+
+def _limit(setup: Setup, name: str) -> StudyLimit:
+    """Return the limit state of a name, or the only one; raises InputError, also if the study is not of that kind."""
+    faults = []
+    if setup.fields:
+        expected = "variables only: a random field is too many of them for a design point"
+        faults.append(Fault("random_field", f"{len(setup.fields)} of them", expected))
+    faults += [
+        Fault(f"vary[{place}]", f"{each.name}, which has listed values", "variables with distributions")
+        for place, each in enumerate(setup.variables, 1)
+        if each.distribution is None
+    ]
+    known = [each.name for each in setup.limits]
+    found = [each for each in setup.limits if each.name == name or (not name and len(known) == 1)]
+    if not found:
+        expected = one_of(known) if known else "a study with a limit state"
+        faults.append(Fault("limit_state", describe(name or None), expected, suggestion(name, known)))
+    if faults:
+        raise InputError(faults)
+    return found[0]
+
+
+def tables(found: Sequence[Reliability]) -> tuple[Table, Table]:
+    """Return the tables of first-order reliability: one row a limit state; one row an input of each."""
+    rows: list[list[Cell]] = []
+    points: list[list[Cell]] = []
+    for each in found:
+        point = each.point
+        p = each.sampled
+        beside = [p.value, p.low, p.high] if p is not None else [None] * 3
+        rows.append([each.limit.name, each.condition, point.beta, point.probability, *beside, point.solves])
+        for own, z, share in zip(each.inputs, point.scores, point.importance, strict=True):
+            points.append([each.limit.name, own.name, float(own.values[0] * own.unit.scale), own.unit.name, z, share])
+    heads: list[Head] = [("limit state", ""), ("condition", ""), ("beta", ""), ("probability of failure", "")]
+    heads += [("by sampling", ""), ("by sampling, low", ""), ("by sampling, high", ""), ("solutions", "")]
+    notes = [
+        "beta is the distance of the design point from the origin of uncorrelated normal scores (Hasofer and Lind "
+        "1974), the probability Phi(-beta): first order, exact if the limit state is a plane there. Beside it the "
+        "share of the study's variants that failed, with its interval (Wilson 1927).",
+    ]
+    first = table_of("reliability", "First-order reliability", heads, rows, notes)
+    heads = [("limit state", ""), ("input", ""), ("at the design point", ""), ("unit", ""), ("normal score", "")]
+    notes = ["The importance is the square of an input's normal score over the sum of all squares."]
+    return first, table_of("design_points", "Design points", [*heads, ("importance", "")], points, notes)
+
+
+def _search(ot: Any, d: int) -> Any:
+    """Return the iteration of Rackwitz and Fiessler 1978 from the medians."""
+    search = ot.AbdoRackwitz()
+    search.setStartingPoint([0.0] * d)
+    search.setMaximumIterationNumber(MOST_ITERATIONS)
+    search.setMaximumAbsoluteError(TOLERANCE)
+    search.setMaximumRelativeError(TOLERANCE)
+    search.setMaximumResidualError(TOLERANCE)
+    search.setMaximumConstraintError(TOLERANCE)
+    return search
+
+
+def _off(u: Array, g: float, steepest: Array) -> float:
+    """Return how far a point u (d,) is from being the nearest one with g = 0: along the normal, and across it.
+
+    g and its gradient (d,) are those at u. The distance along is in standard deviations, that across a share of |u|.
+    """
+    size = float(np.linalg.norm(steepest))
+    if not size > 0:
+        return np.inf
+    normal = steepest / size
+    across = u - (u @ normal) * normal
+    return max(abs(g) / size, float(np.linalg.norm(across)) / max(float(np.linalg.norm(u)), 1.0))
+
+
+def _history(known: dict[tuple[float, ...], float]) -> list[dict[str, Any]]:
+    """Return the points that the limit state was asked for, in their order."""
+    return [{"scores": [round(each, 4) for each in at], "margin": value} for at, value in known.items()]
+
+
+def _openturns() -> Any:
+    """Return OpenTURNS."""
+    try:
+        import openturns
+    except ImportError:
+        expected = "OpenTURNS, which finds the design point"
+        fault = Fault("openturns", "nothing that can be imported", expected, "pip install groundslab[study]")
+        raise InputError([fault]) from None
+    return openturns

@@ -1,0 +1,1 @@
+"""Runs variants, here or on Dask, and stores a row of each."""

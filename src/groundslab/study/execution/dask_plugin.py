@@ -1,0 +1,63 @@
+"""What Dask's workers keep for a study, and what they do with it; loaded with Dask, by who uses it."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from distributed import WorkerPlugin, get_worker
+
+from groundslab.study.definition.setup import Setup
+from groundslab.study.execution import versions as asked
+from groundslab.study.execution.variant import Row, Worker
+from groundslab.study.sampling.designs import Variant
+
+
+def dask_setup(worker: Any) -> None:
+    """Close a worker's port for HTTP; Dask calls this when it starts a worker of the local cluster."""
+    worker.http_server.stop()
+
+
+class Plugin(WorkerPlugin):  # type: ignore[misc]
+    """The setup of a study, and for each thread of a worker what its variants have in common."""
+
+    def __init__(
+        self, name: str, setup: Setup, packages: tuple[str, ...], versions: Mapping[str, str], deaf: bool
+    ) -> None:
+        self.name = name
+        self._setup = setup
+        self._packages = packages
+        self._versions = versions
+        self._deaf = deaf
+        self._own: threading.local | None = None
+
+    def setup(self, worker: Any) -> None:
+        """Begin on a worker; raises RuntimeError if its versions differ, so that one that comes later stays out."""
+        here = asked.versions(self._packages)
+        if here != self._versions:
+            raise RuntimeError(f"{worker.address} has {here}, the study is run with {self._versions}")
+        if self._deaf and threading.current_thread() is threading.main_thread():
+            # Ctrl-C reaches all processes of a terminal; the one that runs the study ends the others
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
+        self._own = threading.local()
+
+    def teardown(self, worker: Any) -> None:  # noqa: ARG002
+        """End on a worker, and let go of what was kept."""
+        self._own = None
+
+    def row(self, variant: Variant, known_meshes: Sequence[str]) -> Row:
+        """Return the row of a variant."""
+        if self._own is None:
+            raise RuntimeError("the study ended on this worker")
+        if not hasattr(self._own, "worker"):
+            self._own.worker = Worker(self._setup)
+        found: Row = self._own.worker.row(variant, known_meshes)
+        return found
+
+
+def solve(name: str, variant: Variant, known_meshes: Sequence[str]) -> Row:
+    """Return the row of a variant, on a worker that has the plugin of that name."""
+    plugin: Plugin = get_worker().plugins[name]
+    return plugin.row(variant, known_meshes)

@@ -1,0 +1,301 @@
+"""The store of a study: a folder with its files and a table of rows, each on the disk as soon as it is there.
+
+    STUDY-study/
+        study.toml, case.toml    copies of what was asked
+        about.json               seed, versions, SHA-256 of both files, what the columns are
+        rows.sqlite              tables of rows, meshes, runs, mishaps
+        lock.sqlite              empty; locked while a study runs
+
+A folder is made under another name and renamed when it is whole. Rows are added one by one, each in a transaction of
+its own that has reached the disk when `add` returns (SQLite in WAL mode with synchronous = FULL); a row's number is
+the table's key, so that none can be there twice.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sqlite3
+import zlib
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager, suppress
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.fem.mesh import Mesh
+from groundslab.storage import atomic
+from groundslab.study.execution.variant import Row, key_of
+
+if TYPE_CHECKING:
+    from groundslab.arrays import Array
+
+STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
+FORMAT = 1
+#: Types of what about.json holds and is read from there.
+_TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
+#: Columns before those of the study.
+FIXED = ("number", "status", "reason", "message", "seconds")
+
+
+class StoreFull(GroundslabError):
+    """A row could not be written, mostly as the disk is full; rows written before are as they were."""
+
+
+def create(folder: Path, study: str, case: str, about: Mapping[str, Any], columns: Columns) -> None:
+    """Make the folder of a study, whole or not at all; raises InputError if the name is taken or cannot be written."""
+
+    def fill(staging: Path) -> None:
+        (staging / STUDY).write_text(study, encoding="utf-8")
+        (staging / CASE).write_text(case, encoding="utf-8")
+        (staging / ABOUT).write_text(json.dumps({"format": FORMAT, **about}, indent=2) + "\n", encoding="utf-8")
+        with closing(_connect(staging / ROWS)) as connection, connection:
+            for statement in columns.statements():
+                connection.execute(statement)
+
+    try:
+        _require_free(folder)
+        atomic.write_folder(folder, fill, {STUDY, CASE, ABOUT, ROWS}.__contains__, lambda: _require_free(folder))
+    except (OSError, sqlite3.Error) as error:
+        got = getattr(error, "strerror", None) or str(error)
+        raise InputError(
+            [Fault(str(folder), got, "a folder that can be written", "make room or choose another")]
+        ) from None
+
+
+def _require_free(folder: Path) -> None:
+    """Raise InputError if a name is taken."""
+    atomic.require_possible(folder, f"{ROWS}-journal")
+    if os.path.lexists(folder):
+        raise InputError([Fault(str(folder), "a name that is taken", "a name that is free", "choose another folder")])
+
+
+class Columns:
+    """The columns of a study's table: inputs, results, whole fields, by their names."""
+
+    def __init__(self, inputs: Sequence[str], results: Sequence[str], fields: Sequence[str]) -> None:
+        self.inputs, self.results, self.fields = tuple(inputs), tuple(results), tuple(fields)
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """Return all columns in the order of the table."""
+        return (*FIXED, *self.inputs, *self.results, *self.fields, "mesh")
+
+    def statements(self) -> list[str]:
+        """Return what makes the tables."""
+        fixed = [
+            "number INTEGER PRIMARY KEY", "status TEXT NOT NULL", "reason TEXT NOT NULL", "message TEXT NOT NULL",
+            "seconds REAL NOT NULL",
+        ]  # fmt: skip
+        own = [*map(_quoted, self.inputs), *(f"{_quoted(name)} REAL" for name in self.results)]
+        own += [f"{_quoted(name)} BLOB" for name in self.fields]
+        return [
+            f"CREATE TABLE rows ({', '.join([*fixed, *own, 'mesh TEXT NOT NULL'])})",
+            "CREATE TABLE meshes (key TEXT PRIMARY KEY, nodes BLOB NOT NULL, elements BLOB NOT NULL) WITHOUT ROWID",
+            "CREATE TABLE mishaps (number INTEGER NOT NULL, at TEXT NOT NULL, message TEXT NOT NULL)",
+            "CREATE TABLE runs (at TEXT NOT NULL, versions TEXT NOT NULL)",
+        ]
+
+
+class Store:
+    """The rows of a study in its folder, to be read and added to."""
+
+    def __init__(self, folder: str | Path, columns: Columns, read_only: bool = False) -> None:
+        self.folder = Path(folder)
+        self.columns = columns
+        self._read_only = read_only
+        self._connection = (_connect_to_read if read_only else _connect)(self.folder / ROWS)
+
+    def close(self) -> None:
+        """Let go of the file; whoever wrote leaves no second file behind."""
+        if not self._read_only:
+            # not while somebody reads, nor on a full disk
+            with suppress(sqlite3.Error):
+                self._connection.execute("PRAGMA journal_mode = DELETE")
+        self._connection.close()
+
+    def __enter__(self) -> Store:
+        """Return the store."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Let go of the file."""
+        self.close()
+
+    def add(self, *rows: Row) -> int:
+        """Write rows to the disk, all or none; return how many were not there yet. Raises StoreFull."""
+        marks = ", ".join("?" * len(self.columns.all))
+        new = 0
+        with self._writing(f"row {rows[0].number}" if rows else "a row"):
+            for row in rows:
+                for mesh in row.meshes:
+                    self._connection.execute(
+                        "INSERT OR IGNORE INTO meshes VALUES (?, ?, ?)",
+                        (key_of(mesh), _bytes(mesh.nodes, "<f8"), _bytes(mesh.elements, "<i8")),
+                    )
+                values = [row.number, row.status, row.reason, row.message, row.seconds]
+                values += [*map(plain, row.inputs), *row.results, *map(_packed, row.fields), row.mesh]
+                new += self._connection.execute(f"INSERT OR IGNORE INTO rows VALUES ({marks})", values).rowcount
+        return new
+
+    def begin(self, versions: Mapping[str, str]) -> None:
+        """Write down that a run begins, and with which versions; raises StoreFull."""
+        with self._writing("the run"):
+            self._connection.execute("INSERT INTO runs VALUES (?, ?)", (_now(), json.dumps(dict(versions))))
+
+    def tell(self, number: int, message: str) -> None:
+        """Write down why a variant has no row; raises StoreFull."""
+        with self._writing("a mishap"):
+            self._connection.execute("INSERT INTO mishaps VALUES (?, ?, ?)", (number, _now(), message))
+
+    def mishaps(self) -> dict[int, str]:
+        """Return the last mishap of each variant that has no row."""
+        found = self._connection.execute(
+            "SELECT number, message FROM mishaps WHERE number NOT IN (SELECT number FROM rows) ORDER BY at"
+        )
+        return dict(found)
+
+    def runs(self) -> list[dict[str, Any]]:
+        """Return when the study was run, and with which versions."""
+        found = self._connection.execute("SELECT at, versions FROM runs ORDER BY at")
+        return [{"at": at, "versions": json.loads(versions)} for at, versions in found]
+
+    @contextmanager
+    def _writing(self, what: str) -> Iterator[None]:
+        """Make what is written within one transaction; raises StoreFull if it fails, with nothing written."""
+        try:
+            with self._connection:
+                yield
+        except sqlite3.Error as error:
+            raise StoreFull(f"{what} could not be written to {self.folder / ROWS}: {error}") from error
+
+    def numbers(self) -> set[int]:
+        """Return the numbers of the rows that are there."""
+        return {number for (number,) in self._connection.execute("SELECT number FROM rows")}
+
+    def count(self, status: str | None = None) -> int:
+        """Return how many rows there are, of one status or of all."""
+        where, values = ("", ()) if status is None else (" WHERE status = ?", (status,))
+        (found,) = self._connection.execute(f"SELECT COUNT(*) FROM rows{where}", values).fetchone()
+        return int(found)
+
+    def counts(self) -> dict[str, int]:
+        """Return how many rows are solved, and how many failed for each reason, the most frequent first."""
+        statement = "SELECT CASE reason WHEN '' THEN status ELSE reason END AS what, COUNT(*) FROM rows GROUP BY what"
+        return dict(self._connection.execute(f"{statement} ORDER BY 2 DESC, 1"))
+
+    def rows(self, names: Sequence[str]) -> list[tuple[Any, ...]]:
+        """Return some columns of all rows, in the order of their numbers."""
+        chosen = ", ".join(map(_quoted, names))
+        return list(self._connection.execute(f"SELECT {chosen} FROM rows ORDER BY number"))
+
+    def fields(self, name: str) -> Iterator[tuple[int, str, Array]]:
+        """Yield number, key of the mesh and values (n,) of a field that was kept everywhere, row by row."""
+        statement = f"SELECT number, mesh, {_quoted(name)} FROM rows WHERE {_quoted(name)} IS NOT NULL ORDER BY number"
+        for number, mesh, blob in self._connection.execute(statement):
+            yield number, mesh, np.frombuffer(zlib.decompress(blob), dtype="<f4").astype(float)
+
+    def meshes(self) -> dict[str, Mesh]:
+        """Return all meshes by their keys."""
+        found = {}
+        for key, nodes, elements in self._connection.execute("SELECT key, nodes, elements FROM meshes"):
+            xy = np.frombuffer(zlib.decompress(nodes), dtype="<f8").reshape(-1, 2)
+            found[key] = Mesh(xy, np.frombuffer(zlib.decompress(elements), dtype="<i8").reshape(-1, 9))
+        return found
+
+    def mesh_keys(self) -> tuple[str, ...]:
+        """Return the keys of all meshes."""
+        return tuple(key for (key,) in self._connection.execute("SELECT key FROM meshes"))
+
+
+def about(folder: str | Path) -> dict[str, Any]:
+    """Return what a study's folder says of itself; raises InputError if it is none."""
+    path = Path(folder)
+    expected = "a folder that groundslab study made"
+    try:
+        found = json.loads((path / ABOUT).read_text(encoding="utf-8"))
+        if found["program"] == "groundslab study" and (path / ROWS).is_file():
+            if found["format"] == FORMAT:
+                if all(isinstance(found[name], kind) for name, kind in _TYPES.items()):
+                    return dict(found)
+            else:
+                expected = f"a folder of format {FORMAT}, which this version reads"
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        pass
+    raise InputError([Fault(str(folder), "something else", expected)])
+
+
+def is_store(folder: str | Path) -> bool:
+    """Return whether a folder is that of a study."""
+    try:
+        about(folder)
+    except InputError:
+        return False
+    return True
+
+
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Keep other runs out of a study's folder; raises InputError if another one is in. A dead one keeps nobody out."""
+    with closing(sqlite3.connect(folder / LOCK, timeout=0, isolation_level=None)) as connection:
+        try:
+            connection.execute("BEGIN EXCLUSIVE")
+        except sqlite3.Error as error:
+            got = "a study that runs at this moment" if "locked" in str(error) else str(error)
+            raise InputError(
+                [Fault(str(folder), got, "one that no other process runs and that can be written")]
+            ) from None
+        yield
+
+
+def _connect(path: Path) -> sqlite3.Connection:
+    """Return a connection for writing."""
+    connection = sqlite3.connect(path)
+    # on a disk that knows no shared memory the mode stays as it was, which is as safe
+    with suppress(sqlite3.Error):
+        connection.execute("PRAGMA journal_mode = WAL")
+    connection.execute("PRAGMA synchronous = FULL")
+    return connection
+
+
+def _connect_to_read(path: Path) -> sqlite3.Connection:
+    """Return a connection for reading, also while a run writes, and where nothing can be written."""
+    place = path.resolve().as_uri()
+    connection = sqlite3.connect(f"{place}?mode=ro", uri=True)
+    try:
+        connection.execute("SELECT COUNT(*) FROM runs")
+    except sqlite3.OperationalError:
+        connection.close()
+        if path.with_name(f"{path.name}-wal").exists():
+            mend = "rows of a run that was cut short are still in its log; copy the folder to where it can be written"
+            raise InputError(
+                [Fault(str(path), "a place without leave to write", "one that can be written", mend)]
+            ) from None
+        # a reader's shared memory cannot be made there, and nobody can be writing either
+        connection = sqlite3.connect(f"{place}?immutable=1", uri=True)
+    return connection
+
+
+def _now() -> str:
+    return datetime.now(UTC).isoformat(timespec="milliseconds")
+
+
+def _quoted(name: str) -> str:
+    return '"' + name.replace('"', '""') + '"'
+
+
+def plain(value: Any) -> Any:
+    """Return an input as SQLite keeps it: numbers, words, lists as text."""
+    return json.dumps(value) if isinstance(value, tuple | list) else value
+
+
+def _packed(values: Array | None) -> bytes | None:
+    """Return a field as bytes: numbers of seven digits, which is what a certificate promises and one more."""
+    return None if values is None else _bytes(values, "<f4")
+
+
+def _bytes(values: Any, kind: str) -> bytes:
+    return zlib.compress(np.ascontiguousarray(values, dtype=kind).tobytes())

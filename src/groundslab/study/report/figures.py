@@ -1,0 +1,350 @@
+"""The figures of a study's page, as SVG."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from groundslab.study.evaluation import statistics, tables
+from groundslab.study.evaluation.statistics import LEVEL
+from groundslab.study.report import svg
+from groundslab.study.report.svg import ACCENT, INK, SECOND, WARN
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from groundslab.arrays import Array, Integers
+    from groundslab.study.evaluation.samples import Gathered, Input, Output, Unit
+
+#: Letters of a name beside an axis.
+NARROW = 18
+#: Panels beside each other.
+ABREAST = 3
+#: Of more points than these a scatter plot shows the first.
+MOST_POINTS = 500
+#: Of more inputs or outputs than these scatter plots show the first.
+MOST_PANELS = 8
+
+
+def inputs(sample: Gathered) -> str:
+    """Return histograms of the inputs that vary by chance, with the densities that they were drawn from."""
+
+    def draw() -> Figure:
+        figure, panels = _panels(len(sample.varied))
+        for axes, each in zip(panels, sample.varied, strict=False):
+            x = each.values[sample.drawn] * each.unit.scale
+            _histogram(axes, x, named(each.name, each.unit))
+            if each.density is not None and np.ptp(x) > 0:
+                _density(axes, each, x)
+        return figure
+
+    return svg.drawn("inputs", "Histograms of the inputs", draw)
+
+
+def outputs(sample: Gathered) -> str:
+    """Return histograms of the outputs, those of several designs over each other, with the bounds of limit states."""
+
+    def draw() -> Figure:
+        figure, panels = _panels(len(sample.outputs))
+        for axes, each in zip(panels, sample.outputs, strict=False):
+            for number, group in enumerate(sample.groups):
+                x = sample.of(each, group) * each.unit.scale
+                if len(x):
+                    _histogram(axes, x, named(each.name, each.unit), number, len(sample.groups), short(group.label))
+            _bounds(axes, sample, each)
+        _legend(figure, sample)
+        return figure
+
+    return svg.drawn("outputs", "Histograms of the outputs", draw)
+
+
+def exceedance(sample: Gathered, level: float = LEVEL) -> str:
+    """Return the curves of exceedance of each output with their intervals and the bounds of limit states."""
+
+    def draw() -> Figure:
+        figure, panels = _panels(len(sample.outputs))
+        for axes, each in zip(panels, sample.outputs, strict=False):
+            for number, group in enumerate(sample.groups):
+                curve, colour = tables.curve_of(sample, each, group, level), _colour(number, len(sample.groups))
+                _curve(axes, curve, colour, short(group.label), "pre" if sample.falls(each) else "post")
+            axes.set_xlabel(named(each.name, each.unit))
+            axes.set_ylabel("probability of less" if sample.falls(each) else "probability of more")
+            _bounds(axes, sample, each)
+        _legend(figure, sample)
+        return figure
+
+    return svg.drawn("exceedance", "Curves of exceedance", draw)
+
+
+def scatter(sample: Gathered) -> str:
+    """Return each output over each input, at most MOST_POINTS points a panel and MOST_PANELS panels a side."""
+    across, down = sample.varied[:MOST_PANELS], sample.outputs[:MOST_PANELS]
+
+    def draw() -> Figure:
+        figure = svg.figure(0.5 + 0.85 * svg.WIDTH / max(len(across), 3) * len(down), svg.WIDTH)
+        panels = figure.subplots(len(down), len(across), sharex="col", sharey="row", squeeze=False)
+        rows = np.flatnonzero(sample.drawn)[:MOST_POINTS]
+        size = 2.2 if len(rows) > 300 else 4.0
+        for i, output in enumerate(down):
+            for j, each in enumerate(across):
+                axes = panels[i, j]
+                axes.plot(
+                    each.values[rows] * each.unit.scale,
+                    output.values[rows] * output.unit.scale,
+                    ".",
+                    color=ACCENT,
+                    markersize=size,
+                    markeredgewidth=0,
+                    alpha=0.6,
+                )
+                axes.locator_params(nbins=4)
+                if i == len(down) - 1:
+                    axes.set_xlabel(named(each.name, each.unit))
+                if j == 0:
+                    axes.set_ylabel(named(output.name, output.unit))
+        return figure
+
+    return svg.drawn("scatter", "Outputs over inputs", draw)
+
+
+def sobol(sample: Gathered, level: float = LEVEL) -> str:
+    """Return bars of Sobol's first-order and total indices with their intervals, a panel an output."""
+
+    def draw() -> Figure:
+        figure, panels = _panels(len(sample.outputs), 1.0 + 0.32 * len(sample.inputs), 2)
+        places = np.arange(len(sample.inputs))
+        for axes, output in zip(panels, sample.outputs, strict=False):
+            found = tables.indices_of(sample, output, level)
+            axes.set_title(short(output.name))
+            axes.set_yticks(places, [short(each.name, NARROW) for each in sample.inputs])
+            axes.invert_yaxis()
+            if found is None:
+                continue
+            for values, shift, colour, label in (
+                (found.first, -0.19, ACCENT, "first order"),
+                (found.total, 0.19, SECOND, "total"),
+            ):
+                middle = np.array([each.value for each in values])
+                half = np.array([[each.value - each.low, each.high - each.value] for each in values]).T
+                axes.barh(places + shift, middle, 0.36, color=colour, label=label)
+                axes.errorbar(middle, places + shift, xerr=half, fmt="none", ecolor=INK, elinewidth=0.8, capsize=2)
+            axes.set_xlabel("share of the variance")
+            axes.set_xlim(left=min(0.0, axes.get_xlim()[0]))
+            axes.grid(axis="y", visible=False)
+        _legend(figure, None)
+        return figure
+
+    return svg.drawn("sobol", "Sobol indices", draw)
+
+
+def tornado(sample: Gathered, level: float = LEVEL) -> str:
+    """Return tornado charts, a panel an output: swings of one input at a time, or rank correlations."""
+
+    def draw() -> Figure:
+        inputs = len(sample.varied)
+        figure, panels = _panels(len(sample.outputs), 0.9 + 0.24 * inputs, 2)
+        for axes, output in zip(panels, sample.outputs, strict=False):
+            if sample.kind == "tornado":
+                _swings(axes, sample, output)
+            else:
+                _ranked(axes, sample, output, level)
+            axes.set_title(short(output.name))
+            axes.invert_yaxis()
+            axes.grid(axis="y", visible=False)
+        _legend(figure, None)
+        return figure
+
+    return svg.drawn("tornado", "Influence of the inputs", draw)
+
+
+def designs(sample: Gathered, level: float = LEVEL) -> str:
+    """Return the probability of each limit state over what the designer chose, with targets.
+
+    Over the quantity if it is one number; several of them, and words, are named side by side.
+    """
+    chosen = [each for each in sample.inputs if each.chosen]
+    number = len(chosen) == 1 and not chosen[0].labels
+
+    def draw() -> Figure:
+        figure, panels = _panels(len(sample.limits))
+        for axes, limit in zip(panels, sample.limits, strict=False):
+            if number:
+                x = [dict(group.chosen)[chosen[0].name] * chosen[0].unit.scale for group in sample.groups]
+                axes.set_xlabel(named(chosen[0].name, chosen[0].unit))
+            else:
+                x = [float(place) for place in range(len(sample.groups))]
+                axes.set_xticks(x, [short(group.label, NARROW) for group in sample.groups], rotation=60, ha="right")
+            p = [tables.failure(sample, group, limit, level) for group in sample.groups]
+            middle = np.array([each.value for each in p])
+            half = np.array([[each.value - each.low, each.high - each.value] for each in p]).T
+            axes.errorbar(x, middle, yerr=half, fmt="o", color=ACCENT, markersize=3.5, capsize=3, elinewidth=1.0)
+            axes.set_yscale("symlog", linthresh=_smallest(p))
+            _plain(axes)
+            axes.set_ylim(bottom=0)
+            if limit.target is not None:
+                axes.axhline(limit.target, color=WARN, linewidth=1.0, linestyle="--")
+            axes.set_title(short(limit.name))
+            axes.set_ylabel("probability of failure")
+        return figure
+
+    return svg.drawn("designs", "Probability of failure over the design", draw)
+
+
+def _smallest(p: list[statistics.Estimate]) -> float:
+    """Return where a logarithmic scale of probabilities that may be zero begins."""
+    return min(max(min(each.high for each in p), 1e-9), 0.1)
+
+
+def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Array, label: str) -> str:
+    """Return a field over the plan: nodes (k, 2), elements (m, 9), values (k,) in units of display.
+
+    Colours part at zero if the values do.
+    """
+    from groundslab.views.plots.contours import triangulation
+    from groundslab.views.plots.scale import scale_of
+
+    def draw() -> Figure:
+        width, height = np.ptp(nodes, axis=0)
+        figure = svg.figure(min(max(svg.WIDTH * 0.78 * height / width, 1.2), 6.0) + 0.7)
+        axes = figure.subplots()
+        scale = scale_of([values], signed=False)
+        colours, norm = scale.colours()
+        # what lies on the last level would leave a hole
+        shown = np.minimum(values, scale.levels[-1] - 1e-9 * np.ptp(scale.levels))
+        drawn = axes.tricontourf(triangulation(nodes, elements), shown, levels=scale.levels, cmap=colours, norm=norm)
+        axes.set_aspect("equal")
+        axes.grid(visible=False)
+        axes.set_xlabel("x [m]")
+        axes.set_ylabel("y [m]")
+        axes.set_title(short(title, 80))
+        figure.colorbar(drawn, ax=axes, label=label, shrink=0.9)
+        return figure
+
+    return svg.drawn(name, title, draw)
+
+
+def named(name: str, unit: Unit) -> str:
+    """Return what an axis says: "E1 [MPa]"."""
+    return f"{short(name)} [{unit.name}]" if unit.name else short(name)
+
+
+def short(name: str, most: int = 32) -> str:
+    """Return a name that a figure has room for: of a long one the beginning and the end."""
+    if len(name) > most:
+        name = f"{name[: most - most // 3 - 1]}\u2026{name[-(most // 3) :]}"
+    # Matplotlib leaves labels out of legends that begin so
+    return f"\u2060{name}" if name.startswith("_") else name
+
+
+def _panels(count: int, height: float = 2.1, abreast: int = ABREAST) -> tuple[Figure, list[Axes]]:
+    """Return a figure with a number of panels, each of a height [in]."""
+    columns = 2 if count == 4 else min(max(count, 2), abreast)
+    rows = -(-count // columns)
+    figure = svg.figure(height * rows + 0.25)
+    made: list[Axes] = list(figure.subplots(rows, columns, squeeze=False).ravel())
+    for spare in made[count:]:
+        spare.remove()
+    return figure, made[:count]
+
+
+def _histogram(axes: Axes, x: Array, label: str, number: int = 0, of: int = 1, name: str = "") -> None:
+    """Draw the density of samples (n,) as steps or bars; its bins by the square root of n, at most 40."""
+    bins = int(np.clip(np.sqrt(len(x)), 5, 40))
+    how: dict[str, Any] = {"histtype": "stepfilled", "alpha": 0.55} if of == 1 else {"histtype": "step"}
+    axes.hist(x, bins=bins, density=True, color=_colour(number, of), label=name, **how)
+    axes.set_xlabel(label)
+    axes.set_yticks([])
+    axes.locator_params(axis="x", nbins=4)
+    axes.grid(axis="y", visible=False)
+
+
+def _density(axes: Axes, each: Input, x: Array) -> None:
+    """Draw the density that an input was drawn from, over the range of its samples."""
+    assert each.density is not None
+    at = np.linspace(x.min(), x.max(), 200)
+    axes.plot(at, each.density(at / each.unit.scale) / each.unit.scale, color=INK, linewidth=1.0)
+
+
+def _curve(
+    axes: Axes, curve: tuple[Array, Array, Array, Array], colour: Any, name: str, step: Literal["pre", "post"]
+) -> None:
+    """Draw a curve of exceedance with its intervals; logarithmic if the samples reach to one in a hundred.
+
+    A step's height is that of its left end (post) or of its right one (pre).
+    """
+    value, p, low, high = curve
+    n = len(value)
+    if n == 0:
+        return
+    at = tables.thinned(n, 2 * tables.MOST_POINTS)
+    axes.step(value[at], p[at], where=step, color=colour, linewidth=1.2, label=name)
+    axes.fill_between(value[at], low[at], high[at], step=step, color=colour, alpha=0.2, linewidth=0)
+    if n >= 100:
+        axes.set_yscale("log")
+        _plain(axes)
+        axes.set_ylim(0.5 / n, 1.3)
+    axes.locator_params(axis="x", nbins=4)
+
+
+def _plain(axes: Axes) -> None:
+    """Write the ticks of a logarithmic scale as plain numbers, as a page does not know Matplotlib's formulas."""
+    from matplotlib.ticker import NullFormatter, StrMethodFormatter
+
+    axes.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axes.yaxis.set_minor_formatter(NullFormatter())
+
+
+def _bounds(axes: Axes, sample: Gathered, output: Output) -> None:
+    """Draw the bounds of the limit states of an output."""
+    for limit in sample.limits:
+        if limit.output == output.name:
+            axes.axvline(limit.bound * output.unit.scale, color=WARN, linewidth=1.0, linestyle="--")
+
+
+def _swings(axes: Axes, sample: Gathered, output: Output) -> None:
+    """Draw the swings of one output, the widest on top."""
+    base, swings = tables.swings_of(sample, output)
+    scale = output.unit.scale
+    for place, each in enumerate(swings):
+        for value, colour, label in ((each.low, ACCENT, "input low"), (each.high, SECOND, "input high")):
+            if np.isfinite(value) and np.isfinite(base):
+                axes.barh(place, (value - base) * scale, 0.6, left=base * scale, color=colour, label=label)
+    if np.isfinite(base):
+        axes.axvline(base * scale, color=INK, linewidth=0.8)
+    axes.set_yticks(range(len(swings)), [short(each.input, NARROW) for each in swings])
+    axes.set_xlabel(named(output.name, output.unit))
+
+
+def _ranked(axes: Axes, sample: Gathered, output: Output, level: float) -> None:
+    """Draw the rank correlations of one output with their intervals, the strongest on top; of the first design."""
+    found = tables.ranked(sample, sample.groups[0], output, level)
+    for place, (_, r) in enumerate(found):
+        if np.isfinite(r.value):
+            axes.barh(place, r.value, 0.6, color=ACCENT if r.value >= 0 else SECOND)
+            half = [[r.value - r.low], [r.high - r.value]]
+            axes.errorbar([r.value], [place], xerr=half, fmt="none", ecolor=INK, elinewidth=0.8, capsize=2)
+    axes.axvline(0.0, color=INK, linewidth=0.8)
+    axes.set_yticks(range(len(found)), [short(name, NARROW) for name, _ in found])
+    axes.set_xlim(-1.05, 1.05)
+    axes.set_xlabel("rank correlation")
+
+
+def _colour(number: int, of: int) -> Any:
+    """Return the colour of a design: the accent if there is one only, else from light to dark."""
+    from matplotlib import colormaps
+
+    return ACCENT if of == 1 else colormaps["viridis"](0.25 + 0.6 * number / (of - 1))
+
+
+def _legend(figure: Figure, sample: Gathered | None) -> None:
+    """Put one legend below the panels: the designs, or whatever bears a label; none for a single design."""
+    if sample is not None and len(sample.groups) == 1:
+        return
+    entries: dict[str, Any] = {}
+    for axes in figure.axes:
+        handles, labels = axes.get_legend_handles_labels()
+        entries |= {label: handle for handle, label in zip(handles, labels, strict=True) if label}
+    if entries:
+        figure.legend(entries.values(), entries.keys(), loc="outside lower center", ncols=3)

@@ -1,0 +1,128 @@
+"""What is made of a study, as files: one page, and each table as CSV, in a folder beside the rows."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab.errors import Fault, InputError
+from groundslab.storage import atomic, ownership
+from groundslab.study.evaluation import from_study
+from groundslab.study.evaluation import tables as evaluation
+from groundslab.study.evaluation.samples import Unit, unit_for
+from groundslab.study.evaluation.statistics import LEVEL
+from groundslab.study.report import page
+
+if TYPE_CHECKING:
+    from groundslab.design.tables.table import Table
+    from groundslab.study.evaluation.form import Reliability
+    from groundslab.study.evaluation.study import Study
+
+#: The folder within the study's, and the page in it.
+FOLDER, PAGE = "evaluation", "report.html"
+#: All names of files that an evaluation can have.
+NAMES = frozenset({PAGE} | {f"{name}.csv" for name in (*evaluation.NAMES, "reliability", "design_points")})
+
+
+def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float = LEVEL) -> tuple[Path, ...]:
+    """Write report.html and the tables as CSV into the folder `evaluation` of a study and return their paths.
+
+    An evaluation that is there is replaced by a whole one or not at all. If the folder holds anything that groundslab
+    did not write, or cannot be written, InputError is raised.
+    """
+    from groundslab.study.evaluation import form
+
+    folder = check(study)
+    sample = from_study.sample_in(study)
+    if len(sample.number) == 0:
+        raise InputError([Fault(str(study.folder), "a study without a row", "a study with rows to evaluate")])
+    tables = [*evaluation.tables_of(sample, level), *(form.tables(reliability) if reliability else ())]
+    texts = {f"{table.name}.csv": table.csv() for table in tables}
+    texts[PAGE] = page.html(sample, origin(study), list(maps(study)), reliability, level)
+
+    def fill(staging: Path) -> None:
+        for name, text in texts.items():
+            (staging / name).write_text(text, encoding="utf-8", newline="\n")
+
+    try:
+        atomic.write_folder(folder, fill, NAMES.__contains__, lambda: _require_free(folder))
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    return tuple(folder / name for name in (PAGE, *(name for name in texts if name != PAGE)))
+
+
+def check(study: Study) -> Path:
+    """Return the folder of a study's evaluation if it may be written; else raise InputError saying why not.
+
+    Puts back an earlier evaluation first if a crash has left it aside.
+    """
+    folder = study.folder / FOLDER
+    try:
+        atomic.recover_folder(folder, _foreign)
+        _require_free(folder)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    return folder
+
+
+def _require_free(folder: Path) -> None:
+    """Raise InputError if there is anything in an evaluation's place that groundslab did not write."""
+    if not os.path.lexists(folder):
+        return
+    expected, hint = "an evaluation of groundslab, or nothing", "move it away; nothing was changed"
+    if folder.is_symlink() or not folder.is_dir():
+        raise InputError([Fault(str(folder), "something that is no folder", expected, hint)])
+    found = _foreign(folder)
+    if found:
+        got = "something that groundslab did not write"
+        raise InputError([Fault(str(folder / name), got, expected, hint) for name in found])
+
+
+def _foreign(folder: Path) -> list[str]:
+    """Return the paths in a folder that no evaluation has."""
+    return ownership.strangers(folder, NAMES)
+
+
+def _unwritable(folder: Path, error: OSError) -> InputError:
+    """Return the error for a folder that cannot be written; an earlier evaluation there is untouched."""
+    hint = "make room; an earlier evaluation is as it was"
+    return InputError([Fault(str(folder), error.strerror or str(error), "a folder that can be written", hint)])
+
+
+def tables_of(study: Study, level: float = LEVEL) -> tuple[Table, ...]:
+    """Return the tables that are made of a study's rows; level is the confidence of the intervals."""
+    return evaluation.tables_of(from_study.sample_in(study), level)
+
+
+def maps(study: Study) -> Iterator[page.Map]:
+    """Yield maps of each field kept everywhere: mean, standard deviation, of the settlement where the plate lifts.
+
+    There are none if the variants differ in their mesh.
+    """
+    for output in study.setup.outputs:
+        if not output.everywhere:
+            continue
+        try:
+            found = study.map(output.name, "mean")
+        except InputError:
+            return
+        nodes, elements = found.mesh.nodes, found.mesh.elements
+        unit = unit_for(output.dimension or None, found.values)
+        yield page.Map(f"{output.name}: mean", nodes, elements, found.values * unit.scale, unit)
+        spread = study.map(output.name, "std").values
+        own = unit_for(output.dimension or None, spread)
+        yield page.Map(f"{output.name}: standard deviation", nodes, elements, spread * own.scale, own)
+        if output.of == "settlement":
+            share = study.map(output.name, "probability of uplift").values
+            yield page.Map(f"{output.name}: probability of uplift", nodes, elements, share * 100, Unit("%", 100.0))
+
+
+def origin(study: Study) -> page.Origin:
+    """Return what makes a study repeatable: its seed, versions and checksums, for the page."""
+    about = study.about
+    facts = [("seed", str(about["seed"])), ("variants", str(about["variants"])), ("made", str(about["made"]))]
+    facts += [("SHA-256 of the study file", about["study_sha256"]), ("SHA-256 of the case file", about["case_sha256"])]
+    facts += [(f"version of {name}", str(version)) for name, version in about["versions"].items()]
+    return page.Origin(study.title, tuple(facts))

@@ -1,0 +1,1 @@
+"""Values of the variants: designs of experiments and random fields."""

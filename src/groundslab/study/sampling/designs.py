@@ -1,0 +1,183 @@
+"""From a study's seed to the values of each variant: grids, lists, sequences and random numbers; dependence.
+
+Normal scores: a variable's value is that of the same probability as a standard normal number's. Scores are made
+dependent by the Cholesky factor of their correlations (Gaussian copula; Nataf 1962, but with the
+correlations given for the scores, not for the values).
+"""
+
+from __future__ import annotations
+
+import itertools
+import warnings
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.study.definition.setup import Setup, Variable
+
+#: Probabilities are kept this far from 0 and 1, where distributions may be infinite.
+_END = 2.0**-53
+#: What random numbers are drawn for, so that none are drawn twice.
+_VALUES, _FIELDS = 0, 1
+_MOST_SEED = 2**31
+#: How far from the median the variables of a tornado go, as a probability: to the 10 % and the 90 % quantile.
+SWING = 0.4
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """One variant: its number from 1, the values of the variables in their order, the seeds of the random fields."""
+
+    number: int
+    values: tuple[Any, ...]
+    seeds: tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """All variants of a study: columns of values (n,) in SI units, one for each variable; seeds (n, f)."""
+
+    values: tuple[list[Any], ...]
+    seeds: Integers
+
+    def __len__(self) -> int:
+        """Return the number of variants."""
+        return len(self.seeds)
+
+    def __getitem__(self, number: int) -> Variant:
+        """Return a variant by its number, from 1."""
+        row = number - 1
+        seeds = tuple(int(seed) for seed in self.seeds[row])
+        return Variant(number, tuple(column[row] for column in self.values), seeds)
+
+
+def sample_of(setup: Setup) -> Sample:
+    """Return all variants of a study; the same for the same study, whenever and wherever."""
+    kind, n = setup.sampling.kind, setup.count
+    if kind in ("grid", "list"):
+        lists = [list(variable.values or ()) for variable in setup.variables]
+        if kind == "grid":
+            # the last variable changes fastest
+            mesh = np.indices([len(values) for values in lists]).reshape(len(lists), -1)
+            lists = [[values[i] for i in of] for values, of in zip(lists, mesh, strict=True)]
+        return Sample(tuple(lists), _seeds(setup, n, 0))
+    if kind == "saltelli":
+        return _saltelli(setup)
+    if kind == "tornado":
+        return Sample(_columns(setup, _one_at_a_time(len(setup.variables))), _seeds(setup, n, 0))
+    chosen = np.array([variable.chosen for variable in setup.variables], dtype=bool)
+    if not chosen.any():
+        return Sample(_columns(setup, unit_points(setup, len(chosen))), _seeds(setup, n, 0))
+    return _designs(setup, chosen)
+
+
+def _one_at_a_time(d: int) -> Array:
+    """Return points (1 + 2 d, d) in the unit cube: the middle, then two for each variable, SWING below and above."""
+    points = np.full((1 + 2 * d, d), 0.5)
+    for i in range(d):
+        points[1 + 2 * i : 3 + 2 * i, i] = 0.5 - SWING, 0.5 + SWING
+    return points
+
+
+def _designs(setup: Setup, chosen: Flags) -> Sample:
+    """Return the drawn variants once for each design, always the same ones, and one design after the other.
+
+    chosen (d,) says which variables the designer chooses; of these the last one changes first.
+    """
+    count = setup.sampling.count
+    assert count is not None
+    points = np.full((count, len(chosen)), 0.5)
+    points[:, ~chosen] = unit_points(setup, int((~chosen).sum()))
+    designs = list(itertools.product(*(variable.values or () for variable in setup.variables if variable.chosen)))
+    picked = iter(zip(*designs, strict=True))
+    values = [
+        [value for value in next(picked) for _ in range(count)] if chosen[place] else column * len(designs)
+        for place, column in enumerate(_columns(setup, points))
+    ]
+    return Sample(tuple(values), np.tile(_seeds(setup, count, 0), (len(designs), 1)))
+
+
+def unit_points(setup: Setup, dimensions: int) -> Array:
+    """Return the drawn points (count, d) in the unit cube, independent of each other from column to column."""
+    from scipy.stats import qmc
+
+    kind, n = setup.sampling.kind, setup.sampling.count
+    assert n is not None
+    rng = np.random.default_rng(np.random.SeedSequence(setup.seed, spawn_key=(_VALUES,)))
+    if dimensions == 0:
+        return np.zeros((n, 0))
+    if kind == "monte carlo":
+        return rng.random((n, dimensions))
+    if kind == "latin hypercube":
+        found: Array = qmc.LatinHypercube(dimensions, rng=rng).random(n)
+        return found
+    with warnings.catch_warnings():
+        # the sequence's balance asks for powers of 2; other counts are a little less even, and not wrong
+        warnings.simplefilter("ignore", UserWarning)
+        points: Array = qmc.Sobol(dimensions, scramble=True, rng=rng).random(n)
+    return points
+
+
+def values_of(setup: Setup, scores: Array) -> tuple[list[Any], ...]:
+    """Return the columns of values (n,) of independent standard normal numbers (n, d), made dependent as described."""
+    from scipy.special import ndtr
+
+    dependent = scores @ np.linalg.cholesky(setup.correlation).T
+    return _at(setup, ndtr(dependent))
+
+
+def _columns(setup: Setup, points: Array) -> tuple[list[Any], ...]:
+    """Return the columns of values of points (n, d) in the unit cube."""
+    from scipy.special import ndtri
+
+    points = np.clip(points, _END, 1 - _END)
+    # without dependence the way over the scores would only round
+    if (setup.correlation == np.eye(len(setup.variables))).all():
+        return _at(setup, points)
+    return values_of(setup, ndtri(points))
+
+
+def _at(setup: Setup, points: Array) -> tuple[list[Any], ...]:
+    return tuple(quantiles(variable, column) for variable, column in zip(setup.variables, points.T, strict=True))
+
+
+def quantiles(variable: Variable, probability: Array) -> list[Any]:
+    """Return the values (n,) of a variable with the given probabilities of not being exceeded; listed ones alike."""
+    probability = np.clip(probability, _END, 1 - _END)
+    if variable.distribution is not None:
+        found: list[Any] = variable.distribution.at(probability).tolist()
+        return found
+    assert variable.values is not None
+    return [variable.values[i] for i in (probability * len(variable.values)).astype(int)]
+
+
+def _seeds(setup: Setup, n: int, stream: int) -> Integers:
+    """Return a seed for each random field of each variant, (n, f)."""
+    rng = np.random.default_rng(np.random.SeedSequence(setup.seed, spawn_key=(_FIELDS, stream)))
+    return rng.integers(0, _MOST_SEED, size=(n, len(setup.fields)))
+
+
+def _saltelli(setup: Setup) -> Sample:
+    """Return Saltelli's design: A, B, then A with one variable or field after the other from B (Saltelli 2010).
+
+    The blocks stand one after the other, each with `sampling.count` rows.
+    """
+    d, f, n = len(setup.variables), len(setup.fields), setup.sampling.count
+    assert n is not None
+    points = unit_points(setup, 2 * d)
+    a, b = points[:, :d], points[:, d:]
+    seeds_a, seeds_b = _seeds(setup, n, 0), _seeds(setup, n, 1)
+    blocks, seeds = [a, b], [seeds_a, seeds_b]
+    for i in range(d):
+        mixed = a.copy()
+        mixed[:, i] = b[:, i]
+        blocks.append(mixed)
+        seeds.append(seeds_a)
+    for i in range(f):
+        other = seeds_a.copy()
+        other[:, i] = seeds_b[:, i]
+        blocks.append(a)
+        seeds.append(other)
+    return Sample(_columns(setup, np.concatenate(blocks)), np.concatenate(seeds))

@@ -1,0 +1,191 @@
+"""Closed-form and series solutions that the analytic cases are held against."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from groundslab.verification.analytic_circular import partly_loaded_circular_plate
+from groundslab.verification.analytic_springs import curling_strip, lifting_circular_plate, rigid_plate_on_springs
+
+
+def navier(
+    x: float, y: float, a: float, b: float, t: float, E: float, nu: float, factor: float, q: float, k0: float, k1: float
+) -> dict[str, float]:
+    """Return settlement [m] and moments [N m/m] of a simply supported Mindlin plate on Pasternak ground.
+
+    Uniform pressure q [Pa] on a x b, x and y from the centre. In a mode alpha, beta with l2 = alpha^2 + beta^2 the
+    plate answers with D l2^2 / (1 + D l2 / S), the ground with k0 + k1 l2 (Navier's series, with the shear flexibility
+    of Mindlin's plate; Timoshenko and Woinowsky-Krieger 1959, section 28).
+    """
+    D, S = E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t
+    m = np.arange(1, 400, 2)[:, None]
+    n = np.arange(1, 400, 2)[None, :]
+    alpha, beta = m * math.pi / a, n * math.pi / b
+    l2 = alpha**2 + beta**2
+    load = 16 * q / (math.pi**2 * m * n)
+    bent = 1 + D * l2 / S
+    amplitude = load / (D * l2**2 / bent + k0 + k1 * l2)
+    shape = np.sin(alpha * (x + a / 2)) * np.sin(beta * (y + b / 2))
+    return {
+        "settlement": float((amplitude * shape).sum()),
+        "moment_x": float((D * (alpha**2 + nu * beta**2) / bent * amplitude * shape).sum()),
+        "moment_y": float((D * (beta**2 + nu * alpha**2) / bent * amplitude * shape).sum()),
+    }
+
+
+def plate_on_a_column(
+    x: float,
+    y: float,
+    a: float,
+    b: float,
+    t: float,
+    E: float,
+    nu: float,
+    factor: float,
+    q: float,
+    K: float,
+    u: float,
+    v: float,
+    mean: bool = False,
+) -> dict[str, float]:
+    """Return settlement [m] and the column's force [N] of a simply supported Mindlin plate on an elastic column.
+
+    Uniform pressure q [Pa] on a x b; the column of stiffness K [N/m] stands under the centre, x and y count from
+    there. Its force is spread evenly over u x v [m] and is K times the settlement of the centre, or the mean
+    settlement over u x v. Force method with Navier's series for both loads (Timoshenko and Woinowsky-Krieger 1959,
+    sections 28 and 29).
+    """
+    D, S = E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t
+    m = np.arange(1, 2000, 2)[:, None]
+    n = np.arange(1, 2000, 2)[None, :]
+    alpha, beta = m * math.pi / a, n * math.pi / b
+    l2 = alpha**2 + beta**2
+    flexibility = 1 / (D * l2**2) + 1 / (S * l2)
+    spread = np.sinc(alpha * u / (2 * math.pi)) * np.sinc(beta * v / (2 * math.pi))
+    centre = (-1.0) ** ((m + n) // 2 - 1)  # sin(m pi / 2) sin(n pi / 2)
+    under_q = 16 * q / (math.pi**2 * m * n) * flexibility
+    under_1 = 4 / (a * b) * centre * spread * flexibility
+    felt = centre * spread if mean else centre
+    force = K * float((under_q * felt).sum()) / (1 + K * float((under_1 * felt).sum()))
+    shape = np.cos(alpha * x) * np.cos(beta * y) * centre
+    return {"settlement": float(((under_q - force * under_1) * shape).sum()), "force": force}
+
+
+def point_load_on_infinite_plate(r: float, P: float, D: float, k: float) -> float:
+    """Return the settlement [m] of an infinite thin plate on springs k [Pa/m], a distance r [m] from a force P [N].
+
+    w = -P l^2 / (2 pi D) kei(r / l) with l = (D / k)^(1/4), so that w = P / (8 sqrt(k D)) under the force
+    (Timoshenko and Woinowsky-Krieger 1959, section 57).
+    """
+    from scipy.special import kei
+
+    length = (D / k) ** 0.25
+    return float(-P * length**2 / (2 * math.pi * D) * kei(r / length))
+
+
+def circular_plate(
+    r: float, radius: float, t: float, E: float, nu: float, factor: float, q: float, clamped: bool
+) -> dict[str, float]:
+    """Return settlement [m] and radial moment [N m/m] of a Mindlin plate under uniform pressure, r [m] from its centre.
+
+    The thin plate's polynomial (Timoshenko and Woinowsky-Krieger 1959, sections 16 and 17) and the shear's share
+    q (R^2 - r^2) / 4 S, which is exact as the shear force q r / 2 is statically determinate.
+    """
+    D, S = E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t
+    inside = radius**2 - r**2
+    outer = radius**2 if clamped else (5 + nu) / (1 + nu) * radius**2
+    moment = radius**2 * (1 + nu) if clamped else radius**2 * (3 + nu)
+    return {
+        "settlement": q * inside * (outer - r**2) / (64 * D) + q * inside / (4 * S),
+        "moment": q / 16 * (moment - r**2 * (3 + nu)),
+    }
+
+
+def rigid_strip(distance: float, width: float, q: float, k0: float, k1: float) -> float:
+    """Return the settlement [m] of Pasternak ground a distance beyond a rigid strip under the pressure q [Pa].
+
+    The strip settles by q b / (k0 b + 2 sqrt(k0 k1)); beyond it the ground follows exp(-sqrt(k0/k1) d).
+    """
+    strip = q * width / (k0 * width + 2 * math.sqrt(k0 * k1))
+    return strip * math.exp(-math.sqrt(k0 / k1) * distance)
+
+
+def confined_compression(q: float, h: float, E_top: float, E_bottom: float, nu: float) -> float:
+    """Return the settlement [m] of a layer under a uniform pressure q [Pa], q times the integral of 1 / Ec."""
+    constrained = (1 - nu) / ((1 + nu) * (1 - 2 * nu))
+    if E_bottom == E_top:
+        return q * h / (constrained * E_top)
+    return q * h * math.log(E_bottom / E_top) / (constrained * (E_bottom - E_top))
+
+
+def wedge(x: float, length: float, q: float, h_left: float, h_right: float, E: float, nu: float) -> float:
+    """Return the settlement [m] of a layer whose thickness h grows evenly over a length, x from its middle.
+
+    Under a pressure q [Pa] the settlement falls evenly over the depth, so that k0 = Ec / h and k1 = G h / 3. Then
+    Ec w / h - (G h w' / 3)' = q is an Euler-Cauchy equation in h: w = c h + A h^p + B h^-p with c = q / (Ec - G s^2/3),
+    s = h' and p^2 = 3 Ec / (G s^2); at both ends the ground is free, w' = 0.
+    """
+    slope = (h_right - h_left) / length
+    Ec, G = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
+    c, p = q / (Ec - G * slope**2 / 3), math.sqrt(3 * Ec / G) / abs(slope)
+
+    def powers(h: float) -> tuple[float, float]:
+        return (h / h_right) ** p, (h_left / h) ** p
+
+    slopes = [[p / h * powers(h)[0], -p / h * powers(h)[1]] for h in (h_left, h_right)]
+    amplitudes = np.linalg.solve(np.array(slopes), [-c, -c])
+    h = (h_left + h_right) / 2 + slope * x
+    return float(c * h + amplitudes @ powers(h))
+
+
+def strip_on_two_springs(
+    x: float, t: float, E: float, factor: float, q: float, k_left: float, k_right: float
+) -> dict[str, float]:
+    """Return settlement [m] and moment [N m/m] of an endless Mindlin strip with nu = 0 on springs that change at x = 0.
+
+    Far off w = q / k. In the rest w = a exp(r x), D r^4 - (D k / S) r^2 + k = 0, beta = r w - k w / (S r),
+    M = -D r beta and Q = k w / r, with the two roots that die out on each side; w, beta, M and Q are the same at x = 0.
+    """
+    D, S = E * t**3 / 12, factor * E / 2 * t
+
+    def modes(k: float, side: float) -> tuple[np.ndarray, np.ndarray]:
+        root = np.sqrt(np.roots([D, -D * k / S, k]).astype(complex))
+        r = -side * root * np.sign(root.real)
+        beta = r - k / (S * r)
+        return r, np.array([np.ones(2), beta, -D * r * beta, k / r])
+
+    (r_left, left), (r_right, right) = modes(k_left, -1.0), modes(k_right, 1.0)
+    step = np.array([q / k_right - q / k_left, 0.0, 0.0, 0.0])
+    a = np.linalg.solve(np.hstack([left, -right]), step)
+    r, all_of, a, k = (r_left, left, a[:2], k_left) if x < 0 else (r_right, right, a[2:], k_right)
+    w, _, M, _ = (all_of @ (a * np.exp(r * x))).real
+    return {"settlement": float(q / k + w), "moment": float(M)}
+
+
+#: What a case file may name as `exact`: quantity-valued functions of the row's and the case's arguments.
+FORMULAS: dict[str, Callable[..., float]] = {
+    "navier settlement": lambda **given: navier(**given)["settlement"],
+    "navier moment_x": lambda **given: navier(**given)["moment_x"],
+    "point load on infinite plate": point_load_on_infinite_plate,
+    "circular plate settlement": lambda **given: circular_plate(**given)["settlement"],
+    "circular plate moment": lambda **given: circular_plate(**given)["moment"],
+    "partly loaded circular plate settlement": lambda **given: partly_loaded_circular_plate(**given)["settlement"],
+    "partly loaded circular plate moment_r": lambda **given: partly_loaded_circular_plate(**given)["moment_r"],
+    "partly loaded circular plate moment_t": lambda **given: partly_loaded_circular_plate(**given)["moment_t"],
+    "lifting circular plate settlement": lambda **given: lifting_circular_plate(**given)["settlement"],
+    "lifting circular plate moment": lambda **given: lifting_circular_plate(**given)["moment"],
+    "plate on a column settlement": lambda **given: plate_on_a_column(**given)["settlement"],
+    "plate on a column force": lambda **given: plate_on_a_column(**given)["force"],
+    "curling strip settlement": lambda **given: curling_strip(**given)["settlement"],
+    "curling strip moment across": lambda **given: curling_strip(**given)["moment across"],
+    "curling strip moment along": lambda **given: curling_strip(**given)["moment along"],
+    "rigid plate on springs": rigid_plate_on_springs,
+    "rigid strip": rigid_strip,
+    "confined compression": confined_compression,
+    "wedge": wedge,
+    "strip on two springs settlement": lambda **given: strip_on_two_springs(**given)["settlement"],
+    "strip on two springs moment": lambda **given: strip_on_two_springs(**given)["moment"],
+}

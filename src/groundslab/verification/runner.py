@@ -1,0 +1,273 @@
+"""Published and analytic cases, held against what groundslab computes.
+
+Cases are data (folder cases): models in the words of the input file, and rows that name a quantity of one of them, the
+published digits or an exact formula, and how far off it may be. A row that deviates says by how much and why, and fails
+if the deviation changes; a published number that cannot be right names its proof, which is computed anew each time.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from importlib.resources import files
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from groundslab import units
+from groundslab.analysis import driver
+from groundslab.case import casefile
+from groundslab.discretize.ground import ground_of, varies
+from groundslab.fem.vlasov import Soil
+from groundslab.model.ground import SoilLayer
+from groundslab.model.model import Model
+from groundslab.results.results import Results
+from groundslab.verification.analytic import FORMULAS
+from groundslab.verification.proofs import PROOFS
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+#: A deviation that a case explains may change by this much before the row fails, in points of per cent.
+DRIFT = 0.3
+#: What a file or a pipe gets: columns enough to show every row on a line of its own.
+WIDTH = 120
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One row of a case: what was published, what was computed (in the row's unit), and the verdict on it."""
+
+    label: str
+    published: str
+    computed: float
+    difference: str
+    verdict: str
+    reason: str
+    ok: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A case as its file states it."""
+
+    name: str
+    group: str
+    title: str
+    source: str
+    note: str
+    needs: str
+    models: Mapping[str, Mapping[str, Any]]
+    rows: Sequence[Mapping[str, Any]]
+
+
+def names() -> list[str]:
+    """Return the names of all cases, and of the groups that they form."""
+    cases = [load(name) for name in _files()]
+    return [*dict.fromkeys(case.group for case in cases), *(case.name for case in cases)]
+
+
+def _files() -> list[str]:
+    folder = files("groundslab.verification") / "cases"
+    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+
+
+@cache
+def load(name: str) -> Case:
+    """Return a case by its name."""
+    text = (files("groundslab.verification") / "cases" / f"{name}.toml").read_text(encoding="utf-8")
+    table = tomllib.loads(text)
+    about = {key: table.get(key, "") for key in ("group", "title", "source", "note", "needs")}
+    return Case(name=name, models=table["models"], rows=table["rows"], **about)
+
+
+def run(wanted: Sequence[str], console: Console) -> bool:
+    """Run cases or groups of them, print each row, and return whether all rows passed."""
+    if not console.is_terminal:
+        console.width = WIDTH
+    chosen = [case for case in map(load, _files()) if case.name in wanted or case.group in wanted]
+    failed = 0
+    for case in [case for case in chosen if not can_run(case)]:
+        how = r"pip install 'groundslab\[mesh]' or 'groundslab\[netgen]'"
+        console.print(f"{case.name}: SKIPPED, it needs {case.needs}: {how}\n", style="bold")
+    chosen = [case for case in chosen if can_run(case)]
+    for case in chosen:
+        outcomes = list(outcomes_of(case))
+        _print(case, outcomes, console)
+        failed += sum(not outcome.ok for outcome in outcomes)
+    cases = "1 case" if len(chosen) == 1 else f"{len(chosen)} cases"
+    console.print(f"{cases}, {failed} FAILED" if failed else f"{cases}, every row passed", style="bold")
+    return failed == 0
+
+
+def can_run(case: Case) -> bool:
+    """Return whether one of the optional packages that a case needs, if any, can be imported here."""
+    return not case.needs or any(map(_can_be_imported, case.needs.split(" or ")))
+
+
+def _can_be_imported(name: str) -> bool:
+    try:
+        return import_module(name) is not None
+    except (ImportError, OSError, RuntimeError):  # Netgen refuses other Pythons with a RuntimeError
+        return False
+
+
+def outcomes_of(case: Case) -> Iterator[Outcome]:
+    """Yield the outcome of each row of a case; a model is solved once however many rows ask for it."""
+    solved: dict[tuple[str, tuple[int, ...]], Results] = {}
+
+    def results_of(name: str, counts: Sequence[int] = ()) -> Results:
+        key = name, tuple(counts)
+        if key not in solved:
+            solved[key] = driver.solve(model_of(case, name, counts))
+        return solved[key]
+
+    for row in case.rows:
+        yield _outcome(case, row, results_of)
+
+
+def model_of(case: Case, name: str, counts: Sequence[int] = ()) -> Model:
+    """Return a model of a case, with other counts if given; `fit` finds the modulus of its layers first."""
+    description = dict(case.models[name])
+    fit = description.pop("fit", None)
+    model = casefile.from_table(description)
+    if counts:
+        model = model.replace(mesh=model.mesh.replace(size=None, counts=tuple(counts)))
+    return model if fit is None else _fitted(model, fit)
+
+
+def _fitted(model: Model, fit: Mapping[str, Any]) -> Model:
+    """Return the model with one modulus for all its layers, such that a settlement comes out as published."""
+    target = float(fit["published"]) * units.parse(f"1 {fit['unit']}", "length")
+    points: list[tuple[float, float]] = []
+    E = model.ground.layers[0].E  # type: ignore[union-attr]
+    while True:
+        layers = [layer.replace(E=E) for layer in model.ground.layers if isinstance(layer, SoilLayer)]  # type: ignore[union-attr]
+        model = model.replace(ground=model.ground.replace(layers=layers))
+        w = driver.solve(model).plate.value_at("settlement", *fit["at"])
+        points.append((math.log(E), math.log(w)))
+        if abs(w / target - 1) < 1e-6:
+            return model
+        slope = -1.0
+        if len(points) > 1:
+            (x0, y0), (x1, y1) = points[-2:]
+            slope = (y1 - y0) / (x1 - x0)
+        E = math.exp(points[-1][0] + (math.log(target) - points[-1][1]) / slope)
+
+
+Quantity = Callable[[Results, Mapping[str, Any]], float]
+
+#: What a row may ask for: the dimension of its unit, and how to take it from the results.
+QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
+    "settlement": ("length", lambda r, row: r.plate.value_at("settlement", *row["at"])),
+    "largest settlement": ("length", lambda r, _: float(r.plate.settlement.max())),
+    "largest uplift": ("length", lambda r, _: float(-r.plate.settlement.min())),
+    "ground settlement": ("length", lambda r, row: r.ground.value_at(*row["at"])),
+    "moment_x": ("force", lambda r, row: r.plate.value_at("moment_x", *row["at"])),
+    "force of a support": ("force", lambda r, row: next(s.total for s in r.supports if s.name == row["support"])),
+    "k0": ("pressure per length", lambda r, row: r.constants.k0[row.get("layer", 1) - 1]),
+    "k1": ("pressure times length", lambda r, row: r.constants.k1[row.get("layer", 1) - 1]),
+    "gamma": (None, lambda r, _: r.constants.gamma or 0.0),
+}
+
+
+def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Results]) -> Outcome:
+    """Return the outcome of one row."""
+    if "orders" in row:
+        return _order(row, results_of)
+    computed = _computed(case, row, results_of) / _unit(row) * row.get("factor", 1.0)
+    reference = float(row["published"]) if "published" in row else _exact(row) / _unit(row)
+    published = row.get("published", f"{reference:.6g}")
+    difference = computed - reference
+    percent = 100 * difference / abs(reference)
+    shown = f"{difference:+.2g} ({percent:+.2g} %)"
+    if "proof" in row:
+        proof = PROOFS[row["proof"]["kind"]](results_of, **{k: v for k, v in row["proof"].items() if k != "kind"})
+        verdict = "cannot be right" if proof.holds else "FAILED"
+        return Outcome(row["label"], published, computed, shown, verdict, proof.says, proof.holds)
+    if "differs" in row:
+        ok = abs(percent - float(row["differs"])) <= DRIFT
+        return Outcome(
+            row["label"], published, computed, shown, "differs, as explained" if ok else "FAILED", row["why"], ok
+        )
+    tolerance = _tolerance(row, published)
+    if not 0 < tolerance < abs(reference):
+        raise ValueError(f"{case.name}: {row['label']}: a tolerance of {tolerance} against {published} checks nothing")
+    ok = abs(difference) <= tolerance
+    return Outcome(row["label"], published, computed, shown, "agrees" if ok else "FAILED", row.get("why", ""), ok)
+
+
+def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., Results]) -> float:
+    """Return the row's quantity in SI units; k0 and k1 for a given gamma need no solution."""
+    if row["quantity"] in ("k0", "k1"):
+        model = model_of(case, row["model"])
+        ground = ground_of(model)
+        if isinstance(ground, Soil) and ground.gamma is not None and not varies(model):
+            return float(
+                ground.layer_parameters(ground.gamma)[("k0", "k1").index(row["quantity"])][row.get("layer", 1) - 1]
+            )
+    return QUANTITIES[row["quantity"]][1](results_of(row["model"], row.get("counts", ())), row)
+
+
+def _unit(row: Mapping[str, Any]) -> float:
+    """Return the size of the row's unit in SI units."""
+    dimension = QUANTITIES[row["quantity"]][0]
+    return 1.0 if dimension is None else units.parse(f"1 {row['unit']}", dimension)
+
+
+def _exact(row: Mapping[str, Any]) -> float:
+    """Return the value of the row's formula in SI units."""
+    given = dict(row["exact"])
+    return FORMULAS[given.pop("formula")](**given)
+
+
+def _tolerance(row: Mapping[str, Any], published: str) -> float:
+    """Return how far off a row may be, in its unit: stated so, in per cent, or half a unit of the last digit."""
+    stated = row["tolerance"]
+    if stated == "digits":
+        mantissa, _, exponent = published.lower().partition("e")
+        return 0.5 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2])) * (1 + 1e-9)
+    number, _, unit = stated.partition(" ")
+    return float(number) / 100 * abs(float(published)) if unit == "%" else float(number)
+
+
+def _order(row: Mapping[str, Any], results_of: Callable[..., Results]) -> Outcome:
+    """Return the observed order of convergence over the last two refinements of a row's meshes."""
+    take, exact = QUANTITIES[row["quantity"]][1], _exact(row)
+    errors = [abs(take(results_of(row["model"], counts), row) - exact) for counts in row["orders"]]
+    orders = [math.log2(coarse / fine) for coarse, fine in pairwise(errors)]
+    ok = orders[-1] >= row["at_least"]
+    errors_shown = ", ".join(f"{error / abs(exact):.1e}" for error in errors)
+    return Outcome(
+        row["label"], f">= {row['at_least']}", orders[-1], "", "agrees" if ok else "FAILED",
+        f"relative errors {errors_shown}", ok,
+    )  # fmt: skip
+
+
+def _print(case: Case, outcomes: Sequence[Outcome], console: Console) -> None:
+    """Print a case: its rows as a table, each reason once below it."""
+    from rich.box import SIMPLE
+    from rich.table import Table
+    from rich.text import Text
+
+    reasons = list(dict.fromkeys(outcome.reason for outcome in outcomes if outcome.reason))
+    table = Table(box=SIMPLE, title=Text(f"{case.name}: {case.title}"), title_justify="left", pad_edge=False)
+    for name in ("row", "published", "computed", "difference", "verdict"):
+        table.add_column(name)
+    for outcome in outcomes:
+        mark = f" [{reasons.index(outcome.reason) + 1}]" if outcome.reason else ""
+        style = "" if outcome.verdict == "agrees" else "bold red" if not outcome.ok else "yellow"
+        computed = f"{outcome.computed:.6g}"
+        table.add_row(
+            outcome.label, outcome.published, computed, outcome.difference, Text(outcome.verdict + mark, style=style)
+        )
+    console.print(Text(f"source: {case.source}"))
+    console.print(table)
+    for number, reason in enumerate(reasons, start=1):
+        console.print(Text(f"[{number}] {reason}"))
+    if case.note:
+        console.print(Text(" ".join(case.note.split())))
+    console.print()

@@ -1,0 +1,1 @@
+"""Results as files: archives, VTK, and the folder that holds them."""

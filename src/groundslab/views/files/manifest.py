@@ -1,0 +1,151 @@
+"""The files of a folder of results: their names, and what writes each of them."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from pathlib import Path
+
+    from groundslab.results.results import Combined, Results
+    from groundslab.views.summary.combinations import Entry
+
+    Writer = Callable[[Path], object]
+
+#: Longest name of a combination in the name of its folder.
+LONGEST = 40
+#: A path that is longer than that of any file below a folder of results.
+DEEPEST = "/".join(("0" * (LONGEST + 8), "increments", "00000-ground.vtu"))
+#: The paths of all files that are ever written into a folder of results.
+_PATHS = re.compile(
+    r"(case\.toml|summary\.json|combinations\.csv|envelope\.vtu|(plate|ground)\.pvd|tables/[a-z_]{1,40}\.csv)"
+    rf"|([0-9]{{2,7}}(-[a-z0-9-]{{1,{LONGEST}}})?/)?"
+    r"(plate\.vtu|ground\.vtu|results\.npz|picture\.png|(plate|ground)-increments\.pvd"
+    r"|increments/[0-9]{2,5}-(plate|ground)\.vtu)"
+)
+
+
+def is_path(name: str) -> bool:
+    """Return whether a file of that path below a folder of results can have been written by groundslab."""
+    return _PATHS.fullmatch(name) is not None
+
+
+def of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
+    """Return what writes the files of one combination, by their paths; all of them begin with `below`."""
+    from groundslab.views.files import npz, vtk
+    from groundslab.views.plots import picture
+
+    writers: dict[str, Writer] = {
+        f"{below}plate.vtu": partial(vtk.write_plate, results),
+        f"{below}ground.vtu": partial(vtk.write_ground, results),
+        f"{below}results.npz": partial(npz.write, results),
+    }
+    writers |= _of_increments(results, below)
+    if plot:
+        writers[f"{below}picture.png"] = partial(picture.write, results)
+    return writers
+
+
+def _of_increments(results: Results, below: str) -> dict[str, Writer]:
+    """Return what writes the states under shares of the load, and the collections that join them with the last one.
+
+    ParaView's time is the share.
+    """
+    from groundslab.views.files import vtk
+
+    if not results.increments:
+        return {}
+    writers: dict[str, Writer] = {}
+    files: dict[str, dict[float, str]] = {"plate": {}, "ground": {}}
+    for number, each in enumerate(results.increments, 1):
+        state = replace(results, plate=each.plate, elements=each.elements, ground=each.ground, increments=())
+        for part, write in (("plate", vtk.write_plate), ("ground", vtk.write_ground)):
+            name = f"increments/{number:02}-{part}.vtu"
+            writers[below + name] = partial(write, state)
+            files[part][each.share] = name
+    for part, those in files.items():
+        text = collection({**those, 1.0: f"{part}.vtu"})
+        writers[f"{below}{part}-increments.pvd"] = partial(write_text, text=text)
+    return writers
+
+
+def of_several(found: list[Entry], folders: dict[str, str], plot: bool) -> dict[str, Writer]:
+    """Return what writes the files of several combinations, and those that join them.
+
+    ParaView's time is the number of each; those without a certified result are left out there.
+    """
+    certified = {each.number: folders[each.combination.name] for each in found if each.refused is None}
+    writers: dict[str, Writer] = {}
+    for entry in found:
+        if entry.results is not None:
+            writers |= of_one(entry.results, f"{folders[entry.combination.name]}/", plot)
+    for name in ("plate", "ground"):
+        text = collection({number: f"{folder}/{name}.vtu" for number, folder in certified.items()})
+        writers[f"{name}.pvd"] = partial(write_text, text=text)
+    writers["combinations.csv"] = partial(write_text, text=_list_of(found, folders))
+    return writers
+
+
+def of_all(combined: Combined) -> dict[str, Writer]:
+    """Return what writes the files of all combinations together: tables, and envelopes if there is more than one."""
+    from groundslab.design.tables import tables_of
+    from groundslab.views.files import vtk
+
+    def writer(text: str) -> Writer:
+        return lambda path: write_text(path, text)
+
+    writers = {f"tables/{table.name}.csv": writer(table.csv()) for table in tables_of(combined)}
+    if len(combined.results) > 1 or combined.model.reinforcement is not None:
+        writers["envelope.vtu"] = lambda path: vtk.write_envelope(combined, path)
+    return writers
+
+
+def folders_of(found: list[Entry]) -> dict[str, str]:
+    """Return the name of the folder of each combination that has results, by the combination's name."""
+    kept = [entry for entry in found if entry.results is not None]
+    return {each.combination.name: folder_name(each.number, each.combination.name, len(found)) for each in kept}
+
+
+def folder_name(number: int, name: str, count: int) -> str:
+    """Return the name of a combination's folder: its number, and of its own name what every system can hold.
+
+    It begins with a digit, so that it is none of the names that Windows keeps for itself.
+    """
+    plain = unicodedata.normalize("NFKD", name.casefold()).encode("ascii", "ignore").decode()
+    slug = re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:LONGEST].rstrip("-")
+    return f"{number:0{max(2, len(str(count)))}}{'-' if slug else ''}{slug}"
+
+
+def collection(files: Mapping[float, str]) -> str:
+    """Return a ParaView collection (PVD) of files by their times."""
+    sets = [f'    <DataSet timestep="{time:g}" group="" part="0" file="{file}"/>' for time, file in files.items()]
+    head = '<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">'
+    return "\n".join(['<?xml version="1.0"?>', head, "  <Collection>", *sets, "  </Collection>", "</VTKFile>", ""])
+
+
+def _list_of(found: list[Entry], folders: dict[str, str]) -> str:
+    """Return the combinations as comma-separated values: number, which is ParaView's time, names, factors, outcome."""
+    import csv
+    import io
+
+    cases = list(dict.fromkeys(case for entry in found for case, _ in entry.combination.factors))
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    head = ["number", "name", "limit state", "folder", "certified", "reason"]
+    rows.writerow(head + [f"factor of {case}" for case in cases])
+    for entry in found:
+        factors, name = dict(entry.combination.factors), entry.combination.name
+        outcome = ["yes", ""] if entry.refused is None else ["no", " ".join(str(entry.refused).split())]
+        first = [str(entry.number), name, entry.combination.limit_state, folders.get(name, "")]
+        rows.writerow([*first, *outcome, *(factors.get(case, 0.0) for case in cases)])
+    return text.getvalue()
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write text as UTF-8 with plain line ends."""
+    path.write_text(text, encoding="utf-8", newline="\n")

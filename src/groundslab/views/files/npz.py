@@ -1,0 +1,229 @@
+"""All numbers of a result in one NumPy archive (SI units), from which the same result can be read back."""
+
+from __future__ import annotations
+
+import json
+import math
+import stat
+import zipfile
+from dataclasses import asdict, dataclass, fields
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab._version import __version__
+from groundslab.errors import Fault, InputError
+from groundslab.results.results import (
+    Certificate,
+    Constants,
+    ElementResult,
+    GroundResult,
+    Increment,
+    PlateResult,
+    Results,
+    Step,
+    SupportResult,
+)
+from groundslab.views.files.validation import require_sound
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pydantic import TypeAdapter
+
+#: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
+FORMAT = 4
+
+
+#: Letters of a library's reason that are told.
+LONGEST_REASON = 300
+#: Arrays that all states have in common.
+MESH = {"nodes", "elements"}
+
+
+@dataclass(frozen=True, slots=True)
+class _Layout:
+    """What every version of an archive says of itself."""
+
+    format: int
+
+
+@dataclass(frozen=True, slots=True)
+class _About:
+    """What an archive holds besides arrays and model; its JSON text is held to these types."""
+
+    format: int
+    version: str
+    constants: Constants
+    certificate: Certificate
+    steps: tuple[Step, ...]
+    solver: str
+    unknowns: int
+    symmetry: tuple[bool, bool]
+    combination: str
+    limit_state: str
+    factors: tuple[tuple[str, float], ...]
+    supports: tuple[str, ...]
+    increments: tuple[float, ...]
+
+
+def write(results: Results, path: Path) -> None:
+    """Write arrays named as "plate.settlement", the model as TOML in "model", the rest as JSON in "about"."""
+    from groundslab.case import casefile
+
+    arrays: dict[str, Any] = _arrays("", results)
+    for number, increment in enumerate(results.increments):
+        arrays |= _arrays(f"increments.{number}.", increment)
+    for number, support in enumerate(results.supports):
+        names = (item.name for item in fields(support) if item.name != "name")
+        arrays |= {f"supports.{number}.{name}": getattr(support, name) for name in names}
+    about = {
+        "format": FORMAT,
+        "version": __version__,
+        "constants": asdict(results.constants),
+        "certificate": asdict(results.certificate),
+        "steps": [asdict(step) for step in results.steps],
+        "solver": results.solver,
+        "unknowns": results.unknowns,
+        "symmetry": results.symmetry,
+        "combination": results.combination,
+        "limit_state": results.limit_state,
+        "factors": results.factors,
+        "supports": [support.name for support in results.supports],
+        "increments": [each.share for each in results.increments],
+    }
+    text = json.dumps(about, allow_nan=False, default=lambda number: number.item())
+    arrays |= {"model": np.array(casefile.to_toml(results.model)), "about": np.array(text)}
+    with path.open("wb") as file:
+        np.savez(file, **arrays)
+
+
+def load(path: Path) -> Results:
+    """Return the results that ``write`` put into an archive; their arrays cannot be written to.
+
+    Raises InputError if anything in it is damaged.
+    """
+    try:
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise _refusal(path, "something that is no file")
+        return _results(_stored(path))
+    except InputError as error:
+        if error.faults[0].where == str(path):
+            raise
+        # of the description within
+        raise _refusal(path, f"a description that is wrong ({error.faults[0]})") from error
+    except OSError as error:
+        raise _refusal(path, error.strerror or str(error)) from error
+    except Exception as error:
+        # whatever a library trips over in a damaged file
+        words = " ".join(f"{type(error).__name__}: {error}".split())
+        raise _refusal(path, f"something else ({words[:LONGEST_REASON]})") from error
+
+
+def _stored(path: Path) -> dict[str, Any]:
+    """Return the arrays of an archive by their names.
+
+    Raises ValueError if any takes more memory than it has bytes in the file, or holds objects.
+    """
+    with path.open("rb") as file, zipfile.ZipFile(file) as archive:
+        members = archive.infolist()
+        if any(member.compress_type != zipfile.ZIP_STORED for member in members):
+            raise ValueError("compressed arrays, which groundslab does not write")
+        if sum(member.file_size for member in members) > path.stat().st_size:
+            raise ValueError("arrays that are larger than the file")
+        return {member.filename.removesuffix(".npy"): _array(archive, member) for member in members}
+
+
+def _array(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> Any:
+    """Return one array of an archive."""
+    with archive.open(member) as file:
+        version = np.lib.format.read_magic(file)
+        of_version = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
+        shape, _, dtype = of_version[version](file)
+        if dtype.hasobject or dtype.itemsize * math.prod(shape) != member.file_size - file.tell():
+            raise ValueError(f"{member.filename}: an array of another size than its bytes")
+        file.seek(0)
+        return np.lib.format.read_array(file, allow_pickle=False)
+
+
+@cache
+def _adapters() -> tuple[TypeAdapter[_Layout], TypeAdapter[_About]]:
+    """Return what reads the JSON text: the version of its layout alone, and all of it."""
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(_Layout), TypeAdapter(_About)
+
+
+def _read_about(text: str) -> _About:
+    """Return what the JSON text says; raises ValueError, which names the first value that is wrong."""
+    from pydantic import ValidationError
+
+    layout, whole = _adapters()
+    try:
+        found = layout.validate_json(text, strict=True).format
+        if found != FORMAT:
+            raise ValueError(f"layout {found}, while this version reads {FORMAT}")
+        return whole.validate_json(text, strict=True)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        raise ValueError(f"about.{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
+
+
+def _results(arrays: dict[str, Any]) -> Results:
+    """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
+    from groundslab.case import casefile
+
+    about = _read_about(str(arrays["about"]))
+    for array in arrays.values():
+        array.flags.writeable = False
+    found = Results(
+        model=casefile.loads(str(arrays["model"])),
+        **_parts("", arrays),
+        constants=about.constants,
+        certificate=about.certificate,
+        steps=about.steps,
+        solver=about.solver,
+        unknowns=about.unknowns,
+        symmetry=about.symmetry,
+        combination=about.combination,
+        limit_state=about.limit_state,
+        factors=about.factors,
+        supports=tuple(_support(name, number, arrays) for number, name in enumerate(about.supports)),
+        increments=tuple(
+            Increment(share, **_parts(f"increments.{number}.", arrays)) for number, share in enumerate(about.increments)
+        ),
+    )
+    require_sound(found)
+    return found
+
+
+def _arrays(below: str, state: Results | Increment) -> dict[str, Any]:
+    """Return the arrays of a state by their names, which begin with `below`; a mesh that is known stands there once."""
+    found: dict[str, Any] = {}
+    for part, values in (("plate", state.plate), ("elements", state.elements), ("ground", state.ground)):
+        names = (item.name for item in fields(values) if not below or item.name not in MESH)
+        found |= {f"{below}{part}.{name}": getattr(values, name) for name in names}
+    return found
+
+
+def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
+    """Return plate, elements and ground of a state from the arrays whose names begin with `below`."""
+    kinds = {"plate": PlateResult, "elements": ElementResult, "ground": GroundResult}
+    return {
+        part: kind(
+            **{item.name: arrays[f"{'' if item.name in MESH else below}{part}.{item.name}"] for item in fields(kind)}
+        )
+        for part, kind in kinds.items()
+    }
+
+
+def _support(name: str, number: int, arrays: dict[str, Any]) -> SupportResult:
+    """Return the support of a number among the arrays of an archive."""
+    names = (item.name for item in fields(SupportResult) if item.name != "name")
+    return SupportResult(name=name, **{each: arrays[f"supports.{number}.{each}"] for each in names})
+
+
+def _refusal(path: Path, got: str) -> InputError:
+    """Return the error for a file that is not an archive of results."""
+    return InputError([Fault(str(path), got, "an archive (results.npz) that groundslab wrote")])

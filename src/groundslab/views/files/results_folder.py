@@ -1,0 +1,313 @@
+"""A folder of results, written whole or not at all.
+
+One combination has its files in the folder itself; of several each has a folder in it, beside what tells of all of
+them. The names of all files stand in summary.json. Only such files are ever removed, if groundslab can have written
+files of these names and they hold what belongs there.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cache, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from groundslab.errors import (
+    Fault,
+    GroundslabError,
+    IllConditioned,
+    InputError,
+    NeutralEquilibrium,
+    NoEquilibrium,
+    NotCertified,
+    NotConverged,
+    SingularMatrix,
+)
+from groundslab.results.results import Combined, Results, alone
+from groundslab.storage import atomic, ownership
+from groundslab.views.files import manifest, npz
+
+if TYPE_CHECKING:
+    from pydantic import TypeAdapter
+
+    from groundslab.views.files.manifest import Writer
+
+
+def write(results: Results | Combined, folder: str | Path, *, plot: bool = False) -> Path:
+    """Write all files of the results into the folder, in place of earlier ones there, and return the folder.
+
+    Results that are not certified are written too, and called so; combinations without any are named with the reason.
+    The folder may be missing, empty, or hold only what groundslab wrote; anything else raises InputError.
+    """
+    target = check(folder)
+    combined = results if isinstance(results, Combined) else alone(results)
+    fill = partial(_fill, combined, plot=plot)
+    try:
+        atomic.write_folder(target, fill, manifest.is_path, partial(_require_free, target))
+    except OSError as error:
+        raise _unwritable(target, error) from error
+    return target
+
+
+def write_elsewhere(results: Results | Combined, folder: str | Path) -> Path | None:
+    """Write results into another folder than the one that they were meant for, and return it.
+
+    It is a new one beside that folder, or one among the system's temporary files; None if neither can be written.
+    """
+    target = Path(os.path.realpath(folder))
+    name = target.name[:40]
+    beside = (target.with_name(f"{name}-{number}") for number in range(2, 1000))
+    with suppress(GroundslabError, OSError, MemoryError):
+        return write(results, next(path for path in beside if not os.path.lexists(path)))
+    with suppress(GroundslabError, OSError, MemoryError):
+        room = Path(tempfile.mkdtemp(prefix="groundslab-"))
+        try:
+            return write(results, room / name)
+        finally:
+            if not any(room.iterdir()):
+                room.rmdir()
+    return None
+
+
+def check(folder: str | Path) -> Path:
+    """Return the folder's full path if results may be written there; else raise InputError saying why not.
+
+    Puts back earlier results first if a crash has left them aside. Touches nothing else, so that it can be
+    asked before a long analysis.
+    """
+    target = _resolve(folder)
+    recover(target)
+    try:
+        _require_free(target)
+    except OSError as error:
+        raise _unwritable(target, error) from error
+    return target
+
+
+def _require_free(target: Path) -> None:
+    """Raise InputError with all that speaks against writing results into the folder."""
+    faults = _in_the_way(target)
+    if faults:
+        raise InputError(faults)
+
+
+def recover(folder: str | Path) -> bool:
+    """Put back the results that a crash has left aside; return whether there were any to put back.
+
+    If the newer results are in place, the older ones are removed.
+    """
+    target = _resolve(folder)
+    try:
+        return atomic.recover_folder(target, _foreign)
+    except OSError as error:
+        raise _unwritable(target, error) from error
+
+
+def load(folder: str | Path) -> Combined:
+    """Return what ``write`` put into a folder, one combination or several; raises InputError if it is nothing of ours.
+
+    Of an iteration that did not converge only the history is there, not the last iterate.
+    """
+    path = Path(folder)
+    found = _summary(path)
+    if found is None or not found.files:
+        raise _not_ours(path, "no summary.json that names its files")
+    if found.combinations is None:
+        return _one(path)
+    try:
+        return _several(path, found.combinations)
+    except (KeyError, ValueError) as error:
+        raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
+
+
+@dataclass(frozen=True, slots=True)
+class _Refused:
+    """Why a combination has no certified result, as a summary says it."""
+
+    error: str
+    reason: str = ""
+    what: str = ""
+    history: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Combination:
+    """One combination, as a summary says it."""
+
+    name: str
+    limit_state: str
+    factors: dict[str, float]
+    folder: str | None = None
+    refused: _Refused | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Summary:
+    """What a folder's summary says of the folder; its JSON text is held to these types."""
+
+    program: Literal["groundslab"]
+    files: tuple[str, ...]
+    combinations: tuple[_Combination, ...] | None = None
+
+
+@cache
+def _adapter() -> TypeAdapter[_Summary]:
+    """Return what reads summary.json."""
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(_Summary)
+
+
+def _summary(folder: Path) -> _Summary | None:
+    """Return what the summary in a folder says of it, None if there is none that groundslab wrote."""
+    path = folder / "summary.json"
+    try:
+        return _adapter().validate_json(path.read_bytes(), strict=True) if path.is_file() else None
+    except (OSError, ValueError):
+        return None
+
+
+def _one(path: Path) -> Combined:
+    """Return the only combination of a folder; raises InputError."""
+    archived = path / "results.npz"
+    found = npz.load(archived)
+    try:
+        return alone(found)
+    except InputError as error:
+        raise _not_ours(archived, f"a combination that is wrong ({error.faults[0]})") from error
+
+
+def _several(path: Path, listed: Sequence[_Combination]) -> Combined:
+    """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
+    from groundslab.case import casefile
+    from groundslab.model.loads.load_cases import Combination
+
+    model = casefile.load(path / "case.toml")
+    combinations, results, refused = [], {}, dict[str, GroundslabError]()
+    for number, each in enumerate(listed, 1):
+        combinations.append(Combination(name=each.name, limit_state=each.limit_state, factors=each.factors))
+        if each.folder is not None:
+            if each.folder != manifest.folder_name(number, each.name, len(listed)):
+                raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')
+            archived = path / each.folder / "results.npz"
+            found = npz.load(archived)
+            if found.model != model or found.combination != each.name:
+                raise _not_ours(archived, "results of another case or combination")
+            results[each.name] = replace(found, model=model)
+        if each.refused is not None:
+            refused[each.name] = _refused(each.refused, results.pop(each.name, None))
+    if (
+        not listed
+        or len({each.name for each in listed}) < len(listed)
+        or not results.keys() | refused.keys() == {each.name for each in listed}
+    ):
+        raise ValueError("combinations that have neither results nor a reason, or the same name")
+    return Combined(model, tuple(combinations), results, refused)
+
+
+def _refused(why: _Refused, results: Results | None) -> GroundslabError:
+    """Return the error that a summary tells of."""
+    if results is not None:
+        return NotCertified(results)
+    if why.error == "NotConverged":
+        return NotConverged(why.what, list(why.history), {})
+    kinds: dict[str, type[GroundslabError]] = {
+        kind.__name__: kind for kind in (IllConditioned, NeutralEquilibrium, NoEquilibrium, SingularMatrix)
+    }
+    return kinds.get(why.error, GroundslabError)(why.reason)
+
+
+def _not_ours(path: Path, got: str) -> InputError:
+    """Return the error for what is no folder of results."""
+    return InputError([Fault(str(path), got, "a folder of results that groundslab wrote")])
+
+
+def _in_the_way(target: Path) -> list[Fault]:
+    """Return what speaks against writing results into the folder."""
+    atomic.require_possible(target, manifest.DEEPEST)
+    previous = atomic.previous_of(target)
+    if os.path.lexists(previous):
+        return [Fault(str(previous), "something that is in the way", "a name that is free", "move it away")]
+    room = next(parent for parent in target.parents if os.path.lexists(parent))
+    if not room.is_dir():
+        return [Fault(str(target), f"{room}, which is a file", "a place where a folder can be made")]
+    if not os.access(room, os.W_OK | os.X_OK):
+        return [Fault(str(room), "a folder without leave to write", "one that can be written to")]
+    if not os.path.lexists(target):
+        return []
+    if not target.is_dir():
+        return [Fault(str(target), "a file", "a folder, or a name that is free", "choose another")]
+    # Replacing it would leave the shell standing in a folder that is gone.
+    with suppress(OSError):
+        here = Path.cwd()
+        if target.samefile(here):
+            return [Fault(str(target), "the folder that you stand in", "another one", "name a folder inside it")]
+        if any(target.samefile(above) for above in here.parents):
+            return [Fault(str(target), "a folder above the one that you stand in", "another one", "leave it first")]
+    expected = "a folder that is missing, empty, or holds only results of groundslab"
+    mend = "move it away or choose another folder; nothing was changed"
+    return [
+        Fault(str(target / name), "something that groundslab did not write", expected, mend)
+        for name in _foreign(target)
+    ]
+
+
+def _fill(combined: Combined, folder: Path, *, plot: bool) -> None:
+    """Write every file; the summary, which names them all, comes last."""
+    from groundslab.case import casefile
+    from groundslab.views.summary import combinations as overview
+    from groundslab.views.summary import single
+
+    found = overview.entries(combined)
+    folders: dict[str, str] = {}
+    writers: dict[str, Writer] = {}  # of each file, by its path below the folder
+    if len(found) == 1 and found[0].results is not None:
+        writers |= manifest.of_one(found[0].results, "", plot)
+    else:
+        folders = manifest.folders_of(found)
+        writers |= manifest.of_several(found, folders, plot)
+    writers["case.toml"] = lambda path: manifest.write_text(path, casefile.to_toml(combined.model))
+    if combined.results:
+        writers |= manifest.of_all(combined)
+    files = [*writers, "summary.json"]
+    # A summary that cannot be made stops everything before the large files are written.
+    if folders or found[0].results is None:
+        text = overview.json_text(combined, folders, files)
+    else:
+        text = single.json_text(found[0].results, files)
+    for name, writer in writers.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        writer(folder / name)
+    manifest.write_text(folder / "summary.json", text + "\n")
+
+
+def _foreign(folder: Path) -> list[str]:
+    """Return the paths in a folder, and in the folders within it, that groundslab did not write there."""
+    return ownership.strangers(folder, set(_files(folder)))
+
+
+def _files(folder: Path) -> list[str]:
+    """Return the names of the files that groundslab wrote into a folder, according to the summary there."""
+    found = _summary(folder)
+    return [] if found is None else [name for name in found.files if manifest.is_path(name)]
+
+
+def _resolve(folder: str | Path) -> Path:
+    """Return the full path without links, so that the folder itself is replaced and not a link to it."""
+    target = Path(os.path.realpath(folder))
+    if any(map(os.path.islink, (target, *target.parents))):
+        raise InputError([Fault(str(folder), "a link that leads back to itself", "a folder, or a name that is free")])
+    if not target.name:
+        raise InputError([Fault(str(folder), "the root of the file system", "a folder of its own for the results")])
+    return target
+
+
+def _unwritable(target: Path, error: OSError) -> InputError:
+    """Return the error for a folder that cannot be written; earlier results there are untouched."""
+    got = error.strerror or str(error)
+    mend = "close programs that use the folder, make room, or choose another; earlier results are as they were"
+    return InputError([Fault(str(target), got, "a folder that can be written", mend)])

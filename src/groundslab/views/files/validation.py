@@ -1,0 +1,154 @@
+"""Whether what was read from a file can be results: types, shapes, ranges, and that all of it fits together.
+
+Whoever reads results relies on this: a damaged file is found out here, in one place, and told as such.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from groundslab.results.results import ElementResult, GroundResult, Increment, PlateResult, Results, SupportResult
+
+    State = Results | Increment
+
+#: NumPy's type by the annotation of a field.
+_TYPES = {"Array": np.float64, "Integers": np.int64, "Flags": np.bool_}
+#: No quantity of a slab is larger in SI units; squares and products of such numbers are finite.
+LARGEST = 1e60
+
+
+def require_sound(results: Results) -> None:
+    """Raise ValueError, which says what is wrong first, if something cannot come from an analysis."""
+    for fault in _faults(results):
+        raise ValueError(fault)
+
+
+def _faults(results: Results) -> Iterator[str]:
+    """Yield what is wrong; what comes later relies on what came before."""
+    yield from _of_constants(results)
+    layers = len(results.constants.k0)
+    yield from _of_state("", results, layers)
+    yield from _within_plate(results)
+    for number, support in enumerate(results.supports, 1):
+        yield from _of_support(f"support {number}", support)
+    for increment in results.increments:
+        yield from _of_state(f"increment {increment.share:g}: ", increment, layers)
+        if not 0 < increment.share <= 1:
+            yield f"an increment of {increment.share:g} of the load"
+    if not results.steps:
+        yield "no step of the iteration"
+
+
+def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
+    """Yield what is wrong with plate, elements and ground of so many layers."""
+    plate, elements, ground = state.plate, state.elements, state.ground
+    yield from _of_mesh(f"{name}plate", plate)
+    n, m = len(plate.nodes), len(plate.elements)
+    yield from _of_arrays(f"{name}plate", plate, (n,), {"nodes": (n, 2), "elements": (m, 9)})
+    if not plate.area.sum() > 0:
+        yield f"{name}plate.area without any area"
+    yield from _of_arrays(f"{name}elements", elements, (m,))
+    if not np.all(elements.thickness > 0):
+        yield f"{name}elements.thickness that is not positive"
+    if not np.all(elements.section >= 0):
+        yield f"{name}elements.section below 0"
+    yield from _of_mesh(f"{name}ground", ground)
+    n, m = len(ground.nodes), len(ground.elements)
+    surfaces = np.shape(ground.settlement)[:1]
+    if surfaces != (layers,):
+        yield f"{name}ground.settlement of {surfaces} surfaces on {layers} layers"
+    yield from _of_arrays(
+        f"{name}ground", ground, (n,), {"nodes": (n, 2), "elements": (m, 9), "settlement": (*surfaces, n)}
+    )
+
+
+def _of_mesh(name: str, mesh: PlateResult | GroundResult) -> Iterator[str]:
+    """Yield what is wrong with nodes and elements by themselves."""
+    for part, columns in (("nodes", 2), ("elements", 9)):
+        shape = np.shape(getattr(mesh, part))
+        if len(shape) != 2 or shape[0] < 1 or shape[1] != columns:
+            yield f"{name}.{part} of shape {shape} in place of (some, {columns})"
+    yield from _of_arrays(name, mesh, None)
+    elements, nodes = mesh.elements, mesh.nodes
+    if elements.min() < 0 or elements.max() >= len(nodes):
+        yield f"{name}.elements with nodes that are not there"
+    if np.bincount(elements.ravel(), minlength=len(nodes)).min() == 0:
+        yield f"{name}.nodes of no element"
+    if len(np.unique(elements[:, 8])) < len(elements):
+        yield f"{name}.elements that are there twice"
+    around = nodes[elements[:, [0, 4, 1, 5, 2, 6, 3, 7]]]
+    x, y = np.moveaxis(around - around[:, :1], 2, 0)
+    twice = (x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1)
+    if not np.all(twice > 0):
+        yield f"{name}.elements of no area"
+
+
+def _of_arrays(
+    name: str,
+    part: PlateResult | ElementResult | GroundResult | SupportResult,
+    usual: tuple[int, ...] | None,
+    shapes: Mapping[str, tuple[int, ...]] | None = None,
+) -> Iterator[str]:
+    """Yield which arrays are not of their type, of their shape (the usual one if none is named) or finite."""
+    for item in fields(part):
+        kind = _TYPES.get(str(item.type))
+        if kind is None or (usual is None and item.name not in ("nodes", "elements")):
+            continue
+        values: Any = getattr(part, item.name)
+        if values.dtype != kind:
+            yield f"{name}.{item.name} of type {values.dtype} in place of {np.dtype(kind)}"
+        shape = None if usual is None else (shapes or {}).get(item.name, usual)
+        if shape is not None and values.shape != shape:
+            yield f"{name}.{item.name} of shape {values.shape} in place of {shape}"
+        if kind is np.float64 and not np.all(np.abs(values) <= LARGEST):
+            yield f"{name}.{item.name} with numbers that are not finite, or larger than any result"
+
+
+def _within_plate(results: Results) -> Iterator[str]:
+    """Yield if the mesh is not that of the described plate, or the ground is not below all of it."""
+    x0, x1, y0, y1 = results.model.plate.bounds
+    sides = np.array([x1 - x0, y1 - y0])
+    near = 1e-6 * sides.max()
+    low, high = results.plate.nodes.min(axis=0), results.plate.nodes.max(axis=0)
+    beyond = np.any(low < [x0 - near, y0 - near]) or np.any(high > [x1 + near, y1 + near])
+    # an arc may bulge between its nodes
+    if beyond or np.any(high - low < 0.5 * sides):
+        yield "plate.nodes that are not those of the described plate"
+    if np.any(results.ground.nodes.min(axis=0) > low + near) or np.any(results.ground.nodes.max(axis=0) < high - near):
+        yield "ground.nodes that do not reach below all of the plate"
+
+
+def _of_constants(results: Results) -> Iterator[str]:
+    """Yield what is wrong with single numbers; their types are known to be right."""
+    constants, certificate = results.constants, results.certificate
+    if not constants.k0 or len(constants.k0) != len(constants.k1):
+        yield "constants.k0 and constants.k1 of different lengths"
+    if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
+        yield "constants of the ground that are not positive"
+    numbers = [*constants.k0, *constants.k1, constants.gamma]
+    numbers += [getattr(certificate, item.name) for item in fields(certificate)]
+    numbers += [step.gamma for step in results.steps] + [factor for _, factor in results.factors]
+    if not all(number is None or abs(number) <= LARGEST for number in numbers):
+        yield "numbers that are not finite, or larger than any result"
+    if not all(figure >= 0 for figure in certificate.must_vanish().values()):
+        yield "figures of the certificate below 0"
+    counts = [results.unknowns, constants.gamma_iterations]
+    counts += [
+        count
+        for step in results.steps
+        for count in (step.unknowns, step.increment, step.iteration, step.in_contact, step.changed)
+    ]
+    if not all(0 <= count < 2**53 for count in counts):
+        yield "counts below 0, or larger than any result's"
+
+
+def _of_support(name: str, support: SupportResult) -> Iterator[str]:
+    """Yield what is wrong with a support."""
+    # none where another support has them all
+    k = len(support.nodes) if np.ndim(support.nodes) else 0
+    yield from _of_arrays(name, support, (k,), {"nodes": (k, 2)})

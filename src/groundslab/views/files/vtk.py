@@ -1,0 +1,138 @@
+"""Plate and ground as VTU files (for ParaView): nine-node cells, array names that carry their units."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.design.design_moments import principal_moments, wood_armer
+from groundslab.errors import GroundslabError
+from groundslab.results.results import ELEMENT_FIELDS, PLATE_FIELDS, label
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    import meshio
+
+    from groundslab.results.results import Array, Combined, Integers, Results
+
+
+def array_name(field: str) -> str:
+    """Return the name of a plate field's array: its quantity, symbol and unit, as in "settlement w [mm]"."""
+    about = PLATE_FIELDS[field]
+    return f"{label(field, about)} [{about.unit}]"
+
+
+def cell_name(field: str) -> str:
+    """Return the name of a field of elements, as in "moment m_x [kNm/m] (centre, not averaged)"."""
+    about = ELEMENT_FIELDS[field]
+    return f"{label(field, about)} [{about.unit}] (centre, {about.averaged})"
+
+
+def plate_mesh(results: Results) -> meshio.Mesh:
+    """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
+    plate = results.plate
+    data = {array_name(name): getattr(plate, name) * about.scale for name, about in PLATE_FIELDS.items()}
+    data |= _design(results)
+    data["in contact"] = plate.in_contact.astype(np.int8)
+    data["area of the node [m2]"] = plate.area
+    data["area of the node in contact [m2]"] = plate.contact_area
+    data["length of the edge at the node [m]"] = plate.edge_length
+    cells = {cell_name(name): getattr(results.elements, name) * about.scale for name, about in ELEMENT_FIELDS.items()}
+    return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
+
+
+def _design(results: Results) -> dict[str, Array]:
+    """Return principal moments and Wood's design moments at the plate's nodes, in kNm/m and degrees."""
+    plate = results.plate
+    moments = plate.moment_x, plate.moment_y, plate.moment_xy
+    principal, wood = principal_moments(*moments), wood_armer(*moments)
+    about = PLATE_FIELDS["moment_x"]
+    named = {
+        "principal moment m_1": principal.m_1,
+        "principal moment m_2": principal.m_2,
+        "design moment bottom x": wood.bottom_x,
+        "design moment bottom y": wood.bottom_y,
+        "design moment top x": wood.top_x,
+        "design moment top y": wood.top_y,
+    }
+    data = {f"{name} [{about.unit}]": values * about.scale for name, values in named.items()}
+    return data | {"direction of m_1 from x [deg]": np.degrees(principal.direction)}
+
+
+def ground_mesh(results: Results) -> meshio.Mesh:
+    """Return the ground with the settlement of each surface, 0 being the top one, and of the plate above.
+
+    Where no plate is, "under the plate" is 0 and "settlement of the plate" is filled with 0.
+    """
+    ground, plate = results.ground, results.plate
+    unit = PLATE_FIELDS["settlement"]
+    data = {
+        f"settlement w_{surface} [{unit.unit}]": settlement * unit.scale
+        for surface, settlement in enumerate(ground.settlement)
+    }
+    below = match(plate.nodes, ground.nodes)
+    under = np.zeros(len(ground.nodes), dtype=np.int8)
+    under[below] = 1
+    settlement = np.zeros(len(ground.nodes))
+    settlement[below] = plate.settlement * unit.scale
+    data[f"settlement of the plate [{unit.unit}]"] = settlement
+    data["under the plate"] = under
+    return _mesh(ground.nodes, ground.elements, data, {})
+
+
+def write_plate(results: Results, path: Path) -> None:
+    """Write the plate as a VTU file."""
+    plate_mesh(results).write(path, file_format="vtu")
+
+
+def write_ground(results: Results, path: Path) -> None:
+    """Write the ground as a VTU file."""
+    ground_mesh(results).write(path, file_format="vtu")
+
+
+def write_envelope(combined: Combined, path: Path) -> None:
+    """Write the envelopes over all combinations at the plate's nodes; where no area of steel is enough it is NaN."""
+    from groundslab.design.tables.envelopes import fields_of_envelope
+
+    plate = next(iter(combined.results.values())).plate
+    fields = {
+        name: np.where(np.isfinite(values), values, np.nan) for name, values in fields_of_envelope(combined).items()
+    }
+    _mesh(plate.nodes, plate.elements, fields, {}).write(path, file_format="vtu")
+
+
+def match(some: Array, among: Array) -> Integers:
+    """Return for each place in ``some`` (k, 2) its index in ``among`` (n, 2), rounding aside."""
+    both = np.concatenate([some, among])
+    tolerance = 1e-9 * np.ptp(both, axis=0).max()
+    # Coordinates that differ by rounding get the same rank, so that places compare as whole numbers.
+    key = _ranks(both[:, 0], tolerance) * np.int64(len(both)) + _ranks(both[:, 1], tolerance)
+    wanted, offered = key[: len(some)], key[len(some) :]
+    order = np.argsort(offered)
+    found = order[np.minimum(np.searchsorted(offered, wanted, sorter=order), len(among) - 1)]
+    if not np.array_equal(offered[found], wanted):
+        raise GroundslabError("the plate has nodes that the ground below it lacks")
+    return found.astype(np.int64)
+
+
+def _ranks(values: Array, tolerance: float) -> Integers:
+    """Return the rank of each value (n,) among the distinct ones; values within the tolerance are one."""
+    order = np.argsort(values)
+    ranks = np.empty(len(values), dtype=np.int64)
+    ranks[order] = np.concatenate([[0], np.cumsum(np.diff(values[order]) > tolerance)])
+    return ranks
+
+
+def _mesh(
+    nodes: Array, elements: Integers, data: dict[str, Array], cells: Mapping[str, Array | Integers]
+) -> meshio.Mesh:
+    """Return a mesh of VTK's biquadratic quadrilaterals at z = 0, whose order of nodes is ours, with data."""
+    import meshio
+
+    points = np.column_stack([nodes, np.zeros(len(nodes))])
+    return meshio.Mesh(
+        points, [("quad9", elements)], point_data=data, cell_data={name: [values] for name, values in cells.items()}
+    )

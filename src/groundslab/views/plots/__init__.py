@@ -1,0 +1,81 @@
+"""Figures of results, drawn by Matplotlib without a display: plans, the deformed plate, lines, soil, convergence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from groundslab.results.results import Combined, Results, alone
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from groundslab.views.plots.request import Wish
+
+#: More panels than this are too many for one sheet.
+MOST_PANELS = 24
+
+
+def plot(
+    results: Results | Combined,
+    *fields: str,
+    kind: str | None = None,
+    combination: str | Sequence[str] | None = None,
+    envelope: str | None = None,
+    line: Sequence[Any] | None = None,
+    to: str | Path | None = None,
+) -> Figure:
+    """Return a figure of results, and write it into a file if one is named (.pdf, .svg or .png).
+
+    Fields are those of results.PLATE_FIELDS by name or symbol, m_1, m_2, bottom_x, bottom_y, top_x and top_y. Kinds are
+    plan (if nothing is said), deformed, lines (if a line is given), soil and convergence; docs/plots.md shows each.
+    Without a combination all certified ones are drawn. An envelope is that of a limit state; a line is x1, y1, x2, y2
+    in metres, or several of these. A PDF has pages of A4 width, other files are one sheet. A file that exists is
+    replaced only if groundslab drew it. Raises InputError.
+    """
+    from groundslab.views.plots import files
+    from groundslab.views.plots.request import wish_of
+
+    combined = alone(results) if isinstance(results, Results) else results
+    wish = wish_of(combined, fields, kind, combination, envelope, line)
+    if to is None:
+        return _sheet(wish)
+    files.check(to)
+    written = write(wish, to)
+    return written[0] if len(written) == 1 else _sheet(wish)
+
+
+def write(wish: Wish, path: str | Path) -> list[Figure]:
+    """Write what is wished for into a file, a PDF page by page and else one sheet, and return what was drawn."""
+    from groundslab.views.plots import files
+    from groundslab.views.plots.style import styled
+
+    if files.format_of(path) == "pdf":
+        with styled():
+            figures: list[Figure] = _kind(wish).pages(wish)
+    else:
+        figures = [_sheet(wish)]
+    files.save(figures, path)
+    return figures
+
+
+def _sheet(wish: Wish) -> Figure:
+    """Return one sheet with all that is wished for; raises InputError if that is too much."""
+    from groundslab.errors import Fault, InputError
+    from groundslab.views.plots.style import styled
+
+    count = wish.panels
+    if count > MOST_PANELS:
+        mend = "name fewer fields or combinations, or write a PDF, which has pages"
+        raise InputError([Fault("combination", f"{count} panels on one sheet", f"at most {MOST_PANELS}", mend)])
+    with styled():
+        figure: Figure = _kind(wish).sheet(wish)
+    return figure
+
+
+def _kind(wish: Wish) -> Any:
+    """Return the module that draws a kind."""
+    from groundslab.views.plots import convergence, deformed, plan, sections, soil
+
+    return {"plan": plan, "deformed": deformed, "lines": sections, "soil": soil, "convergence": convergence}[wish.kind]

@@ -1,0 +1,133 @@
+"""How the iteration went: nodes that changed sides and nodes in contact at each step, mesh by mesh, and gamma."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.views.plots.paper import MARGIN, PAGE_WIDTH, Paper
+from groundslab.views.plots.style import BAD, BASE, CYCLE, FAINT, GREY, INK, PT, SMALL, free, number, symbol
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from groundslab.results.results import Step
+    from groundslab.views.plots.request import Way, Wish
+
+#: Boxes of the curves [mm].
+LEFT, HIGH, BETWEEN, ABOVE, BELOW = 17.0, 32.0, 4.0, 12.0, 12.0
+#: Background of every other mesh.
+STRIPE = "#f1f1ee"
+
+
+def sheet(wish: Wish) -> Figure:
+    """Return the ways of all combinations on one sheet."""
+    return _figure(wish, wish.ways)
+
+
+def pages(wish: Wish) -> list[Figure]:
+    """Return the ways on pages, two on each."""
+    return [_figure(wish, wish.ways[first : first + 2]) for first in range(0, len(wish.ways), 2)]
+
+
+def _figure(wish: Wish, ways: Sequence[Way]) -> Figure:
+    """Return ways one below the other."""
+    paper = Paper(PAGE_WIDTH)
+    top = paper.head(wish.combined.model.title, ["Convergence"])
+    for way in ways:
+        top += ABOVE
+        rows = [_changed, _in_contact] + ([_gamma] if any(step.gamma is not None for step in way.steps) else [])
+        boxes = []
+        for draw in rows:
+            axes = paper.axes(LEFT, top, PAGE_WIDTH - LEFT - MARGIN - 3, HIGH)
+            draw(axes, way.steps)
+            boxes.append(axes)
+            top += HIGH + BETWEEN
+        _common(boxes, way, name=way.name if wish.several else "")
+        top += BELOW - BETWEEN
+    return paper.finish(top)
+
+
+def meshes_of(steps: Sequence[Step]) -> list[tuple[int, slice]]:
+    """Return the unknowns of each mesh and its part of the steps, in their order."""
+    found, first = [], 0
+    for unknowns, group in groupby(steps, key=lambda step: step.unknowns):
+        count = len(list(group))
+        found.append((unknowns, slice(first, first + count)))
+        first += count
+    return found
+
+
+def _numbers(part: slice) -> range:
+    """Return the numbers of steps, from 1."""
+    return range(part.start + 1, part.stop + 1)
+
+
+def _changed(axes: Axes, steps: Sequence[Step]) -> None:
+    """Draw how many nodes change sides after each step, to a logarithmic scale that has a place for none."""
+    changed = [step.changed for step in steps]
+    for _, part in meshes_of(steps):
+        axes.plot(_numbers(part), changed[part], "o-", color=CYCLE[2], markersize=3)
+    axes.set_yscale("symlog", linthresh=1, linscale=0.5)
+    axes.set(ylim=(-0.15, 2 * max(*changed, 1)), ylabel="changed nodes [-]")
+    axes.yaxis.set_major_formatter(lambda value, _: number(value))
+
+
+def _in_contact(axes: Axes, steps: Sequence[Step]) -> None:
+    """Draw how many nodes are in contact at each step."""
+    touching = [step.in_contact for step in steps]
+    for _, part in meshes_of(steps):
+        axes.plot(_numbers(part), touching[part], "s-", color=CYCLE[1], markersize=2.6)
+    axes.set(ylim=(0, 1.1 * max(*touching, 1)), ylabel="nodes in contact [-]")
+
+
+def _gamma(axes: Axes, steps: Sequence[Step]) -> None:
+    """Draw the gamma of each step."""
+    gammas = np.array([np.nan if step.gamma is None else step.gamma for step in steps])
+    for _, part in meshes_of(steps):
+        axes.plot(_numbers(part), gammas[part], "^-", color=CYCLE[3], markersize=3)
+    axes.set_ylabel(f"{symbol('gamma')} [-]")
+    axes.margins(y=0.15)
+
+
+def _common(boxes: Sequence[Axes], way: Way, name: str) -> None:
+    """Give the axes of one way their common axis, shade the meshes and tell their unknowns, mark load increments."""
+    from matplotlib.ticker import MaxNLocator
+
+    count = len(way.steps)
+    for axes in boxes:
+        for index, (_, part) in enumerate(meshes_of(way.steps)):
+            if index % 2:
+                axes.axvspan(part.start + 0.5, part.stop + 0.5, color=STRIPE, linewidth=0, zorder=0)
+        for number_ in range(1, count):
+            if way.steps[number_].increment > way.steps[number_ - 1].increment:
+                axes.axvline(number_ + 0.5, color=GREY, linewidth=0.5, linestyle=(0, (1, 2)))
+        axes.set_xlim(0.5, count + 0.5)
+        axes.xaxis.set_major_locator(MaxNLocator(nbins=12, integer=True, min_n_ticks=1))
+        axes.grid(axis="y", color=FAINT, linewidth=0.4)
+        axes.set_axisbelow(True)
+        axes.tick_params(labelbottom=axes is boxes[-1])
+        for spine in ("top", "right"):
+            axes.spines[spine].set_visible(False)
+    boxes[-1].set_xlabel("step")
+    head = boxes[0]
+    for unknowns, part in meshes_of(way.steps):
+        if unknowns and (part.stop - part.start) * 12 > count:
+            head.annotate(
+                f"{unknowns} unknowns", ((part.start + part.stop + 1) / 2, 1), xycoords=("data", "axes fraction"),
+                xytext=(0, 1.2 / PT), textcoords="offset points", fontsize=SMALL - 1, color=GREY, ha="center",
+            )  # fmt: skip
+    last = way.steps[-1]
+    outcome = way.outcome or f"converged in {count} step{'s' if count > 1 else ''}"
+    words = ": ".join(filter(None, [free(name, 80), outcome]))
+    if last.gamma is not None:
+        words += f"; gamma = {last.gamma:.5g}"
+    head.annotate(
+        words, (0, 1), xycoords="axes fraction", xytext=(0, 5 / PT), textcoords="offset points", fontsize=BASE,
+        fontweight="bold", color=BAD if way.outcome else INK, parse_math=False,
+    )  # fmt: skip

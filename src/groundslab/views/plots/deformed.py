@@ -1,0 +1,266 @@
+"""The deformed plate in space: settlements exaggerated, coloured by any amount, with the level that it came from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.fem.mesh import Mesh, interpolated, whereabouts
+from groundslab.fem.shape_functions import q9
+from groundslab.views.plots import symbols
+from groundslab.views.plots.contours import bar, triangulation
+from groundslab.views.plots.heads import head_of, room_above, write_above
+from groundslab.views.plots.panels import NOT_CERTIFIED, View, scales_of, view_of
+from groundslab.views.plots.paper import PAGE_HEIGHT, PAGE_WIDTH, WIDE, Paper
+from groundslab.views.plots.style import GREY, INK, PT, SMALL, number
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from groundslab.model.model import Model
+    from groundslab.results.results import Array, Integers
+    from groundslab.views.plots.request import Wish
+    from groundslab.views.plots.scale import Scale
+
+#: The largest settlement or uplift is drawn about so large, relative to the plate's longer side.
+DEPTH = 0.14
+#: Facets that look smooth; each element is cut into so many that there are about as many, but at least 2 x 2.
+FACETS = 16_000
+#: With more elements than this their sides are not drawn.
+MOST_SIDES = 1_200
+#: From tick to tick along x and y at least [mm].
+TICK = 13.0
+#: From where one looks [degrees].
+ELEVATION, AZIMUTH = 28.0, -62.0
+#: Room on the right of a view, for the bar [mm].
+RIGHT = 36.0
+#: How much of the box the plate may take, the rest being left for the words at the axes.
+PART_WIDE, PART_HIGH = 0.82, 0.74
+#: Light from the upper left, and how much of the colour a face turned away from it keeps.
+LIGHT, SHADE = np.array([-0.35, -0.45, 0.82]), 0.55
+
+
+@dataclass(frozen=True, slots=True)
+class Surface:
+    """A view, and the settlement that shapes it [m]."""
+
+    view: View
+    settlement: Array  # (n,)
+
+
+def sheet(wish: Wish) -> Figure:
+    """Return all views on one sheet."""
+    surfaces = _surfaces(wish)
+    columns, width = (1, PAGE_WIDTH) if len(surfaces) == 1 else (2, WIDE)
+    return _figure(wish.combined.model, surfaces, _scales(surfaces), columns, width)
+
+
+def pages(wish: Wish) -> list[Figure]:
+    """Return the views on pages, two on each, a combination never on the page of another."""
+    surfaces = _surfaces(wish)
+    scales = _scales(surfaces)
+    found: list[Figure] = []
+    for of in dict.fromkeys(each.view.of for each in surfaces):
+        own = [each for each in surfaces if each.view.of == of]
+        found += [
+            _figure(wish.combined.model, own[first : first + 2], scales, 1, PAGE_WIDTH)
+            for first in range(0, len(own), 2)
+        ]
+    return found
+
+
+def _surfaces(wish: Wish) -> list[Surface]:
+    return [
+        Surface(view_of(amount, each, wish.several), each.results.plate.settlement)
+        for each in wish.drawn
+        for amount in wish.amounts
+    ]
+
+
+def _scales(surfaces: Sequence[Surface]) -> dict[str, Scale]:
+    return scales_of([each.view for each in surfaces])
+
+
+def exaggeration_of(settlements: Sequence[Array], longest: float) -> float:
+    """Return by what settlements [m] are multiplied to be seen beside a length [m]: 1, 2 or 5 times a power of ten."""
+    largest = max(float(np.abs(each).max()) for each in settlements)
+    if largest == 0.0:
+        return 1.0
+    wanted = DEPTH * longest / largest
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
+
+
+def _figure(model: Model, surfaces: Sequence[Surface], scales: dict[str, Scale], columns: int, width: float) -> Figure:
+    """Return views on one sheet of some width [mm], in columns, all with the same exaggeration."""
+    paper = Paper(width)
+    views = [each.view for each in surfaces]
+    alike = len({view.of for view in views}) == 1
+    factor = exaggeration_of([each.settlement for each in surfaces], max(model.plate.sides))
+    told = f"deformed plate, settlements exaggerated {number(factor)} times; dashed: level before loading"
+    lines = [f"{views[0].of}: {told}" if alike and views[0].of else told[0].upper() + told[1:]]
+    top = paper.head(model.title, lines, "" if all(view.certified for view in views) else NOT_CERTIFIED)
+    each = width / columns
+    box_width = each - RIGHT - 4
+    wide, high = _seen(_sides(model, [surface.settlement for surface in surfaces], factor)[0])
+    box_height = min(PART_WIDE * box_width / wide * high / PART_HIGH, PAGE_HEIGHT / 2 - 35)
+    legend: dict[str, Any] = {}
+    for first in range(0, len(surfaces), columns):
+        row = surfaces[first : first + columns]
+        heads = [head_of(surface.view, box_width + RIGHT, tell=not alike) for surface in row]
+        top += max(map(room_above, heads))
+        for column, (surface, head) in enumerate(zip(row, heads, strict=True)):
+            left = column * each + 4
+            frame = paper.axes(left, top, box_width, box_height)
+            frame.set_axis_off()
+            write_above(frame, head)
+            axes: Any = paper.axes(left, top, box_width, box_height, projection="3d")
+            scale = scales[surface.view.amount.name]
+            legend |= _space(axes, model, surface, scale, factor, (box_width, box_height))
+            place = (1 + 12 / box_width, 0.1, 3 / box_width, 0.8)
+            bar(frame, scale, surface.view.amount.label, place, 0.8 * box_height)
+        top += box_height + 3
+    return paper.finish(top, legend)
+
+
+def facets(nodes: Array, elements: Integers, values: Sequence[Array], parts: int) -> tuple[Array, list[Array]]:
+    """Return elements cut into parts x parts facets, by their shape functions.
+
+    Corners (f, 4, 2) of the facets in plan, and of each field (n,) the values at them (f, 4).
+    """
+    t = np.linspace(-1, 1, parts + 1)
+    xi = np.column_stack([np.tile(t, parts + 1), np.repeat(t, parts + 1)])
+    N = q9(xi)[0]
+    first = (np.arange(parts)[:, None] * (parts + 1) + np.arange(parts)).ravel()
+    corner = first[:, None] + np.array([0, 1, parts + 2, parts + 1])
+
+    def at_corners(field: Array) -> Array:
+        found: Array = np.einsum("pa,ea...->ep...", N, field[elements])
+        return found[:, corner].reshape(-1, 4, *field.shape[1:])
+
+    return at_corners(nodes), [at_corners(each) for each in values]
+
+
+def _space(
+    axes: Any, model: Model, surface: Surface, scale: Scale, factor: float, box: tuple[float, float]
+) -> dict[str, Any]:
+    """Draw a deformed plate into axes in space; return the entries in the legend."""
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
+
+    view = surface.view
+    parts = max(2, round(np.sqrt(FACETS / len(view.elements))))
+    xy, (w, values) = facets(view.nodes, view.elements, [surface.settlement, view.values], parts)
+    corners = np.concatenate([xy, -factor * w[..., None]], axis=2)
+    colours = scale.of(values.mean(axis=1))
+    colours[:, :3] *= _brightness(corners)[:, None]
+    axes.computed_zorder = False
+    drawn = Poly3DCollection(corners, facecolors=colours, edgecolors=colours, linewidths=0.2, zorder=2, clip_on=False)
+    drawn.set_rasterized(True)  # so many facets are smaller as pixels
+    axes.add_collection3d(drawn)
+    if len(view.elements) <= MOST_SIDES:
+        ring = view.elements[:, [0, 4, 1, 5, 2, 6, 3, 7, 0]]
+        sides = np.concatenate([view.nodes[ring], -factor * surface.settlement[ring][..., None]], axis=2)
+        axes.add_collection3d(Line3DCollection(sides, colors=INK, linewidths=0.15, alpha=0.5, zorder=3, clip_on=False))
+    entries = _border(axes, surface, factor)
+    chord = symbols.CHORD * max(model.plate.sides)
+    for ring_ in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
+        flat = ring_.flat(chord)
+        x, y = np.vstack([flat, flat[:1]]).T
+        (line,) = axes.plot(x, y, np.zeros(len(x)), color=GREY, linewidth=0.7, linestyle=(0, (5, 3)), zorder=4)
+        line.set_clip_on(False)
+        entries["level before loading"] = line
+    _frame(axes, model, surface.settlement, factor, box)
+    return entries
+
+
+def _brightness(corners: Array) -> Array:
+    """Return how bright facets (f, 4, 3) are by their slope against the light, (f,)."""
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    light = LIGHT / np.linalg.norm(LIGHT)
+    level = light[2]
+    found: Array = np.clip(1 + (1 - SHADE) * (normal @ light - level) / level, SHADE, 1.0)
+    return found
+
+
+def _border(axes: Any, surface: Surface, factor: float) -> dict[str, Any]:
+    """Draw the border of contact on the deformed plate."""
+    from matplotlib.figure import Figure
+
+    contact = surface.view.contact
+    if contact is None or not (contact > 0).any() or not (contact < 0).any():
+        return {}
+    triangles = triangulation(surface.view.nodes, surface.view.elements)
+    mesh = Mesh(surface.view.nodes, surface.view.elements)
+    entries = {}
+    found = Figure().add_subplot().tricontour(triangles, contact, levels=[0.0])
+    for path in found.get_paths():
+        for places in path.to_polygons(closed_only=False):
+            w = interpolated(mesh, surface.settlement, whereabouts(mesh, np.asarray(places)))
+            (line,) = axes.plot(*np.asarray(places).T, -factor * w, color=INK, linewidth=1.2, zorder=5, clip_on=False)
+            entries["contact boundary"] = line
+    return entries
+
+
+def _seen(sides: tuple[float, float, float]) -> tuple[float, float]:
+    """Return width and height of a brick of some sides, as it is seen."""
+    x, y, z = sides
+    up, turn = np.radians([ELEVATION, AZIMUTH])
+    wide = x * abs(np.sin(turn)) + y * abs(np.cos(turn))
+    high = (x * abs(np.cos(turn)) + y * abs(np.sin(turn))) * np.sin(up) + z * np.cos(up)
+    return float(wide), float(high)
+
+
+def _zoom(sides: tuple[float, float, float], width: float, height: float) -> float:
+    """Return the zoom with which a brick of some sides fills a box [mm].
+
+    Without zoom Matplotlib draws the brick's diagonal about as long as the box's shorter side.
+    """
+    wide, high = (each / float(np.linalg.norm(sides)) * min(width, height) for each in _seen(sides))
+    return min(PART_WIDE * width / wide, PART_HIGH * height / high)
+
+
+def _sides(model: Model, settlements: Sequence[Array], factor: float) -> tuple[tuple[float, float, float], float]:
+    """Return the sides of the brick around deformed plates, and how far down it begins [m]."""
+    x, y = model.plate.sides
+    low = min(0.0, *(-factor * float(each.max()) for each in settlements))
+    high = max(0.0, *(-factor * float(each.min()) for each in settlements))
+    if high - low <= 0.02 * max(x, y):
+        low, high = low - 0.05 * max(x, y), high + 0.05 * max(x, y)
+    return (x, y, high - low), low
+
+
+def _frame(axes: Any, model: Model, settlement: Array, factor: float, box: tuple[float, float]) -> None:
+    """Give axes in space their limits, equal in all directions, and their words."""
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+    x0, x1, y0, y1 = model.plate.bounds
+    sides, low = _sides(model, [settlement], factor)
+    high = low + sides[2]
+    axes.set(xlim=(x0, x1), ylim=(y0, y1), zlim=(low, high))
+    axes.set_box_aspect(sides, zoom=_zoom(sides, *box))
+    axes.set_proj_type("ortho")
+    axes.view_init(elev=ELEVATION, azim=AZIMUTH)
+    steps = [1, 2, 2.5, 5, 10]
+    per_metre = PART_WIDE * box[0] / _seen(sides)[0]
+    for axis, side in ((axes.xaxis, sides[0]), (axes.yaxis, sides[1])):
+        axis.set_major_locator(MaxNLocator(nbins=max(1, min(8, int(side * per_metre / TICK))), steps=steps))
+    # labels as far apart as they are high, and a half more
+    room = per_metre * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
+    ticks = MaxNLocator(nbins=max(1, min(5, int(room))), steps=steps).tick_values(
+        -high / factor * 1e3, -low / factor * 1e3
+    )
+    kept = [tick for tick in ticks if low - 1e-9 <= -tick * factor / 1e3 <= high + 1e-9]
+    axes.set_zticks([-tick * factor / 1e3 for tick in kept])
+    axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{number(round(-z / factor * 1e3, 9))} mm"))
+    axes.set_xlabel("x [m]", labelpad=3)
+    axes.set_ylabel("y [m]", labelpad=3)
+    axes.patch.set_alpha(0.0)
+    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+        axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
+        axis.line.set_linewidth(0.5)
+        axis.set_tick_params(pad=3 if axis is axes.zaxis else -1)
+        axis._axinfo["grid"].update({"color": "#d8d8d8", "linewidth": 0.4})

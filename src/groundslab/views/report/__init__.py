@@ -1,0 +1,7 @@
+"""The report: one HTML file that holds all of a solved model, opens without a network, and prints."""
+
+from __future__ import annotations
+
+from groundslab.views.report.html import check, default_path, html_of, text_of, write_report
+
+__all__ = ["check", "default_path", "html_of", "text_of", "write_report"]

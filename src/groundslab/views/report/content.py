@@ -1,0 +1,281 @@
+"""What the report says, gathered from a solved model: one value that the template prints."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from groundslab._version import __version__
+from groundslab.case import casefile
+from groundslab.design.tables import tables_of
+from groundslab.design.tables.design_checks import Design, design_of
+from groundslab.results.results import Certificate
+from groundslab.results.soil_profile import profiles_of
+from groundslab.views.report.convergence import MOST as MOST_HISTORIES
+from groundslab.views.report.convergence import history, history_drawing
+from groundslab.views.report.input_echo import Section, echo
+from groundslab.views.report.pictures import governing
+from groundslab.views.report.plan_drawing import PlanDrawing, plan_drawing
+from groundslab.views.report.soil_drawing import MOST as MOST_COLUMNS
+from groundslab.views.report.soil_drawing import soil_drawing
+from groundslab.views.report.table_layout import (
+    KEYS,
+    MOST_IN_FILE,
+    Cell,
+    Grid,
+    Head,
+    digest_of,
+    grid_of,
+    parts_of,
+    without_empty,
+)
+from groundslab.views.summary import combinations, single
+from groundslab.views.summary.terminal import shown_row
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from markupsafe import Markup
+
+    from groundslab.design.tables.table import Table
+    from groundslab.results.results import Combined, Results
+    from groundslab.views.summary.combinations import Entry
+    from groundslab.views.summary.single import Row
+
+
+CERTIFICATE_NOTES = (
+    "All but the sums are ratios, computed anew from the solution with none of the matrices that were factorised. Each "
+    f"must be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
+    f"{Certificate.MARGIN_TOLERANCE:g} of the largest settlement.",
+    "The certificate says that the discrete equations are solved, not that the mesh is fine enough.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Whether the results may be used, in words."""
+
+    good: bool
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class TableGrids:
+    """A table of the results, cut so that it fits on paper; too long a one is empty."""
+
+    name: str
+    title: str
+    grids: tuple[Grid, ...]
+    digest: Grid | None
+    length: int
+
+    @property
+    def whole(self) -> bool:
+        """Return whether all of its rows are there."""
+        return self.length <= MOST_IN_FILE
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """All that the template prints."""
+
+    title: str
+    version: str
+    file: str
+    text: str
+    sha256: str
+    facts: tuple[tuple[str, str], ...]
+    verdict: Verdict
+    design: Design
+    case: tuple[Section, ...]
+    plan: PlanDrawing
+    soil: Markup | None
+    soil_notes: tuple[str, ...]
+    constants: Grid | None
+    analysed: Grid | None
+    certificates: tuple[Grid, ...]
+    extremes: tuple[Grid, ...]
+    tables: tuple[TableGrids, ...]
+    history: Grid
+    histories: tuple[tuple[str, Markup], ...]
+    history_notes: tuple[str, ...]
+    refused: tuple[tuple[str, str], ...]
+
+
+def page_of(combined: Combined, text: str | None = None, file: str = "case.toml") -> Page:
+    """Return what the report of a solved model says; text and file are those of its input."""
+    combinations.require_finite(combined)
+    found = combinations.entries(combined)
+    there = [entry.results for entry in found if entry.results is not None]
+    text = casefile.to_toml(combined.model) if text is None else text
+    leading = combined.results.get(governing(combined).get("settlement", "")) or (there[0] if there else None)
+    profiles = profiles_of(leading) if leading is not None else ()
+    return Page(
+        title=combined.model.title,
+        version=__version__,
+        file=file,
+        text=text,
+        sha256=hashlib.sha256(text.encode()).hexdigest(),
+        facts=tuple(_facts(combined, there)),
+        verdict=_verdict(found),
+        design=design_of(combined),
+        case=tuple(echo(combined.model)),
+        plan=plan_drawing(combined.model),
+        soil=soil_drawing(profiles),
+        soil_notes=tuple(_soil_notes(combined, leading, len(profiles))),
+        constants=_constants(found) if there else None,
+        analysed=_section(combinations.description(combined)[0]) if there else None,
+        certificates=tuple(_certificates(found)),
+        extremes=tuple(_extremes(combined, found)),
+        tables=tuple(map(_table, tables_of(combined))),
+        history=history(found),
+        histories=tuple(_histories(found)),
+        history_notes=tuple(_history_notes(found)),
+        refused=tuple((entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None),
+    )
+
+
+def _facts(combined: Combined, there: Sequence[Results]) -> Iterator[tuple[str, str]]:
+    """Yield what stands in the title block beside title, program and file."""
+    count, refused = len(combined.combinations), len(combined.refused)
+    yield "Combinations", f"{count}, of which {refused} refused" if refused else str(count)
+    if there:
+        yield "Mesh", f"{len(there[0].plate.elements)} elements on the plate, {there[0].unknowns} unknowns"
+
+
+def _verdict(found: Sequence[Entry]) -> Verdict:
+    """Return the verdict over all combinations."""
+    numbers = [str(entry.number) for entry in found if entry.refused is not None]
+    if not numbers:
+        return Verdict(True, single.certified_words(len(found)))
+    if len(found) == 1:
+        return Verdict(False, "FAILED: there is no certified result; use nothing of it.")
+    if len(numbers) == len(found):
+        return Verdict(False, "FAILED: no combination has a certified result; use nothing of it.")
+    words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
+    return Verdict(False, f"FAILED: {words} The results of the others are certified.")
+
+
+def _section(section: single.Section) -> Grid:
+    """Return a section of the summary."""
+    heads = (Head(""), Head("symbol"), Head("value", number=True), Head("unit"))
+    return without_empty(Grid(section.title, heads, tuple(map(_row, section.rows)), section.notes))
+
+
+def _row(row: Row) -> tuple[Cell, ...]:
+    """Return a row of the summary without its place."""
+    shown = shown_row(row)
+    return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit)
+
+
+def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[Grid]:
+    """Yield the extremes over all certified combinations, each with its place and the one that governs."""
+    names = {entry.number: entry.combination.name for entry in found}
+    heads = [Head(""), Head("symbol"), Head("value", number=True), Head("unit"), Head("at (x, y)", "m", number=True)]
+    if len(found) > 1:
+        heads.append(Head("combination"))
+    for section, rows in combinations.extremes(combined):
+        cells = []
+        for each in rows:
+            line = [*_row(each.row), Cell(shown_row(each.row).place, "number")]
+            cells.append(tuple([*line, Cell(names[each.number])] if len(found) > 1 else line))
+        yield without_empty(Grid(section.title, tuple(heads), tuple(cells), section.notes))
+
+
+def _certificates(found: Sequence[Entry]) -> list[Grid]:
+    """Return the certificate of each combination, one a row and cut in two; of a single one a figure a row."""
+    sections = {
+        entry.combination.name: single.certificate_section(entry.results.certificate)
+        for entry in found
+        if entry.results is not None
+    }
+    if len(sections) == 1:
+        return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, sections.values())]
+    heads: list[Head] = []
+    rows = []
+    for name, section in sections.items():
+        shown = [(row, shown_row(row)) for row in section.rows]
+        heads = heads or [Head(row.label, each.unit, number=True) for row, each in shown]
+        cells = [Cell(each.figure, "bad" if row.ok is False else "number") for row, each in shown]
+        rows.append((Cell(name), *cells, _holds(section)))
+    grid = Grid("", (Head("combination"), *heads, Head("certificate")), tuple(rows), CERTIFICATE_NOTES)
+    return parts_of(without_empty(grid), 1)
+
+
+def _certificate(section: single.Section) -> Grid:
+    """Return the certificate of one combination, a figure a row with its limit."""
+    rows = []
+    for row in section.rows:
+        shown = shown_row(row)
+        limit = "" if row.tolerance is None else f"{row.tolerance:.0e}"
+        verdict = Cell("") if row.ok is None else Cell("holds", "good") if row.ok else Cell("FAILED", "bad")
+        rows.append((Cell(row.label), Cell(shown.figure, "number"), Cell(shown.unit), Cell(limit, "number"), verdict))
+    heads = (Head(""), Head("value", number=True), Head("unit"), Head("at most", number=True), Head("certificate"))
+    return Grid("", heads, tuple(rows))
+
+
+def _holds(section: single.Section) -> Cell:
+    """Return the verdict on a certificate."""
+    return Cell("holds", "good") if all(row.ok is not False for row in section.rows) else Cell("FAILED", "bad")
+
+
+def _table(table: Table) -> TableGrids:
+    """Return a table of the results; of too long a one its heads and notes alone."""
+    grid = grid_of(table if len(table) <= MOST_IN_FILE else _without_rows(table))
+    parts = tuple(parts_of(grid, KEYS.get(table.name, 1)))
+    return TableGrids(table.name, table.title, parts, digest_of(table), len(table))
+
+
+def _without_rows(table: Table) -> Table:
+    """Return the heads and notes of a table."""
+    return replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
+
+
+def _constants(found: Sequence[Entry]) -> Grid:
+    """Return the constants of the ground that each combination ended with."""
+    heads: list[Head] = []
+    rows = []
+    for entry in found:
+        if entry.results is None:
+            continue
+        shown = [(row, shown_row(row)) for row in single.description_of_ground(entry.results).rows[1:]]
+        heads = heads or [Head(row.label, each.unit, True, row.symbol) for row, each in shown]
+        rows.append((Cell(entry.combination.name), *(Cell(each.figure, "number") for _, each in shown)))
+    return Grid("", (Head("combination"), *heads), tuple(rows))
+
+
+def _soil_notes(combined: Combined, leading: Results | None, count: int) -> Iterator[str]:
+    """Yield what a reader of the drawing of the soil must know."""
+    if leading is None:
+        return
+    if leading.constants.gamma is not None:
+        yield (
+            "γ, k0, k1 and ψ(z) are those of the combination "
+            f"{leading.combination}; other combinations have their own, see the table."
+            if len(combined.combinations) > 1
+            else "γ, k0, k1 and ψ(z) as the analysis ended with them."
+        )
+    if combined.model.boreholes or combined.model.soil_zones:
+        yield "The table's constants are means over the plate's area."
+    if count > MOST_COLUMNS:
+        yield f"The first {MOST_COLUMNS} of {count} columns are drawn."
+
+
+def _histories(found: Sequence[Entry]) -> Iterator[tuple[str, Markup]]:
+    """Yield name and drawing of the convergence of the first combinations."""
+    solved = [entry for entry in found if entry.results is not None]
+    for entry in solved[:MOST_HISTORIES]:
+        assert entry.results is not None
+        yield entry.combination.name, history_drawing(entry.results.steps)
+
+
+def _history_notes(found: Sequence[Entry]) -> Iterator[str]:
+    """Yield what a reader of the drawings of the convergence must know."""
+    yield (
+        "Nodes that change sides in each step, on a logarithmic scale; full marks are steps on the mesh that was asked "
+        "for, empty ones on coarser meshes. The last step changes none."
+    )
+    count = sum(entry.results is not None for entry in found)
+    if count > MOST_HISTORIES:
+        yield f"The first {MOST_HISTORIES} of {count} combinations are drawn."

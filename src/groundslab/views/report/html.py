@@ -1,0 +1,165 @@
+"""The report as one HTML file: page, pictures, scene and script put together, and written whole or not at all.
+
+The page forbids everything that it does not bring along: scripts and styles run only with the hashes that its head
+states, and nothing is fetched. Every text of a case is escaped by the template.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import os
+import re
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab._version import __version__
+from groundslab.case import casefile
+from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.results.results import Combined, Results, alone
+from groundslab.storage import atomic
+from groundslab.storage.ownership import is_page, require_replaceable
+from groundslab.views.report.content import page_of
+from groundslab.views.report.pictures import pictures_of
+from groundslab.views.report.table_layout import pieces_of, pieces_of_words
+from groundslab.views.scene.binary import packed
+from groundslab.views.scene.fields import scene_of
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+    from groundslab.model.model import Model
+
+HERE = Path(__file__).parent
+#: What the head of every report says of itself, so that an older one can be told from other files.
+MARK = "groundslab report"
+#: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
+#: apart.
+MOST_DATA = 15_000_000
+_CONTROL = {code: "\ufffd" for code in [*range(32), 127] if chr(code) not in "\t\n\r"}
+
+
+def html_of(results: Results | Combined, *, text: str | None = None, file: str = "case.toml") -> str:
+    """Return the report as the text of an HTML file; the same results always give the same text.
+
+    Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
+    """
+    combined = results if isinstance(results, Combined) else alone(results)
+    page = page_of(combined, text, file)
+    scene, left_out = _scene(combined)
+    style = built("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
+    script = built("report.js")
+    from markupsafe import Markup
+
+    return (
+        _templates()
+        .get_template("report.html")
+        .render(
+            page=page,
+            pictures=pictures_of(combined),
+            left_out=left_out,
+            scene=scene,
+            style=Markup(style),
+            script=Markup(script),
+            policy=policy(style, script),
+            mark=f"{MARK} {__version__}",
+        )
+    )
+
+
+def write_report(
+    results: Results | Combined, path: str | Path, *, text: str | None = None, file: str = "case.toml"
+) -> Path:
+    """Write the report and return its path; an existing file is replaced only if it is a report of groundslab."""
+    target = check(path)
+    content = html_of(results, text=text, file=file)
+    try:
+        atomic.write(target, content.encode())
+    except OSError as error:
+        expected, hint = "a file that can be written", "make room or choose another place; what was there is as it was"
+        raise InputError([Fault(str(target), error.strerror or str(error), expected, hint)]) from error
+    return Path(path)
+
+
+def check(path: str | Path) -> Path:
+    """Return the full path if a report may be written there; else raise InputError saying why not."""
+    return require_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
+
+
+def default_path(folder: str | Path) -> Path:
+    """Return where the report of a folder of results is put: beside the folder, under its name."""
+    whole = Path(os.path.realpath(folder))
+    return whole.with_name(f"{whole.name}.html")
+
+
+def text_of(folder: str | Path, model: Model) -> str | None:
+    """Return the text of the case in a folder of results, as it is there, if it describes the model of the results."""
+    try:
+        text = (Path(folder) / "case.toml").read_bytes().decode()
+        return text if casefile.loads(text) == model else None
+    except (OSError, UnicodeDecodeError, InputError):
+        return None
+
+
+def built(name: str) -> str:
+    """Return a part of the page that is made of TypeScript and CSS before groundslab is packed."""
+    try:
+        content = (HERE / "static" / name).read_text(encoding="utf-8")
+    except OSError:
+        raise GroundslabError(
+            f"{name}, a part of every report, is missing from this installation; install groundslab anew, or make it "
+            "from its source: npm ci and npm run build in the folder web"
+        ) from None
+    # such texts would end the element that they stand in, or would not be read as they are written
+    if re.search(r"</(script|style)|<!--|[\x00-\x08\x0b-\x1f]", content, re.IGNORECASE):
+        raise GroundslabError(f"{name} holds a text that would break the page")
+    return content
+
+
+def _scene(combined: Combined) -> tuple[str, list[str]]:
+    """Return the scene as text, and the combinations that it has no fields of, as few as there is no room for."""
+    most = len(combined.combinations)
+    while True:
+        scene = scene_of(combined, most)
+        text = base64.b64encode(gzip.compress(packed(scene), 6, mtime=0)).decode()
+        if len(text) <= MOST_DATA or most <= 1:
+            return text, scene.head["left_out"]
+        # how well data can be compressed is known only now
+        most = max(1, min(most - 1, most * MOST_DATA // len(text)))
+
+
+def policy(style: str, script: str) -> str:
+    """Return the page's Content Security Policy: its own style and script, pictures within it, and nothing else."""
+    return (
+        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; img-src data: blob:; "
+        "base-uri 'none'; form-action 'none'"
+    )
+
+
+def _hash(content: str) -> str:
+    """Return the hash of an element's text as a policy states it."""
+    return f"sha256-{base64.b64encode(hashlib.sha256(content.encode()).digest()).decode()}"
+
+
+def _templates() -> Environment:
+    """Return what renders the templates: every value is escaped, a missing one is an error."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    templates = Environment(
+        loader=FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        finalize=_plain,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    templates.filters |= {"pieces": pieces_of, "word_pieces": pieces_of_words}
+    return templates
+
+
+def _plain(value: object) -> object:
+    """Return a text without letters that control a terminal or a browser, which no page may hold."""
+    return value.translate(_CONTROL) if isinstance(value, str) else value

@@ -1,0 +1,230 @@
+"""The case as a reader checks it: every key with its symbol, its value in a fitting unit, and what it means.
+
+All of it is derived from what ``model`` states of each key, so that a new key is told without a change here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from groundslab.model.loads.clipping import clipped_loads
+from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.shapes import Circle, Polygon, Rectangle
+from groundslab.schema.base import Part, key_of, meaning_of, nested
+from groundslab.schema.fields import Choice, Factors, Flag, Key, Number, Quantity, Several, Text, Whole
+from groundslab.units import coordinate, together
+from groundslab.views.report.table_layout import GREEK, Cell, Grid, Head, Kind, without_empty
+from groundslab.views.summary.combinations import factors_text
+
+if TYPE_CHECKING:
+    from pydantic.fields import FieldInfo
+
+    from groundslab.model.model import Model
+
+#: Titles of the sections of a case, in the order in which the report tells of them.
+SECTIONS = {
+    "plate": "Plate",
+    "ground": "Ground",
+    "soil_zones": "Zones of soil",
+    "boreholes": "Boreholes",
+    "beyond": "Ground beyond the plate",
+    "contact": "Contact",
+    "columns": "Columns",
+    "supports": "Supports",
+    "cases": "Load cases",
+    "loads": "Loads",
+    "combinations": "Combinations",
+    "combine": "Automatic combinations",
+    "reinforcement": "Reinforcement",
+    "output": "Points, lines and strips",
+    "mesh": "Mesh",
+    "analysis": "Analysis",
+}
+#: What one of a list is called, by the name of the list.
+ONE = {"soil_zones": "Zone of soil", "boreholes": "Borehole", "zones": "Zone", "gaps": "Measured gap"}
+#: Keys that are told even if all of a list have what a case has that says nothing; and what nothing then means.
+ALWAYS = {"psi_0": "", "psi_1": "", "psi_2": "", "stiffness": "rigid"}
+_ITEM = (Head("key"), Head("symbol"), Head("value"), Head("meaning"))
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """One section of a case: its grids under one heading."""
+
+    key: str
+    title: str
+    grids: tuple[Grid, ...]
+
+
+def echo(model: Model) -> list[Section]:
+    """Return all of a case, section by section; what is not there is left out."""
+    found = []
+    for name, title in SECTIONS.items():
+        value = getattr(model, name)
+        if name == "combinations":
+            grids = [_combinations(model)] if model.cases else []
+        elif isinstance(value, Part):
+            grids = list(_part(value, ""))
+        else:
+            grids = list(_list(value or (), name, ""))
+        remarks = tuple(each.words() for each in clipped_loads(model.plate, model.loads)) if name == "loads" else ()
+        if remarks:
+            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *remarks))
+        if grids:
+            found.append(Section(name, title, tuple(grids)))
+    return found
+
+
+def told(key: Key, value: Any) -> str:
+    """Return a value as people write it: quantities with five digits and a fitting unit, numbers with six."""
+    if isinstance(key, Quantity):
+        (text,), unit = together([value], key.dimension)
+        return f"{text} {unit}"
+    if isinstance(key, Several):
+        return _several(key, value)
+    if isinstance(key, Flag):
+        return "yes" if value else "no"
+    if isinstance(key, Number):
+        return value if isinstance(value, str) else f"{value:.6g}"
+    if isinstance(key, Factors):
+        return ", ".join(f"{number:.6g} {name}" for name, number in value)
+    assert isinstance(key, Whole | Choice | Text)
+    return str(value)
+
+
+def shape_told(shape: Part) -> str:
+    """Return a shape in words, its places in metres."""
+    if isinstance(shape, Circle):
+        return f"circle about {_places([shape.centre])} m, radius {shape.radius:.6g} m"
+    if isinstance(shape, Rectangle):
+        return f"rectangle, x = {_span(shape.x)} m, y = {_span(shape.y)} m"
+    assert isinstance(shape, Polygon)
+    bulges = f"; bulges {', '.join(f'{bulge:.6g}' for bulge in shape.bulges)}" if any(shape.bulges) else ""
+    return f"polygon {_places(shape.points)} m{bulges}"
+
+
+def _span(ends: tuple[float, float]) -> str:
+    """Return two lengths in metres."""
+    return f"{coordinate(ends[0]):.6g} to {coordinate(ends[1]):.6g}"
+
+
+def _places(places: Sequence[Sequence[float]]) -> str:
+    """Return places in metres."""
+    return " ".join(f"({', '.join(f'{coordinate(value):.6g}' for value in place)})" for place in places)
+
+
+def _several(key: Several, values: Sequence[Any]) -> str:
+    """Return a list of values; those with one unit share it."""
+    each = key.each
+    if isinstance(each, Several):
+        return f"{_places(values)} m"
+    if isinstance(each, Quantity):
+        texts, unit = together(values, each.dimension)
+        return f"{' to '.join(texts)} {unit}" if key.rising else f"({', '.join(texts)}) {unit}"
+    return ", ".join(told(each, value) for value in values)
+
+
+def _part(part: Part, title: str) -> Iterator[Grid]:
+    """Yield what a part says itself, then the parts in it."""
+    rows: list[tuple[Cell, ...]] = []
+    below: list[Grid] = []
+    for name, field in type(part).model_fields.items():
+        value, key = getattr(part, name), key_of(field)
+        if key is not None:
+            if value is not None and value != ():
+                rows.append(_row(name, key, value, field))
+        elif isinstance(value, Rectangle | Polygon | Circle):
+            rows.append((Cell(name), Cell(""), Cell(shape_told(value)), Cell(meaning_of(field), "muted")))
+        elif isinstance(value, Part):
+            below += _part(value, _words(name))
+        elif isinstance(value, tuple):
+            below += _list(value, name, _words(name))
+        elif value is not None:
+            rows.append((Cell("kind"), Cell(""), Cell(str(value)), Cell(meaning_of(field), "muted")))
+    if rows:
+        yield without_empty(Grid(title, _ITEM, tuple(rows)))
+    yield from below
+
+
+def _row(name: str, key: Key, value: Any, field: FieldInfo) -> tuple[Cell, ...]:
+    """Return the row of a key; what a case has that does not say it is called default."""
+    default = not field.is_required() and value == field.get_default()
+    meaning = f"{key.meaning} (default)" if default and "by default" not in key.meaning else key.meaning
+    words = name if name == key.symbol else name.replace("_", " ")
+    symbol = Cell("" if name == key.symbol and name not in GREEK else key.symbol, "symbol")
+    return Cell(words, "words"), symbol, Cell(told(key, value)), Cell(meaning, "muted")
+
+
+def _list(parts: Sequence[Part], name: str, title: str) -> Iterator[Grid]:
+    """Yield a list of parts, those of one kind in one grid, numbered as in the case; lists in them stand below."""
+    kinds: dict[type[Part], list[tuple[int, Part]]] = {}
+    for number, part in enumerate(parts, 1):
+        kinds.setdefault(type(part), []).append((number, part))
+    for kind, numbered in kinds.items():
+        tag = kind.model_fields.get("kind")
+        own = f"{tag.default}, {meaning_of(tag)}" if tag is not None and key_of(tag) is None else ""
+        yield _columns(kind, numbered, ": ".join(filter(None, (title, own))))
+    for number, part in enumerate(parts, 1):
+        called = f"{ONE.get(name, _words(name))} {number}"
+        if getattr(part, "name", ""):
+            called += f", {getattr(part, 'name', '')}"
+        for inner, field in type(part).model_fields.items():
+            value = getattr(part, inner)
+            if nested(field).many and value:
+                yield from _list(value, inner, f"{called}: {inner}")
+            elif isinstance(value, Part) and not isinstance(value, Rectangle | Polygon | Circle):
+                yield from _part(value, f"{called}: {inner}")
+
+
+def _columns(kind: type[Part], numbered: list[tuple[int, Part]], title: str) -> Grid:
+    """Return parts of one kind, one a row; keys that are nowhere given have no column."""
+    heads, columns = [Head("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]]
+    for name, field in kind.model_fields.items():
+        values = [getattr(part, name) for _, part in numbered]
+        key, default = key_of(field), field.get_default()
+        said = any(value not in (None, "", ()) and (field.is_required() or value != default) for value in values)
+        if not said and (name not in ALWAYS or key is None):
+            continue
+        if key is not None:
+            head, cells = _column(name, key, values)
+        elif isinstance(next(value for value in values if value is not None), Rectangle | Polygon | Circle):
+            head = Head(_words(name).lower())
+            cells = [Cell("" if value is None else shape_told(value)) for value in values]
+        else:
+            continue
+        heads.append(head)
+        columns.append(cells)
+    return Grid(title, tuple(heads), tuple(zip(*columns, strict=True)))
+
+
+def _column(name: str, key: Key, values: list[Any]) -> tuple[Head, list[Cell]]:
+    """Return the column of a key; its quantities have one unit."""
+    words, symbol = name.replace("_", " "), key.symbol
+    if symbol == name:
+        words, symbol = ("", symbol) if symbol in GREEK else (name, "")
+    nothing = Cell(ALWAYS.get(name, ""))
+    if not isinstance(key, Quantity):
+        kind: Kind = "number" if isinstance(key, Number | Whole) else ""
+        cells = [nothing if value is None else Cell(told(key, value), kind) for value in values]
+        return Head(words, "", bool(kind), symbol), cells
+    texts, unit = together([value for value in values if value is not None], key.dimension)
+    left = iter(texts)
+    cells = [nothing if value is None else Cell(next(left), "number") for value in values]
+    return Head(words, unit if texts else "", number=True, symbol=symbol), cells
+
+
+def _combinations(model: Model) -> Grid:
+    """Return what is solved: the combinations that the case lists and those made by EN 1990, or each case."""
+    heads = (Head("no.", number=True), Head("name"), Head("limit state"), Head("loads that act together"))
+    rows = tuple(
+        (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))
+        for number, each in enumerate(combinations_of(model), 1)
+    )
+    return Grid("", heads, rows, ("Each is solved by itself, with all its loads growing together.",))
+
+
+def _words(name: str) -> str:
+    """Return a key's name as words."""
+    return name.replace("_", " ").capitalize()

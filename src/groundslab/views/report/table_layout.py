@@ -1,0 +1,165 @@
+"""What the report prints in rows and columns: every cell a text by now, with what it is."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Literal
+
+from groundslab.design.tables.table import Cell as Value
+from groundslab.design.tables.table import Table
+from groundslab.views.summary.terminal import number
+
+Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
+
+#: More columns than these do not fit on paper.
+MOST_COLUMNS = 11
+#: Of the tables in FOLDED those with more rows are folded: they open on the screen, and are left out on paper.
+MOST_ROWS = 60
+FOLDED = {"extremes", "points", "lines", "strips"}
+#: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
+MOST_IN_FILE = 3000
+
+#: So many columns at the left of a table say which row it is.
+KEYS = {
+    "combinations": 1, "extremes": 3, "envelope": 3, "tilt": 1, "points": 4, "lines": 6, "strips": 5, "supports": 3,
+    "columns": 2, "reinforcement": 1,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Head:
+    """What stands above a column: words, a symbol, a unit; numbers stand at the right."""
+
+    text: str
+    unit: str = ""
+    number: bool = False
+    symbol: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A text and what it is: a number, a verdict, an aside, a symbol, or words of ours that hold symbols."""
+
+    text: str
+    kind: Kind = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Rows under heads; the notes say what a reader must know."""
+
+    title: str
+    heads: tuple[Head, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    notes: tuple[str, ...] = ()
+    folded: bool = False  # whether it is too long for paper
+
+
+def without_empty(grid: Grid) -> Grid:
+    """Return a grid without the columns in which nothing stands."""
+    at = [i for i in range(len(grid.heads)) if any(row[i].text for row in grid.rows)]
+    heads, rows = tuple(grid.heads[i] for i in at), tuple(tuple(row[i] for i in at) for row in grid.rows)
+    return replace(grid, heads=heads, rows=rows)
+
+
+def grid_of(table: Table) -> Grid:
+    """Return a table with its numbers as the summary prints them."""
+    numeric = [any(isinstance(value, int | float) for value in column.values) for column in table.columns]
+    heads = tuple(
+        Head(column.name, column.unit, of_numbers) for column, of_numbers in zip(table.columns, numeric, strict=True)
+    )
+    columns = [[_cell(value, column.name) for value in column.values] for column in table.columns]
+    rows = tuple(zip(*columns, strict=True))
+    return Grid(table.title, heads, rows, table.notes, folded=table.name in FOLDED and len(rows) > MOST_ROWS)
+
+
+def digest_of(table: Table) -> Grid | None:
+    """Return the extremes of each quantity along what a long table lists, over all combinations, for paper.
+
+    The second column says of what a row is; what stands at the left of the quantities, such as a place, is no quantity,
+    and a direction has no extremes.
+    """
+    keys = KEYS.get(table.name, 0)
+    if table.name == "extremes" or table.name not in FOLDED or len(table) <= MOST_ROWS:
+        return None
+    combination, name = table.columns[0].values, table.columns[1].values
+    along = next((column for column in table.columns[2:keys] if column.name == "s"), None)
+    rows = []
+    for one in dict.fromkeys(name):
+        at = [i for i, each in enumerate(name) if each == one]
+        for column in (each for each in table.columns[keys:] if each.unit != "deg"):
+            known = [(value, i) for i in at if isinstance(value := column.values[i], float)]
+            if not known:
+                continue
+            row = [Cell(str(one)), Cell(column.name, "words"), Cell(column.unit)]
+            for value, i in (min(known, key=_first), max(known, key=_first)):
+                place = [] if along is None else [_cell(along.values[i])]
+                row += [Cell(number(value), "number"), *place, Cell(str(combination[i]))]
+            rows.append(tuple(row))
+    s = [] if along is None else [Head("s", along.unit, number=True)]
+    ends = [head for end in ("least", "greatest") for head in (Head(end, number=True), *s, Head("combination"))]
+    heads = (Head(table.columns[1].name), Head("quantity"), Head("unit"), *ends)
+    return Grid("", heads, tuple(rows), ("Extremes over all combinations.",))
+
+
+def _first(pair: tuple[float, int]) -> float:
+    return pair[0]
+
+
+def parts_of(grid: Grid, keys: int) -> list[Grid]:
+    """Return a grid cut into such as fit on paper; the columns at the left that say which row it is stand in each."""
+    others = len(grid.heads) - keys
+    count = -(-others // max(1, MOST_COLUMNS - keys))
+    cuts = [keys + others * n // count for n in range(count + 1)] if count else []
+    parts = []
+    for n, (first, last) in enumerate(pairwise(cuts)):
+        at = [*range(keys), *range(first, last)]
+        parts.append(
+            replace(
+                grid,
+                title=grid.title if n == 0 else "",
+                heads=tuple(grid.heads[i] for i in at),
+                rows=tuple(tuple(row[i] for i in at) for row in grid.rows),
+                notes=grid.notes if n == count - 1 else (),
+            )
+        )
+    return parts or [grid]
+
+
+def _cell(value: Value, column: str = "") -> Cell:
+    if isinstance(value, str):
+        # names of quantities are ours, all other words may be the case's
+        return Cell(value, "words" if column == "quantity" else "")
+    if value is None:
+        return Cell("")
+    return Cell(str(value) if isinstance(value, int) else number(value), "number")
+
+
+GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "kappa": "κ", "nu": "ν", "psi": "ψ", "phi": "φ", "dT": "ΔT",
+}  # fmt: skip
+_SYMBOL = re.compile(r"(?<![\w])([A-Za-z]+)(?:_([A-Za-z0-9]+))?(?![\w])")
+
+
+def pieces_of(symbol: str) -> list[tuple[str, str]]:
+    """Return a symbol such as "gamma_c" or "q_x, q_y" as pairs of text and subscript, Greek letters as such."""
+    found: list[tuple[str, str]] = []
+    end = 0
+    for match in _SYMBOL.finditer(symbol):
+        found.append((symbol[end : match.start()] + GREEK.get(match[1], match[1]), match[2] or ""))
+        end = match.end()
+    return [*found, (symbol[end:], "")] if symbol[end:] else found
+
+
+def pieces_of_words(words: str) -> list[tuple[str, str]]:
+    """Return words in which symbols have an underscore, such as "moment m_x", as pairs of text and subscript."""
+    found: list[tuple[str, str]] = []
+    for word in re.split(r"(\s+)", words):
+        plain = re.fullmatch(r"([|(]?)([A-Za-z]+)_([A-Za-z0-9]+)([|),;:.]?)", word)
+        if plain is None:
+            found.append((word, ""))
+        else:
+            found += [(plain[1] + GREEK.get(plain[2], plain[2]), plain[3]), (plain[4], "")]
+    return found

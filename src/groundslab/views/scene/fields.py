@@ -1,0 +1,154 @@
+"""The scene of a solved model: its plan, its mesh, and of each combination the fields and their extremes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab._version import __version__
+from groundslab.errors import GroundslabError
+from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
+from groundslab.results.results import LINE_FORCE, PLATE_FIELDS
+from groundslab.views.scene.binary import Blocks, Scene
+from groundslab.views.scene.plan import plan_of
+from groundslab.views.summary import combinations, single
+
+if TYPE_CHECKING:
+    from groundslab.results.results import Array, Combined, PlateResult, Results
+    from groundslab.views.summary.combinations import Entry
+
+FORMAT = 2
+#: The fields that a scene has, if need be; all others can be made of them.
+SHOWN = (
+    "settlement", "pressure", "gap", "penetration", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y",
+)  # fmt: skip
+#: Of these the sign tells the face in tension, or the direction.
+TWO_SIDED = {"moment_x", "moment_y", "moment_xy", "shear_x", "shear_y"}
+
+
+def scene_of(combined: Combined, most: int | None = None) -> Scene:
+    """Return the scene of all combinations; values in units of display, quantised to 2^16 levels of each field.
+
+    It has the fields of so many combinations at most: those that govern an extreme come first, then the others in their
+    order; the rest is named in "left_out".
+    """
+    combinations.require_finite(combined)
+    found = combinations.entries(combined)
+    there = [entry.results for entry in found if entry.results is not None]
+    plates = [results.plate for results in there]
+    _require_one_mesh(plates)
+    names = _fields_of(plates)
+    blocks = Blocks()
+    mesh = {
+        "nodes": blocks.put(plates[0].nodes if plates else np.zeros((0, 2)), "f32"),
+        "elements": blocks.put(plates[0].elements if plates else np.zeros((0, 9), dtype=np.int64), "u32"),
+        "section": blocks.put(there[0].elements.section if there else np.zeros(0, dtype=np.int64), "u16"),
+    }
+    kept = _kept(found, names, len(found) if most is None else most)
+    head = {
+        "format": FORMAT,
+        "title": combined.model.title,
+        "version": __version__,
+        "plan": plan_of(combined.model),
+        "mesh": mesh,
+        "fields": [_about(name, plates) for name in names] + [_CONTACT],
+        "combinations": [_combination(entry, names, blocks, entry.number in kept) for entry in found],
+        "left_out": [
+            entry.combination.name for entry in found if entry.results is not None and entry.number not in kept
+        ],
+    }
+    return Scene(head, blocks.data)
+
+
+_CONTACT = {
+    "name": "contact",
+    "symbol": "",
+    "unit": "",
+    "meaning": "negative where the plate bears on the ground, positive where it does not",
+    "averaged": "not averaged",
+    "signed": True,
+}
+
+
+def _fields_of(plates: list[PlateResult]) -> list[str]:
+    """Return the names of the fields that are shown; how far the ground has yielded only where it has."""
+    yields = any(plate.penetration.any() for plate in plates)
+    return [name for name in SHOWN if yields or name != "penetration"]
+
+
+def _about(name: str, plates: list[PlateResult]) -> dict[str, Any]:
+    """Return how a field is called and shown; it is signed if its sign matters."""
+    about = PLATE_FIELDS[name]
+    signed = name in TWO_SIDED or any(goes_below_zero(getattr(plate, name)) for plate in plates)
+    return {
+        "name": name,
+        "symbol": about.symbol,
+        "unit": about.unit,
+        "meaning": about.meaning,
+        "averaged": about.averaged,
+        "signed": signed,
+    }
+
+
+def _combination(entry: Entry, names: list[str], blocks: Blocks, kept: bool) -> dict[str, Any]:
+    """Return one combination: what acts together, its fields, their extremes, or why there are none."""
+    results = entry.results
+    values = None
+    if results is not None and kept:
+        values = {name: blocks.put_range(_shown(results.plate, name)) for name in names}
+        values["contact"] = blocks.put_signed(contact_function(results))
+    return {
+        "name": entry.combination.name,
+        "number": entry.number,
+        "limit_state": entry.combination.limit_state,
+        "factors": [list(pair) for pair in entry.combination.factors],
+        "refused": None if entry.refused is None else str(entry.refused),
+        "certified": entry.refused is None,
+        "values": values,
+        "extremes": {} if results is None else dict(_extremes(results, names)),
+    }
+
+
+def _shown(plate: PlateResult, name: str) -> Array:
+    """Return a field (n,) in its unit of display."""
+    values: Array = getattr(plate, name) * PLATE_FIELDS[name].scale
+    return values
+
+
+def _extremes(results: Results, names: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield the extremes of each field with their places: [value, x, y]; of the line force those along the edge."""
+    plate = results.plate
+    for name in names:
+        yield name, _range(plate.nodes, _shown(plate, name))
+    if has_line_force(results):
+        on_edge = plate.edge_length > 0
+        yield LINE_FORCE, _range(plate.nodes[on_edge], _shown(plate, LINE_FORCE)[on_edge])
+
+
+def _range(nodes: Array, values: Array) -> dict[str, list[float]]:
+    """Return the least and the greatest value with their places [m]."""
+    low, at_low = single.extreme(nodes, values, "smallest")
+    high, at_high = single.extreme(nodes, values, "largest")
+    return {"min": [low + 0.0, *at_low], "max": [high + 0.0, *at_high]}
+
+
+def _kept(found: list[Entry], names: list[str], count: int) -> set[int]:
+    """Return the numbers of so many combinations with results: first the certified ones that govern an extreme."""
+    plates = {entry.number: entry.results.plate for entry in found if entry.results and entry.refused is None}
+    others = [entry.number for entry in found if entry.results is not None]
+    order: dict[int, None] = {}
+    for name in names:
+        for sign in (1, -1):
+            highest = {number: float((sign * getattr(plate, name)).max()) for number, plate in plates.items()}
+            if highest:
+                order[max(highest, key=highest.__getitem__)] = None
+    return set([*order, *(number for number in others if number not in order)][:count])
+
+
+def _require_one_mesh(plates: list[PlateResult]) -> None:
+    """Raise GroundslabError if the combinations' results stand on different meshes."""
+    for plate in plates[1:]:
+        if not (np.array_equal(plate.nodes, plates[0].nodes) and np.array_equal(plate.elements, plates[0].elements)):
+            raise GroundslabError("the combinations' results stand on different meshes; they have no common picture")

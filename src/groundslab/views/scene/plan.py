@@ -1,0 +1,192 @@
+"""What a model says in plan, as data that JSON can hold: curves as closed polylines, names, paths, texts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.model.loads.load_types import SettlementLoad
+
+if TYPE_CHECKING:
+    from groundslab.arrays import Array
+    from groundslab.geometry.plan import Place, Ring
+    from groundslab.model.loads.load_types import AnyLoad, Void
+    from groundslab.model.model import Model
+    from groundslab.model.supports import AnySupport
+
+#: Arcs become chords that are at most this far off, relative to the plate's longer side.
+CHORD = 2e-4
+#: Digits after the point of a length in metres.
+DIGITS = 9
+
+Data = dict[str, Any]
+
+
+def plan_of(model: Model) -> Data:
+    """Return what stands in plan [m]: each thing with the path by which faults call it, which counts from 1."""
+    plate = model.plate
+    x0, x1, y0, y1 = plate.bounds
+    chord = CHORD * max(plate.sides)
+
+    def ring(curve: Ring) -> list[list[float]]:
+        return _rounded(curve.flat(chord))
+
+    output = model.output
+    return {
+        "bounds": [value for place in _rounded([(x0, y0), (x1, y1)]) for value in place],
+        "thickness": plate.thickness,
+        "outline": ring(plate.ring()),
+        "openings": [
+            {"path": f"plate.openings[{n}]", "ring": ring(each.ring())} for n, each in enumerate(plate.openings, 1)
+        ],
+        "zones": [
+            {
+                "path": f"plate.zones[{n}]",
+                "ring": ring(zone.shape.ring()),
+                "thickness": plate.thickness if zone.thickness is None else zone.thickness,
+            }
+            for n, zone in enumerate(plate.zones, 1)
+        ],
+        "columns": [
+            {"path": f"columns[{n}]", "name": each.name, **_at(each.x, each.y), "ring": ring(each.ring())}
+            for n, each in enumerate(model.columns, 1)
+        ],
+        "supports": [_support(n, support) for n, support in enumerate(model.supports, 1)],
+        "loads": [_load(n, load, model, chord) for n, load in enumerate(model.loads, 1)],
+        "boreholes": [
+            {"path": f"boreholes[{n}]", "name": each.name, **_at(each.x, each.y)}
+            for n, each in enumerate(model.boreholes, 1)
+        ],
+        "soil_zones": [
+            {"path": f"soil_zones[{n}]", "ring": ring(zone.shape.ring())} for n, zone in enumerate(model.soil_zones, 1)
+        ],
+        "voids": [
+            {"path": f"contact.voids[{n}]", "ring": ring(_void(void))} for n, void in enumerate(model.contact.voids, 1)
+        ],
+        "lines": [
+            {"path": f"output.lines[{n}]", "name": each.name, **_ends(each.start, each.end)}
+            for n, each in enumerate(output.lines, 1)
+        ],
+        "strips": [
+            {"path": f"output.strips[{n}]", "name": each.name, **_ends(each.start, each.end), "width": each.width}
+            for n, each in enumerate(output.strips, 1)
+        ],
+        "points": [
+            {"path": f"output.points[{n}]", "name": each.name, **_at(each.x, each.y)}
+            for n, each in enumerate(output.points, 1)
+        ],
+    }
+
+
+def load_parts(load: AnyLoad) -> list[list[Any]]:
+    """Return how large a load is, without factors: symbol, value and unit of each of its parts."""
+    if load.kind == "point":
+        return [["P", _kilo(load.P), "kN"], ["M_x", _kilo(load.M_x), "kNm"], ["M_y", _kilo(load.M_y), "kNm"]]
+    if load.kind == "line":
+        end = load.q if load.q_end is None else load.q_end
+        return [["q", _kilo(load.q), "kN/m"], ["q_end", _kilo(end), "kN/m"]]
+    if load.kind == "self weight":
+        return [["gamma_c", _kilo(load.unit_weight), "kN/m^3"]]
+    if load.kind == "temperature":
+        return [["dT", load.difference, "K"]]
+    if load.kind == "settlement":
+        return [["w_s", _tidied(load.w * 1e3), "mm"]]
+    return [["q", _kilo(load.q), "kPa"]]
+
+
+def _kilo(value: float) -> float:
+    return _tidied(value / 1e3)
+
+
+def _tidied(value: float) -> float:
+    """Return a value without the rounding of its unit."""
+    return float(f"{value:.12g}") + 0.0
+
+
+def _support(number: int, support: AnySupport) -> Data:
+    """Return a support; one without stiffness is rigid."""
+    return {
+        "path": f"supports[{number}]",
+        "name": support.name,
+        "kind": support.kind,
+        "points": _rounded(_places(support)),
+        "acts": support.acts,
+        "elastic": support.stiffness is not None,
+    }
+
+
+def _places(support: AnySupport) -> Sequence[Place]:
+    """Return the points of a support."""
+    return ((support.x, support.y),) if support.kind == "point" else support.points
+
+
+def _load(number: int, load: AnyLoad, model: Model, chord: float) -> Data:
+    """Return a load with points or a ring, whichever it has; own weight and temperature have neither."""
+    about: Data = {"path": f"loads[{number}]", "name": load.name, "kind": load.kind, "case": load.case}
+    if load.kind == "point":
+        placed = load.on(model.columns)
+        assert placed.x is not None
+        assert placed.y is not None
+        about["points"] = _rounded([(placed.x, placed.y)])
+        own = _footprint(load)
+        if own is not None:
+            about["footprint"] = _rounded(own.flat(chord))
+    elif load.kind == "line":
+        about["points"] = _rounded(load.flat(chord))
+    elif isinstance(load, SettlementLoad):
+        support = next(each for each in model.supports if each.name == load.support)
+        about["points"] = _rounded(_places(support))
+    elif load.kind == "uniform":
+        about["ring"] = _rounded(model.plate.ring().flat(chord))
+    elif load.kind == "patch":
+        about["ring"] = _rounded(_box(load.x, load.y).flat(chord))
+    elif load.kind == "area":
+        about["ring"] = _rounded(load.shape.ring().flat(chord))
+        if load.holes:
+            about["holes"] = [_rounded(hole.ring().flat(chord)) for hole in load.holes]
+    if any(getattr(load, "slope", ())) or any(getattr(load, "bend", ())):
+        about["varies"] = True
+    return about | {"parts": load_parts(load)}
+
+
+def _footprint(load: Any) -> Ring | None:
+    """Return the curve around a point load's own footprint; one on a column has the column's."""
+    from groundslab.model.columns import footprint
+
+    return None if load.column else footprint(load.x, load.y, load.width_x, load.width_y, load.diameter)
+
+
+def _void(void: Void) -> Ring:
+    """Return the curve around a void."""
+    if void.shape is not None:
+        return void.shape.ring()
+    assert void.x is not None
+    assert void.y is not None
+    return _box(void.x, void.y)
+
+
+def _box(x: tuple[float, float], y: tuple[float, float]) -> Ring:
+    """Return the curve around a rectangle."""
+    from groundslab.geometry.plan import rectangle
+
+    return rectangle(*x, *y)
+
+
+def _at(x: float, y: float) -> Data:
+    """Return a place."""
+    ((x, y),) = _rounded([(x, y)])
+    return {"x": x, "y": y}
+
+
+def _ends(start: Place, end: Place) -> Data:
+    """Return the ends of a line."""
+    first, last = _rounded([start, end])
+    return {"start": first, "end": last}
+
+
+def _rounded(places: Sequence[Place] | Array) -> list[list[float]]:
+    """Return places as lists, rounded to nanometres, no zero of them negative."""
+    found: list[list[float]] = (np.round(np.asarray(places, dtype=float), DIGITS) + 0.0).tolist()
+    return found

@@ -1,0 +1,209 @@
+"""Several combinations side by side, as plain data for the terminal and for JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, is_dataclass, replace
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.errors import NotCertified, NotConverged
+from groundslab.results.contact_zone import contact_share, goes_below_zero
+from groundslab.results.contact_zone import require_finite as require_one_finite
+from groundslab.views.summary import single
+from groundslab.views.summary.single import Row, Section
+
+if TYPE_CHECKING:
+    from groundslab.errors import GroundslabError
+    from groundslab.model.loads.load_cases import Combination
+    from groundslab.results.results import Combined, Results
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One combination: its number from 1, what came out, and why that must not be used or is not there."""
+
+    number: int
+    combination: Combination
+    results: Results | None  # of one that is refused only if it has results that are not certified
+    refused: GroundslabError | None
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """What a combination is told by in a table: load [N], settlement and uplift [m], share of contact, steps."""
+
+    load: float
+    settlement: float
+    uplift: float
+    contact: float
+    iterations: int
+
+
+@dataclass(frozen=True, slots=True)
+class Extreme:
+    """A row of the summary for the combination that governs it, by its number."""
+
+    row: Row
+    number: int
+
+
+def entries(combined: Combined) -> list[Entry]:
+    """Return all combinations in the order in which they were solved."""
+    found = []
+    for number, combination in enumerate(combined.combinations, 1):
+        refused = combined.refused.get(combination.name)
+        results = refused.results if isinstance(refused, NotCertified) else combined.results.get(combination.name)
+        found.append(Entry(number, combination, results, refused))
+    return found
+
+
+def require_finite(combined: Combined) -> None:
+    """Raise GroundslabError if any number of any combination's results is infinite or not a number."""
+    for entry in entries(combined):
+        if entry.results is not None:
+            require_one_finite(entry.results)
+
+
+def figures(results: Results) -> Figures:
+    """Return the figures of one combination; uplift is zero where none of the plate rises."""
+    plate = results.plate
+    low = float(plate.settlement.min())
+    return Figures(
+        load=results.certificate.load,
+        settlement=float(plate.settlement.max()),
+        uplift=-low if goes_below_zero(plate.settlement) else 0.0,
+        contact=contact_share(plate),
+        iterations=len(results.steps),
+    )
+
+
+def factors_text(combination: Combination) -> str:
+    """Return what acts together in words, such as "1.35 dead + 1.5 live"."""
+    return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
+
+
+def description(combined: Combined) -> list[Section]:
+    """Return what was analysed; of the ground only what is the same in all combinations."""
+    found = [entry.results for entry in entries(combined) if entry.results is not None]
+    plate, ground, *cut = single.description(found[0])
+    others = [single.description_of_ground(results).rows for results in found[1:]]
+    same = tuple(row for row in ground.rows if all(row in rows for rows in others))
+    notes = ground.notes
+    if len(same) < len(ground.rows):
+        notes += ("The ground's other constants depend on the combination; each has its own in summary.json.",)
+    return [plate, replace(ground, rows=same, notes=notes), *cut]
+
+
+def extremes(combined: Combined) -> list[tuple[Section, tuple[Extreme, ...]]]:
+    """Return the sections of figures, each with its rows' extremes over all certified combinations.
+
+    The largest governs, of a row called smallest and of the share in contact the smallest; the first of equal ones.
+    """
+    found: dict[str, tuple[Section, dict[str, Extreme]]] = {}
+    for entry in entries(combined):
+        if entry.results is None or entry.refused is not None:
+            continue
+        for section in single.figures(entry.results):
+            known, rows = found.setdefault(section.key, (section, {}))
+            notes = tuple(dict.fromkeys((*known.notes, *section.notes)))
+            found[section.key] = replace(known, notes=notes), rows
+            for row in section.rows:
+                if row.key not in rows or _governs(row, rows[row.key].row):
+                    rows[row.key] = Extreme(row, entry.number)
+    return [(section, tuple(rows.values())) for section, rows in found.values()]
+
+
+def _governs(row: Row, other: Row) -> bool:
+    """Return whether a row is more extreme than another of the same key."""
+    a, b = row.value, other.value
+    assert not isinstance(a, str)
+    assert not isinstance(b, str)
+    return a < b if row.key == "share" or row.key.startswith("smallest") else a > b
+
+
+def worst(combined: Combined) -> tuple[Extreme, ...]:
+    """Return of each figure that must vanish, and of the margin's effect, the largest over the certified ones."""
+    rows: dict[str, Extreme] = {}
+    for entry in entries(combined):
+        if entry.results is None or entry.refused is not None:
+            continue
+        for row in single.certificate_section(entry.results.certificate).rows:
+            if row.key in ("load", "reaction"):
+                continue
+            if row.key not in rows or _governs(row, rows[row.key].row):
+                rows[row.key] = Extreme(row, entry.number)
+    return tuple(rows.values())
+
+
+def to_json(combined: Combined, folders: Mapping[str, str], files: Sequence[str] = ()) -> dict[str, Any]:
+    """Return the summary of several combinations as data for JSON; folders are those of the combinations by name.
+
+    Numbers as in the summary of a single one. An extreme names the combination that governs it.
+    """
+    found = entries(combined)
+    document = single.json_head(combined.model.title, not combined.refused)
+    require_finite(combined)
+    document |= single.json_design(combined)
+    if any(entry.results is not None for entry in found):
+        document |= single.json_sections(description(combined))
+    names = {entry.number: entry.combination.name for entry in found}
+    document["extremes"] = {
+        section.key: {extreme.row.key: _named(extreme, names) for extreme in rows}
+        | ({"notes": list(section.notes)} if section.notes else {})
+        for section, rows in extremes(combined)
+    }
+    document["certificate"] = {extreme.row.key: _named(extreme, names) for extreme in worst(combined)}
+    document["combinations"] = [_combination(entry, folders.get(entry.combination.name)) for entry in found]
+    document["files"] = list(files)
+    return document
+
+
+def json_text(combined: Combined, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> str:
+    """Return the JSON summary of several combinations as text."""
+    return single.dumps(to_json(combined, folders or {}, files))
+
+
+def _named(extreme: Extreme, names: dict[int, str]) -> dict[str, Any]:
+    """Return an extreme as data for JSON, with the name of its combination."""
+    value = single.json_row(extreme.row)
+    return (value if isinstance(value, dict) else {"value": value}) | {"combination": names[extreme.number]}
+
+
+def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:
+    """Return one combination as data for JSON: its results, or why it has none."""
+    document: dict[str, Any] = {
+        "name": entry.combination.name,
+        "limit_state": entry.combination.limit_state,
+        "factors": dict(entry.combination.factors),
+        "certified": entry.refused is None,
+    }
+    if entry.refused is not None:
+        document["refused"] = _refusal(entry.refused)
+    if entry.results is not None:
+        if folder is not None:
+            document["folder"] = folder
+        sections = [*single.figures(entry.results), single.certificate_section(entry.results.certificate)]
+        document |= single.json_sections(sections) | single.json_analysis(entry.results)
+    return document
+
+
+def _refusal(error: GroundslabError) -> dict[str, Any]:
+    """Return as data for JSON why a combination has no certified result."""
+    document: dict[str, Any] = {"error": type(error).__name__, "reason": str(error)}
+    if isinstance(error, NotConverged):
+        document |= {"what": error.what, "history": [_plain(step) for step in error.history]}
+    return document
+
+
+def _plain(value: Any) -> Any:
+    """Return an entry of a history as data for JSON; numbers that JSON cannot hold become words."""
+    if is_dataclass(value) and not isinstance(value, type):
+        value = asdict(value)
+    if isinstance(value, Mapping):
+        return {str(name): _plain(each) for name, each in value.items()}
+    if isinstance(value, np.generic):
+        value = value.item()
+    return str(value) if isinstance(value, float) and not isfinite(value) else value

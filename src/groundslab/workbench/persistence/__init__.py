@@ -1,0 +1,1 @@
+"""The files of a user: who has them open, and unsaved work."""

@@ -1,0 +1,1 @@
+"""The server of the workbench: its routes, its security, its sessions."""

@@ -1,0 +1,62 @@
+"""The summary of solved combinations as the page shows it: words, figures in units of display, notes."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+from groundslab.views.summary import combinations, single
+from groundslab.views.summary.terminal import number
+
+if TYPE_CHECKING:
+    from groundslab.results.results import Combined
+    from groundslab.views.summary.combinations import Entry
+    from groundslab.views.summary.single import Row, Section
+
+
+def summary_of(combined: Combined) -> dict[str, Any]:
+    """Return the design and what is told of each combination; raises GroundslabError if a number is not finite."""
+    combinations.require_finite(combined)
+    return single.json_design(combined) | {
+        "combinations": [_combination(entry) for entry in combinations.entries(combined)]
+    }
+
+
+def _combination(entry: Entry) -> dict[str, Any]:
+    """Return one combination: why it is refused, its certificate, its sections."""
+    about: dict[str, Any] = {
+        "name": entry.combination.name,
+        "limit_state": entry.combination.limit_state,
+        "factors": combinations.factors_text(entry.combination),
+        "refused": None if entry.refused is None else str(entry.refused),
+    }
+    if entry.results is None:
+        return about | {"certificate": None, "sections": []}
+    certificate = entry.results.certificate
+    figures = {name: value for name, value in asdict(certificate).items() if value is not None}
+    told = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
+    sections = [*single.figures(entry.results), single.certificate_section(certificate)]
+    sections += single.description(entry.results)
+    return about | {"certificate": told, "sections": [_section(section) for section in sections]}
+
+
+def _section(section: Section) -> dict[str, Any]:
+    """Return a section of the summary."""
+    rows = [_row(row) for row in section.rows]
+    return {"key": section.key, "title": section.title, "rows": rows, "notes": list(section.notes)}
+
+
+def _row(row: Row) -> dict[str, Any]:
+    """Return a line of the summary: its value as words, numbers with five digits; ok says whether it is in order."""
+    unit = "" if row.unit is None else row.unit.shown
+    if row.ok is not None:
+        assert not isinstance(row.value, str)
+        value, note = f"{row.value:.1e}", f"{'ok' if row.ok else 'FAILED'} (limit {row.tolerance:.0e})"
+    elif isinstance(row.value, str):
+        value, note = row.value, ""
+    else:
+        plain = isinstance(row.value, int)
+        value = str(row.value) if plain else number(row.value * (1.0 if row.unit is None else row.unit.scale))
+        note = "" if row.place is None else "at ({:.3f}, {:.3f}) m".format(*(round(x, 3) + 0.0 for x in row.place))
+    about = {"key": row.key, "label": row.label, "symbol": row.symbol, "value": value, "unit": unit, "note": note}
+    return about | ({"ok": row.ok} if row.ok is not None else {})

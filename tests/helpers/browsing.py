@@ -1,0 +1,205 @@
+"""A real browser before a real server: the workbench's page and what a user does with it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from helpers.paths import ROOT
+
+PATIENCE = 60_000  # ms that anything may take on a busy machine
+ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+STATIC = ROOT / "src" / "groundslab" / "workbench" / "static"
+
+SMALL = """\
+title = "A small slab"
+
+[plate]
+length_x = "6 m"
+length_y = "4 m"
+thickness = "250 mm"  # as on the drawing
+E = "30 GPa"
+nu = 0.2
+
+[ground]
+kind = "winkler"
+k = "20 MPa/m"
+
+[[columns]]
+name = "A1"
+x = "-2 m"
+y = "1 m"
+width_x = "400 mm"
+width_y = "400 mm"
+
+[[loads]]
+kind = "point"
+column = "A1"
+P = "200 kN"
+
+[mesh]
+size = "0.5 m"
+"""
+
+
+def chromium() -> str | None:
+    """Return the path of the browser, None if there is none."""
+    names = ("chromium", "chromium-browser", "google-chrome")
+    return os.environ.get("GROUNDSLAB_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+
+
+def missing() -> str:
+    """Return what keeps the tests from running, empty if nothing does."""
+    packages = [name for name in ("playwright", "fastapi", "uvicorn") if find_spec(name) is None]
+    if packages:
+        return f"no package {', '.join(packages)}"
+    if chromium() is None:
+        return "no Chromium on this machine"
+    if not (STATIC / "index.js").is_file() or (STATIC / "index.js").stat().st_size < 10_000:
+        return "the page is not built (npm run build in web/)"
+    return ""
+
+
+@dataclass
+class Server:
+    """groundslab app as a process of its own."""
+
+    state: Path
+    process: subprocess.Popen[str] | None = None
+    url: str = ""
+
+    def start(self, case: Path | None, port: int = 0) -> str:
+        """Start the server on a case; returns the address of its page."""
+        command = [sys.executable, "-m", "groundslab", "app", "--port", str(port), "--no-browser"]
+        environment = {**os.environ, "XDG_STATE_HOME": str(self.state), "OMP_NUM_THREADS": "1"}
+        self.process = subprocess.Popen(
+            [*command, *([] if case is None else [str(case)])], stdout=subprocess.PIPE, text=True, env=environment
+        )
+        assert self.process.stdout is not None
+        self.url = self.process.stdout.readline().strip()
+        assert self.url.startswith("http://127.0.0.1:"), self.url
+        return self.url
+
+    @property
+    def port(self) -> int:
+        """The port that it listens on."""
+        return int(self.url.split(":")[2].split("/")[0])
+
+    def kill(self) -> None:
+        """End it without giving it time for anything."""
+        assert self.process is not None
+        self.process.kill()
+        self.process.wait()
+        self._close()
+
+    def stop(self) -> None:
+        """End it as Ctrl-C does."""
+        if self.process is not None and self.process.poll() is None:
+            self.process.terminate()
+            try:
+                self.process.wait(20)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.wait()
+        self._close()
+
+    def _close(self) -> None:
+        if self.process is not None and self.process.stdout is not None:
+            self.process.stdout.close()
+
+
+@dataclass
+class Bench:
+    """The page in a tab, and what a user does with it."""
+
+    page: Any
+    errors: list[str] = field(default_factory=list)
+
+    def open(self, url: str) -> Bench:
+        """Open the page and wait until it can be used."""
+        self.page.goto(url)
+        self.page.wait_for_selector("svg.drawing[data-view]")
+        return self
+
+    def tab(self, name: str) -> None:
+        """Choose one of the views of the model."""
+        self.page.locator(".model").get_by_role("tab", name=name).click()
+
+    def pixel(self, x: float, y: float) -> tuple[float, float]:
+        """Return where a place of the plan [m] is on the screen."""
+        drawing = self.page.locator("svg.drawing")
+        box = drawing.bounding_box()
+        cx, cy, scale = map(float, drawing.get_attribute("data-view").split())
+        return box["x"] + box["width"] / 2 + (x - cx) * scale, box["y"] + box["height"] / 2 - (y - cy) * scale
+
+    def click(self, x: float, y: float) -> None:
+        """Click on a place of the plan [m]."""
+        self.page.mouse.click(*self.pixel(x, y))
+
+    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        """Drag from one place of the plan to another [m]."""
+        self.page.mouse.move(*self.pixel(*start))
+        self.page.mouse.down()
+        for share in (0.3, 0.7, 1.0):
+            at = self.pixel(*(a + share * (b - a) for a, b in zip(start, end, strict=True)))
+            self.page.mouse.move(*at)
+        self.page.mouse.up()
+
+    def tool(self, name: str) -> None:
+        """Choose a tool of the drawing."""
+        self.page.locator(f'.tool[data-tool="{name}"]').click()
+
+    def field(self, *path: str | int) -> Any:
+        """Return the row of a key, in the form or in the properties, whichever is seen."""
+        key = "[" + ",".join(f'"{step}"' if isinstance(step, str) else str(step) for step in path) + "]"
+        return self.page.locator(f"[data-path='{key}']").locator("visible=true").first
+
+    def fill(self, value: str, *path: str | int) -> None:
+        """Type a value into the field of a key."""
+        self.field(*path).locator("input").first.fill(value)
+
+    def text(self) -> str:
+        """Return the case file as the page shows it under Text."""
+        return str(self.page.locator(".code-input").input_value())
+
+    def until(self, holds: Callable[[], bool], what: Callable[[], str] = str) -> None:
+        """Wait until something holds; ``what`` says how things stand if it never does."""
+        end = time.monotonic() + PATIENCE / 1000
+        while not holds():
+            assert time.monotonic() < end, f"waited in vain: {what()}"
+            self.page.wait_for_timeout(50)
+
+    def wait_text(self, *words: str) -> None:
+        """Wait until the case file holds some words."""
+        self.until(lambda: all(each in self.text() for each in words), lambda: f"{words} in\n{self.text()}")
+
+    def seen(self, selector: str) -> str:
+        """Return the words of an element."""
+        return str(self.page.locator(selector).first.text_content())
+
+    def wait_solved(self) -> None:
+        """Wait until a result of the present model is shown."""
+        self.page.wait_for_selector('.result-status[data-state="fresh"]')
+        self.page.wait_for_selector(".result-full:not([hidden])")
+
+    def largest(self, label: str) -> float:
+        """Return a figure of the summary by the start of its label."""
+        self.page.locator(".result").get_by_role("tab", name="Summary").click()
+        row = self.page.locator(".figures tr", has_text=label).first
+        return float(row.locator("td").first.inner_text().replace("\N{MINUS SIGN}", "-"))
+
+
+def free_port() -> int:
+    """Return a port that nobody listens on."""
+    with socket.socket() as door:
+        door.bind(("127.0.0.1", 0))
+        return int(door.getsockname()[1])

@@ -1,0 +1,475 @@
+"""Hypothesis strategies for descriptions that are right, small enough to be solved in the blink of an eye."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hypothesis import strategies as st
+
+from groundslab.model.columns import Column
+from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
+from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, has_ultimate
+from groundslab.model.loads.load_types import (
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    SettlementLoad,
+    TemperatureLoad,
+    UniformLoad,
+    Void,
+)
+from groundslab.model.model import Analysis, Beyond, Contact, Mesh, Model
+from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStrip, Reinforcement
+from groundslab.model.plate import Edges, Plate
+from groundslab.model.shapes import Circle, Polygon, Rectangle
+from groundslab.model.supports import LineSupport, PointSupport
+from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone
+from groundslab.schema.base import Part, key_of
+from groundslab.schema.fields import Choice, Flag, Several, Text
+
+
+def numbers(low: float, high: float) -> st.SearchStrategy[float]:
+    """Return numbers between two limits that are zero or clear of it: others that are nearly zero are refused."""
+    return st.floats(low, high).map(lambda value: value if abs(value) > 1e-12 else 0.0)
+
+
+MODULI_OF_SOIL = st.floats(5e6, 2e8)
+STIFFNESSES = st.floats(5e6, 2e8)  # k0 [Pa/m]
+SHEAR_STIFFNESSES = st.floats(1e5, 1e8)  # k1 [Pa m]
+POISSON = st.just(0) | numbers(0.0, 0.45)
+GAMMAS = st.just("iterate") | st.floats(0.3, 5.0)
+
+
+def any_of(part: type[Part], name: str) -> st.SearchStrategy[Any]:
+    """Return all values of a key that is a choice, a flag or a text, from what the key says itself."""
+    key = key_of(part.model_fields[name])
+    if isinstance(key, Choice):
+        return st.sampled_from(key.words)
+    if isinstance(key, Flag):
+        return st.booleans()
+    assert isinstance(key, Text)
+    return st.text(st.characters(exclude_categories=["Cs"]), max_size=12)
+
+
+def edges() -> st.SearchStrategy[Edges]:
+    """Return supports of any kind, mostly none."""
+    any_edges = st.builds(Edges, **{side: any_of(Edges, side) for side in Edges.model_fields})
+    return st.just(Edges()) | any_edges
+
+
+def plates() -> st.SearchStrategy[Plate]:
+    """Return plates of a few metres, thin and thick."""
+    return st.builds(
+        Plate,
+        length_x=st.floats(2.0, 12.0),
+        length_y=st.floats(2.0, 12.0),
+        thickness=st.floats(0.1, 1.0),
+        E=st.floats(1e10, 4e10),
+        nu=POISSON,
+        shear_factor=st.just(5 / 6) | st.floats(0.5, 1.0),
+        element=any_of(Plate, "element"),
+        edges=edges(),
+    )
+
+
+def soil_layers(sublayers: int = 1) -> st.SearchStrategy[SoilLayer]:
+    """Return layers given by elastic constants, with up to so many sublayers."""
+    common = {
+        "E": MODULI_OF_SOIL,
+        "nu": POISSON,
+        "thickness": st.floats(0.5, 8.0),
+        "sublayers": st.integers(1, sublayers),
+    }
+    varying = st.builds(SoilLayer, E_bottom=MODULI_OF_SOIL, variation=any_of(SoilLayer, "variation"), **common)
+    return st.builds(SoilLayer, **common) | varying
+
+
+def _lists(items: st.SearchStrategy[Any], most: int = 3) -> st.SearchStrategy[list[Any]]:
+    return st.lists(items, min_size=1, max_size=most)
+
+
+def _vlasov() -> st.SearchStrategy[Vlasov]:
+    formulas = any_of(Vlasov, "formulas")
+    one = st.builds(
+        Vlasov, layers=_lists(soil_layers(), 1), gamma=GAMMAS, mode=any_of(Vlasov, "mode"), formulas=formulas
+    )
+    several = st.builds(Vlasov, layers=_lists(soil_layers()), gamma=GAMMAS, mode=st.sampled_from(["auto", "profile"]))
+    return one | several
+
+
+def _layered() -> st.SearchStrategy[Layered]:
+    by_k = st.builds(InterfaceLayer, k0=STIFFNESSES, k1=SHEAR_STIFFNESSES)
+    return (
+        st.builds(Layered, coupling=st.just("interface"), layers=_lists(by_k))
+        | st.builds(
+            Layered,
+            coupling=st.just("interface"),
+            layers=_lists(soil_layers()),
+            gamma=GAMMAS,
+            formulas=any_of(Layered, "formulas"),
+        )
+        | st.builds(Layered, coupling=st.just("consistent"), layers=_lists(soil_layers(sublayers=3), 2))
+    )
+
+
+def grounds() -> st.SearchStrategy[Winkler | Pasternak | Vlasov | Layered]:
+    """Return grounds of every kind."""
+    selvadurai = st.builds(Selvadurai, E=MODULI_OF_SOIL, depth=st.floats(1.0, 20.0))
+    return (
+        st.builds(Winkler, k=STIFFNESSES)
+        | st.builds(Winkler, selvadurai=selvadurai)
+        | st.builds(Pasternak, k0=STIFFNESSES, k1=st.just(0) | SHEAR_STIFFNESSES)
+        | _vlasov()
+        | _layered()
+    )
+
+
+@st.composite
+def beyonds(draw: st.DrawFn) -> Beyond:
+    """Return what may lie beyond the plate."""
+    kind = draw(any_of(Beyond, "kind"))
+    sides = draw(st.lists(st.sampled_from(["left", "right", "bottom", "top"]), min_size=1, unique=True))
+    if kind == "none":
+        return Beyond()
+    if kind == "infinite":
+        return Beyond(kind=kind, sides=sides, width=draw(st.none() | st.floats(0.5, 10.0)))
+    return Beyond(kind=kind, sides=sides, width=draw(st.floats(0.5, 10.0)), edge=draw(any_of(Beyond, "edge")))
+
+
+@st.composite
+def extents(draw: st.DrawFn, length: float) -> tuple[float, float]:
+    """Return start and end of a stretch of a side of the plate."""
+    start = draw(st.sampled_from([-0.5, -0.25]) | numbers(-0.5, 0.4))
+    end = draw(st.sampled_from([0.5, start + 0.1]) | numbers(start + 0.05, 0.5))
+    return start * length, min(end, 0.5) * length
+
+
+def contacts(plate: Plate) -> st.SearchStrategy[Contact]:
+    """Return contact with and without tension, gap and voids."""
+    voids = st.builds(Void, depth=st.floats(1e-4, 1e-2), x=extents(plate.length_x), y=extents(plate.length_y))
+    return (
+        st.just(Contact())
+        | st.just(Contact(tensionless=False))
+        | st.builds(Contact, gap=st.just(0) | numbers(0.0, 1e-2), voids=st.lists(voids, max_size=2))
+    )
+
+
+def loads(plate: Plate) -> st.SearchStrategy[list[UniformLoad | PatchLoad | PointLoad]]:
+    """Return loads that all press downwards, so that there is always an equilibrium."""
+    x, y = plate.length_x, plate.length_y
+    name = st.just("") | any_of(PointLoad, "name")
+    fraction = st.sampled_from([-0.5, 0.0, 0.5]) | numbers(-0.5, 0.5)
+    uniform = st.builds(UniformLoad, name=name, q=st.floats(1e3, 1e5))
+    patch = st.builds(PatchLoad, name=name, q=st.floats(1e3, 1e6), x=extents(x), y=extents(y))
+    point = st.builds(
+        PointLoad,
+        name=name,
+        P=st.floats(1e3, 1e6),
+        x=fraction.map(lambda value: value * x),
+        y=fraction.map(lambda value: value * y),
+    )
+    return st.builds(lambda first, more: [first, *more], uniform, st.lists(patch | point, max_size=3))
+
+
+def meshes(plate: Plate) -> st.SearchStrategy[Mesh]:
+    """Return meshes of at most eight elements along the longer side."""
+    longer = max(plate.length_x, plate.length_y)
+    symmetry = any_of(Mesh, "symmetry")
+    counts = st.tuples(st.integers(1, 8), st.integers(1, 8))
+    sizes = st.floats(longer / 8, longer)
+    return st.builds(Mesh, counts=counts, symmetry=symmetry) | st.builds(Mesh, size=sizes, symmetry=symmetry)
+
+
+def analyses() -> st.SearchStrategy[Analysis]:
+    """Return ways to solve, the solver left to the program or the one that is installed everywhere."""
+    return st.builds(
+        Analysis,
+        increments=st.integers(1, 3),
+        solver=st.sampled_from(["auto", "superlu"]),
+        nested=any_of(Analysis, "nested"),
+        max_iterations=st.just(200) | st.integers(100, 300),
+    )
+
+
+@st.composite
+def models(draw: st.DrawFn) -> Model:
+    """Return whole descriptions."""
+    plate, ground = draw(plates()), draw(grounds())
+    return Model(
+        title=draw(any_of(Model, "title")),
+        plate=plate,
+        ground=ground,
+        beyond=draw(beyonds()),
+        contact=draw(contacts(plate)),
+        loads=draw(loads(plate)),
+        mesh=draw(meshes(plate)),
+        analysis=draw(analyses()),
+    )
+
+
+# --- everything else that a description may hold ---------------------------------------------------------------------
+
+NAMES = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=12)
+SHARES = st.integers(-100, 100).map(lambda number: number / 200)
+EIGHTHS = st.integers(-4, 4)  # of a side of the plate: places that a coarse mesh can meet
+
+
+def _unique_names(draw: st.DrawFn, count: int, letter: str, free: bool) -> list[str]:
+    """Return names of which none comes twice: of any letters, or plain ones where they are to be read."""
+    if free:
+        return draw(st.lists(NAMES, min_size=count, max_size=count, unique=True))
+    return [f"{letter}{number}" for number in range(1, count + 1)]
+
+
+@st.composite
+def point_supports(draw: st.DrawFn, plate: Plate, name: str) -> PointSupport:
+    """Return supports at points, of every kind, on the eighths of a plate's sides."""
+    acts = draw(any_of(PointSupport, "acts"))
+    keys: dict[str, Any] = {"x": draw(EIGHTHS) / 8 * plate.length_x, "y": draw(EIGHTHS) / 8 * plate.length_y}
+    if acts != "both ways":
+        keys |= {"gap": draw(st.just(0) | st.floats(1e-5, 5e-3)), "limit": draw(st.none() | st.floats(1e3, 1e6))}
+    turn: dict[str, Any] = draw(
+        st.sampled_from([{}, {}, {"rotation": "fixed"}])
+        | st.builds(lambda k: {"rotational_stiffness": k}, st.floats(1e5, 1e9))
+    )
+    return PointSupport(name=name, acts=acts, stiffness=draw(st.none() | st.floats(1e6, 1e9)), **keys, **turn)
+
+
+@st.composite
+def line_supports(draw: st.DrawFn, plate: Plate, name: str) -> LineSupport:
+    """Return supports along x, along y and round a corner, of every kind."""
+    x, y = sorted(draw(st.tuples(EIGHTHS, EIGHTHS))), sorted(draw(st.tuples(EIGHTHS, EIGHTHS)))
+    x[1] += (x[0] == x[1]) * (1 if x[1] < 4 else 0)
+    x[0] -= x[0] == x[1]
+    y[1] += (y[0] == y[1]) * (1 if y[1] < 4 else 0)
+    y[0] -= y[0] == y[1]
+    along = draw(st.sampled_from([[(x[0], y[0]), (x[1], y[0])], [(x[0], y[0]), (x[0], y[1])],
+                                  [(x[0], y[0]), (x[1], y[0]), (x[1], y[1])]]))  # fmt: skip
+    points = [(a / 8 * plate.length_x, b / 8 * plate.length_y) for a, b in along]
+    acts, stiffness = draw(any_of(LineSupport, "acts")), draw(st.none() | st.floats(1e6, 1e9))
+    keys: dict[str, Any] = {}
+    if acts != "both ways":
+        keys = {"gap": draw(st.just(0) | st.floats(1e-5, 5e-3)), "limit": draw(st.none() | st.floats(1e3, 1e6))}
+    elif stiffness is None:
+        keys = {"rotation": draw(any_of(LineSupport, "rotation"))}
+    return LineSupport(name=name, points=points, stiffness=stiffness, acts=acts, **keys)
+
+
+@st.composite
+def shapes(draw: st.DrawFn, plate: Plate) -> Rectangle | Circle | Polygon:
+    """Return shapes that lie on a plate."""
+    x, y = draw(extents(plate.length_x)), draw(extents(plate.length_y))
+    kind = draw(st.sampled_from(["rectangle", "circle", "polygon"]))
+    if kind == "rectangle":
+        return Rectangle(x=x, y=y)
+    if kind == "circle":
+        radius = min(x[1] - x[0], y[1] - y[0]) / 2
+        return Circle(centre=(sum(x) / 2, sum(y) / 2), radius=radius)
+    if draw(st.booleans()):
+        middle, radius = (sum(x) / 2, sum(y) / 2), min(x[1] - x[0], y[1] - y[0]) / 2
+        ends = [(middle[0] - radius, middle[1]), (middle[0] + radius, middle[1])]
+        return Polygon(points=ends, bulges=(1.0,))
+    return Polygon(points=[(x[0], y[0]), (x[1], y[0]), (x[0], y[1])])
+
+
+@st.composite
+def columns(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Column]:
+    """Return columns that stand on the plate, round and rectangular."""
+    made = []
+    for name in names:
+        x, y = draw(numbers(-0.4, 0.4)) * plate.length_x, draw(numbers(-0.4, 0.4)) * plate.length_y
+        size = st.floats(0.02, 0.19).map(lambda share: share * min(plate.sides))
+        keys = draw(st.builds(lambda d: {"diameter": d}, size)
+                    | st.builds(lambda a, b: {"width_x": a, "width_y": b}, size, size))  # fmt: skip
+        made.append(Column(name=name, x=x, y=y, **keys))
+    return made
+
+
+@st.composite
+def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], supports: list[Any]) -> Any:
+    """Return a load of any kind, of either sign."""
+    kinds = ["uniform", "patch", "area", "line", "point", "footprint", "self weight", "temperature"]
+    kinds += ["column"] * bool(columns) + ["settlement"] * bool(supports)
+    kind = draw(st.sampled_from(kinds))
+    size = min(plate.sides)
+    keys: dict[str, Any] = {"case": case, "name": draw(st.just("") | any_of(PointLoad, "name"))}
+    q = draw(st.floats(1e3, 2e5) | st.floats(-1e4, -1e2))
+    inside_x, inside_y = (0.8 * draw(SHARES) * side for side in plate.sides)
+    varying: dict[str, Any] = draw(st.just({}) | st.builds(
+        lambda a, b, c: {"slope": (a * q / size, b * q / size), "about": (c, 0.0),
+                         "bend": (c * q / size**2, 0.0, a * q / size**2)},
+        SHARES, SHARES, SHARES))  # fmt: skip
+    if kind == "uniform":
+        return UniformLoad(q=q, **varying, **keys)
+    if kind == "patch":
+        return PatchLoad(q=q, x=draw(extents(plate.length_x)), y=draw(extents(plate.length_y)), **varying, **keys)
+    if kind == "area":
+        shape = draw(shapes(plate))
+        holes = [Circle(centre=shape.centre, radius=shape.radius / 2)] if isinstance(shape, Circle) else []
+        return AreaLoad(q=q, shape=shape, holes=draw(st.sampled_from([[], holes])), **varying, **keys)
+    if kind == "line":
+        far = tuple(draw(SHARES) * side for side in plate.sides)
+        start = inside_x, inside_y
+        if start == far:
+            far = plate.length_x / 2, plate.length_y / 2
+        bulges = draw(st.just(()) | st.tuples(numbers(-1.5, 1.5)))
+        q_end = draw(st.none() | st.sampled_from([0.0, 2e4, -5e3]))
+        return LineLoad(q=q, q_end=q_end, points=[start, far], bulges=bulges, **keys)
+    moments = {"M_x": draw(st.just(0) | SHARES) * q * size / 2,
+               "M_y": draw(st.just(0) | SHARES) * q * size / 2}  # fmt: skip
+    if kind == "column":
+        return PointLoad(P=q, column=draw(st.sampled_from(columns)).name, **moments, **keys)
+    if kind == "point":
+        return PointLoad(P=q, x=inside_x, y=inside_y, **moments, **keys)
+    if kind == "footprint":
+        width = draw(st.floats(0.02, 0.19)) * size
+        foot = draw(st.sampled_from([{"diameter": width}, {"width_x": width, "width_y": width / 2}]))
+        return PointLoad(P=q, x=inside_x, y=inside_y, **foot, **moments, **keys)
+    if kind == "temperature":
+        return TemperatureLoad(difference=60 * draw(SHARES), **keys)
+    if kind == "settlement":
+        return SettlementLoad(support=draw(st.sampled_from(supports)).name, w=draw(SHARES) / 100, **keys)
+    return SelfWeight(unit_weight=25e3, **keys)
+
+
+@st.composite
+def rich_contacts(draw: st.DrawFn, plate: Plate, whole: bool) -> Contact:
+    """Return contact with voids of any shape, cavities, a limit of the pressure and, if whole, measured gaps."""
+    if draw(st.integers(0, 5)) == 0:
+        return Contact(tensionless=False)
+    depth = st.none() | st.floats(1e-4, 1e-2)
+    void = st.builds(Void, depth=depth, x=extents(plate.length_x), y=extents(plate.length_y)) | st.builds(
+        Void, depth=depth, shape=shapes(plate)
+    )
+    gap_point = st.builds(GapPoint, x=numbers(-5, 5), y=numbers(-5, 5), gap=numbers(-1e-3, 1e-2))
+    return Contact(
+        gap=draw(st.just(0) | numbers(0.0, 1e-2)),
+        voids=draw(st.lists(void, max_size=2)),
+        gaps=draw(st.lists(gap_point, max_size=3, unique_by=lambda point: (point.x, point.y))) if whole else (),
+        limit_pressure=draw(st.none() | st.floats(2e4, 2e6)),
+    )
+
+
+@st.composite
+def combinations(draw: st.DrawFn, cases: list[LoadCase], free: bool) -> list[Combination]:
+    """Return combinations of cases, also such that take away from each other."""
+    made = []
+    for name in _unique_names(draw, draw(st.integers(0, 3)), "K", free):
+        factors = {case.name: draw(st.sampled_from([1.0, 1.35, 1.5, 0.0, -0.5, 0.123]))
+                   for case in cases if draw(st.booleans())}  # fmt: skip
+        if not any(factors.values()):
+            factors = {cases[0].name: 1.0}
+        made.append(Combination(name=name, limit_state=draw(any_of(Combination, "limit_state")), factors=factors))
+    return made
+
+
+@st.composite
+def load_cases(draw: st.DrawFn) -> list[LoadCase]:
+    """Return up to three cases."""
+    made = []
+    for name in _unique_names(draw, draw(st.integers(0, 3)), "case ", False):
+        shares = sorted((draw(st.floats(0.1, 1)), draw(st.floats(0.1, 1))))
+        variable = draw(st.booleans()) and bool(made)
+        keys = {"psi_0": draw(numbers(0, 1)), "psi_1": shares[1], "psi_2": shares[0]} if variable else {}
+        group = draw(st.sampled_from(["", "wind"])) if variable else ""
+        made.append(LoadCase(name=name, action="variable" if variable else "permanent", group=group, **keys))
+    return made
+
+
+def combines() -> st.SearchStrategy[Combine]:
+    """Return automatic combinations of some limit states."""
+    sets = st.lists(any_of_each(Combine, "sets"), min_size=1, max_size=2, unique=True)
+    return st.builds(Combine, sets=sets, permanent=st.sampled_from([(1.35, 1.0), (1.1, 0.9)]))
+
+
+def any_of_each(part: type[Part], name: str) -> st.SearchStrategy[Any]:
+    """Return all words of which a key holds a list."""
+    key = key_of(part.model_fields[name])
+    assert isinstance(key, Several)
+    assert isinstance(key.each, Choice)
+    return st.sampled_from(key.each.words)
+
+
+@st.composite
+def outputs(draw: st.DrawFn, plate: Plate) -> Output:
+    """Return points, lines and strips on the plate."""
+    share = numbers(-0.5, 0.5)
+
+    def place() -> tuple[float, float]:
+        return draw(share) * plate.length_x, draw(share) * plate.length_y
+
+    points = [OutputPoint(name=name, x=x, y=y) for name in _unique_names(draw, draw(st.integers(0, 2)), "", True)
+              for x, y in [place()]]  # fmt: skip
+    across = ((-plate.length_x / 2, 0.0), (plate.length_x, plate.length_y / 4))
+    lines = [OutputLine(name=name, start=across[0], end=across[1]) for name in draw(st.lists(NAMES, max_size=1))]
+    strips = [OutputStrip(name=name, start=across[0], end=across[1], width=draw(st.floats(0.1, 2.0)),
+                          stations=draw(st.integers(2, 30))) for name in draw(st.lists(NAMES, max_size=1))]  # fmt: skip
+    return Output(points=points, lines=lines, strips=strips)
+
+
+def reinforcements(plate: Plate) -> st.SearchStrategy[Reinforcement]:
+    """Return concrete, steel and bars that fit into the plate."""
+    cover = st.floats(0.05, 0.45).map(lambda share: share * plate.thickness)
+    pair = st.tuples(cover, cover)
+    return st.builds(
+        Reinforcement, f_ck=st.floats(12e6, 90e6), f_yk=st.floats(4e8, 6e8), gamma_c=st.floats(1.0, 2.0),
+        gamma_s=st.floats(1.0, 2.0), alpha_cc=st.floats(0.5, 1.0), bottom=pair, top=pair,
+    )  # fmt: skip
+
+
+@st.composite
+def varied_ground(draw: st.DrawFn, ground: Any, plate: Plate) -> dict[str, Any]:
+    """Return zones of soil, or boreholes, that go with a ground; none for many."""
+    if draw(st.booleans()):
+        return {}
+    soil = isinstance(ground, Vlasov | Layered) and all(isinstance(layer, SoilLayer) for layer in ground.layers)
+    if soil and draw(st.booleans()) and not (isinstance(ground, Vlasov) and ground.formulas == "as printed"):
+        places = st.tuples(numbers(-20, 20), numbers(-20, 20))
+        holes = []
+        for x, y in draw(st.lists(places, min_size=1, max_size=3, unique=True)):
+            layers = [layer.replace(E=draw(MODULI_OF_SOIL), thickness=draw(st.floats(0.1, 9.0)), nu=draw(POISSON))
+                      for layer in ground.layers]  # fmt: skip
+            holes.append(Borehole(name=draw(st.just("") | NAMES), x=x, y=y, layers=layers))
+        return {"boreholes": holes}
+    return {"soil_zones": [SoilZone(shape=draw(shapes(plate)), ground=ground)]}
+
+
+@st.composite
+def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
+    """Return descriptions with supports, columns, cases and every kind of load; if whole, with every key there is."""
+    plate, ground = draw(plates()), draw(grounds())
+    if not whole and getattr(ground, "formulas", "exact") == "as printed":
+        ground = ground.replace(formulas="exact")  # gamma need not converge with the misprints
+    plate = plate.replace(thermal_expansion=draw(st.sampled_from([1e-5, 1.2e-5])))
+    supports: list[Any] = [draw(point_supports(plate, name) | line_supports(plate, name))
+                           for name in _unique_names(draw, draw(st.integers(0, 3)), "S", whole)]  # fmt: skip
+    stand = draw(columns(plate, _unique_names(draw, draw(st.integers(0, 2)), "C", whole)))
+    cases = draw(load_cases())
+    loads = [draw(any_load(plate, case, stand, supports))
+             for case in [each.name for each in cases] or [""] for _ in range(draw(st.integers(1, 2)))]  # fmt: skip
+    # a weight, so that most of them can be balanced
+    loads.insert(0, UniformLoad(q=draw(st.floats(1e3, 1e5)), case=cases[0].name if cases else ""))
+    extra: dict[str, Any] = {}
+    if whole:
+        extra = {"output": draw(outputs(plate))} | draw(varied_ground(ground, plate))
+    if cases:
+        extra |= {"combinations": draw(combinations(cases, whole)), "combine": draw(st.none() | combines())}
+    if whole and has_ultimate(tuple(extra.get("combinations", ())), extra.get("combine")):
+        extra["reinforcement"] = draw(st.none() | reinforcements(plate))
+    longer = max(plate.sides)
+    mesh = Mesh(size=draw(st.floats(longer / 6, longer / 2))) if supports else draw(meshes(plate))
+    return Model(
+        plate=plate,
+        ground=ground,
+        beyond=draw(beyonds()),
+        contact=draw(rich_contacts(plate, whole)),
+        supports=supports,
+        columns=stand,
+        cases=cases,
+        loads=loads,
+        mesh=mesh,
+        analysis=draw(analyses()) if whole else draw(analyses()).replace(max_iterations=400),
+        **extra,
+    )

@@ -1,0 +1,112 @@
+"""What a solver's process does in tests: it takes orders from the text instead of solving it."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.workbench.checking import parsing
+from groundslab.workbench.checking.parsing import Reading
+from groundslab.workbench.editing.document import Document
+from groundslab.workbench.solver.process import Answer, Progress
+
+
+def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
+    """Do what the text's last order says, else its first word; a file ends waiting when it is there."""
+    word, _, file = text.rpartition("order: ")[2].partition(" ")
+    if word == "wait":
+        while not Path(file).exists():
+            progress("waits", None)
+            time.sleep(0.005)
+    elif word == "stuck":
+        progress("sticks", None)
+        while not Path(file).exists():
+            time.sleep(0.005)
+    elif word == "die":
+        os.kill(os.getpid(), signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
+    elif word == "leave":
+        os._exit(3)
+    elif word == "fault":
+        raise InputError([Fault("mesh.size", '"1 mm"', "a larger size")])
+    elif word == "refuse":
+        raise GroundslabError("no")
+    elif word == "memory":
+        raise MemoryError
+    elif word == "bug":
+        raise ZeroDivisionError("by zero")
+    progress("half", 0.5)
+    return Answer(0.0, {}, {"text": text}), text.encode() * 1000, text
+
+
+def prepare_for_ever(progress: Progress) -> None:
+    """Go on until there is something to do."""
+    while True:
+        progress("prepares", None)
+        time.sleep(0.005)
+
+
+class Broken:
+    """Ends the process that is handed it, before that has begun."""
+
+    def __call__(self, progress: Progress) -> None:
+        """Never come to this."""
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """Be an exit where it is unpickled."""
+        return os._exit, (4,)
+
+
+class Inline:
+    """Calls functions at once in the process of the tests, where they can be replaced."""
+
+    def call(self, function: Callable[..., Any], *arguments: Any, **_: Any) -> Any:
+        """Return what the function returns."""
+        return function(*arguments)
+
+    def close(self) -> None:
+        """Do nothing."""
+
+
+def slow(file: str) -> str:
+    """Return when a file is there."""
+    while not Path(file).exists():
+        time.sleep(0.005)
+    return file
+
+
+def grow() -> int:
+    """Take memory without end."""
+    kept = []
+    while True:
+        kept.append(bytes(10_000_000))
+
+
+def large() -> bytes:
+    """Return a large answer."""
+    return bytes(101_000_000)
+
+
+def end() -> None:
+    """End the process."""
+    os._exit(3)
+
+
+def unusual() -> None:
+    """Raise an error that cannot be pickled."""
+
+    class Local(Exception):
+        pass
+
+    raise Local("local")
+
+
+def read_slowly(document: Document) -> Reading:
+    """Return what a text means; one with "# slow" takes for ever."""
+    while "# slow" in document.text:
+        time.sleep(0.005)
+    return parsing.understand(document)

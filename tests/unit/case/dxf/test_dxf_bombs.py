@@ -1,0 +1,140 @@
+"""Drawings that cost more than they say: how much there is to do is counted before it is done, and too much refused."""
+
+from __future__ import annotations
+
+import re
+import resource
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from groundslab.case import dxf
+from groundslab.case.dxf import document, reader, sheet
+from groundslab.errors import InputError
+from helpers import bombs
+
+#: Reads a drawing, writes case and report, and prints what is wrong with it.
+READ = """
+import sys
+from groundslab.case import dxf
+from groundslab.errors import InputError
+try:
+    drawing = dxf.read(sys.argv[1])
+    dxf.to_case(drawing), dxf.report_text(drawing)
+except InputError as error:
+    print(error)
+"""
+
+
+def said(path: Path, text: str) -> str:
+    """Return what is wrong with a drawing that a process of a gigabyte, and half a minute of processor, reads."""
+    path.write_text(text)
+
+    def bounds() -> None:
+        resource.setrlimit(resource.RLIMIT_AS, (2**30, 2**30))
+        resource.setrlimit(resource.RLIMIT_CPU, (30, 30))
+
+    command = [sys.executable, "-c", READ, str(path)]
+    threads = {"OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": ":".join(sys.path)}
+    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=bounds, check=False, env=threads)
+    assert (done.returncode, done.stderr) == (0, "")
+    return done.stdout
+
+
+@pytest.mark.parametrize("name", bombs.SMALL)
+def test_small_files_that_are_much(name: str, tmp_path: Path) -> None:
+    """A short file ends soon, in little memory, and with words that say what there is too much of."""
+    text, words = bombs.SMALL[name]
+    found = said(tmp_path / "plan.dxf", text)
+    assert re.search(words, found) if words else found == "", found
+    assert len(found.splitlines()) <= 101
+
+
+def test_a_spline_of_large_waves(tmp_path: Path) -> None:
+    """A spline of 100,000 km is met within a hundred-thousandth of its size, not within a millimetre."""
+    wave = [(1e5 * k, 1e8 * (k % 2)) for k in range(100)]
+    assert "lines that close end to end" in said(tmp_path / "plan.dxf", bombs.document(bombs.spline(wave)))
+
+
+@pytest.mark.parametrize("layer", ["OUTLINE", "OPENINGS", "COLUMNS", "ZONES", "LOAD_AREA"])
+def test_many_circles(layer: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The edges of curves are counted; more than the limit are refused before they are compared."""
+    monkeypatch.setattr(reader, "MOST_EDGES", 500)
+    (tmp_path / "plan.dxf").write_text(bombs.circles(300, layer))
+    with pytest.raises(InputError, match="more than 500 edges of curves"):
+        dxf.read(tmp_path / "plan.dxf")
+
+
+@pytest.mark.parametrize("layer", ["OUTLINE", "OPENINGS", "COLUMNS", "LOAD_AREA"])
+def test_what_is_compared_grows_with_the_number_of_circles(layer: str, tmp_path: Path) -> None:
+    """Four times as many circles beside each other make about four times as many comparisons, not sixteen."""
+    counts = []
+    for number in (400, 1600):
+        counted = sheet.Sheet(str(tmp_path / "plan.dxf"))
+        (tmp_path / "plan.dxf").write_text(bombs.circles(number, layer))
+        with pytest.MonkeyPatch.context() as patched:
+            patched.setattr(reader, "Sheet", {str(tmp_path / "plan.dxf"): counted}.__getitem__)
+            dxf.read(tmp_path / "plan.dxf")
+        counts.append(sum(counted.spent.values()))
+        assert counts[-1] < 20 * number
+    assert counts[1] < 6 * counts[0]
+
+
+@pytest.mark.parametrize("height", [0.1, 0.2, 50.0])
+def test_pairs_of_texts_and_loads_grow_with_their_number(height: float, tmp_path: Path) -> None:
+    """However large the texts are, only pairs with the nearest loads are looked at: some dozens for each text."""
+    for number in (400, 1600):
+        counted = sheet.Sheet(str(tmp_path / "plan.dxf"))
+        (tmp_path / "plan.dxf").write_text(bombs.loads(number, height))
+        with pytest.MonkeyPatch.context() as patched:
+            patched.setattr(reader, "Sheet", {str(tmp_path / "plan.dxf"): counted}.__getitem__)
+            try:
+                drawing = dxf.read(tmp_path / "plan.dxf")
+            except InputError:
+                assert height == 50.0  # where each text stands over many loads, some get none
+            else:
+                assert [load.value for load in drawing.point_loads] == [10e3] * number
+        assert counted.spent["pairs of texts and loads near each other"] < 150 * number
+
+
+def test_many_entities(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """More entities than the limit on the layers that are read are refused; on other layers they do not count."""
+    monkeypatch.setattr("groundslab.case.dxf.blocks.LARGEST", 100)
+    (tmp_path / "plan.dxf").write_text(bombs.circles(101, "OTHER"))
+    dxf.read(tmp_path / "plan.dxf")
+    (tmp_path / "plan.dxf").write_text(bombs.circles(101, "OPENINGS"))
+    with pytest.raises(InputError, match="102 entities on the layers that are read, those of"):
+        dxf.read(tmp_path / "plan.dxf")
+
+
+def test_a_comb_of_overlapping_boxes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Edges whose boxes all overlap would be compared each with each; the pairs are counted first."""
+    monkeypatch.setattr(sheet, "MOST_PAIRS", 10_000)
+    (tmp_path / "plan.dxf").write_text(bombs.comb(400))
+    with pytest.raises(InputError, match="more than 10,000 pairs of edges near each other"):
+        dxf.read(tmp_path / "plan.dxf")
+
+
+def test_lines_that_meet_in_one_point(tmp_path: Path) -> None:
+    """A star of lines is a fault of its middle, and is looked at in one go."""
+    star = bombs.many(3000, lambda x, y: bombs.line(0, 0, 1 + x, 1 + y + 0.001 * x, "OPENINGS"))
+    assert "lines that meet in one point" in said(tmp_path / "plan.dxf", bombs.document(star))
+
+
+def test_a_long_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file above the limit is not opened; the fault says its size."""
+    monkeypatch.setattr(document, "LARGEST_FILE", 1_000)
+    (tmp_path / "plan.dxf").write_text(bombs.circles(300, "OTHER"))
+    with pytest.raises(InputError, match=r"got a file of 0 MB, expected at most 0 MB; save only the layers"):
+        dxf.read(tmp_path / "plan.dxf")
+
+
+def test_a_pipe_is_not_waited_for(tmp_path: Path) -> None:
+    """A pipe, which might never end, is no file."""
+    import os
+
+    os.mkfifo(tmp_path / "pipe.dxf")
+    with pytest.raises(InputError, match="a device or a pipe"):
+        dxf.read(tmp_path / "pipe.dxf")

@@ -1,0 +1,622 @@
+"""The command line: what goes where, and which exit code comes back."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import tomllib
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import ezdxf
+import pytest
+
+import groundslab
+from groundslab.case import casefile
+from groundslab.cli import console, main
+from groundslab.errors import Fault, GroundslabError, InputError, NoEquilibrium, NotConverged
+from groundslab.model.columns import Column
+from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.model import Mesh
+from groundslab.model.supports import LineSupport, PointSupport
+from groundslab.results.results import Combined
+from groundslab.views.files import npz, results_folder
+from helpers import synthetic
+
+
+def fake(monkeypatch: pytest.MonkeyPatch, name: str, **contents: Any) -> None:
+    """Put a module of made-up contents in the place of one of the package's."""
+    module = ModuleType(f"groundslab.{name}")
+    vars(module).update(contents)
+    monkeypatch.setitem(sys.modules, f"groundslab.{name}", module)
+    parent, _, leaf = name.rpartition(".")
+    monkeypatch.setattr(import_module(f"groundslab.{parent}"), leaf, module, raising=False)
+
+
+def solver(outcome: Any) -> Any:
+    """Return a stand-in for the analysis, which reports one step and then returns or raises the outcome."""
+
+    def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
+        (combination,) = combinations_of(model)
+        if on_combination is not None:
+            on_combination(combination)
+        if on_step is not None:
+            on_step(synthetic.results().steps[0])
+        if isinstance(outcome, GroundslabError) and not isinstance(outcome, InputError):
+            return Combined(model, (combination,), {}, {combination.name: outcome})
+        if isinstance(outcome, BaseException):
+            raise outcome
+        return results_folder.alone(replace(outcome, model=model))
+
+    return solve
+
+
+@pytest.fixture
+def case(tmp_path: Path) -> Path:
+    """Return a case file."""
+    path = tmp_path / "raft.toml"
+    path.write_text(casefile.to_toml(synthetic.model()), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def solved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the analysis return made-up results."""
+    fake(monkeypatch, "analysis.driver", solve_combinations=solver(synthetic.results()))
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the command line in a process of its own."""
+    return subprocess.run([sys.executable, "-m", "groundslab", *arguments], capture_output=True, text=True, check=False)
+
+
+@pytest.mark.usefixtures("solved")
+class TestSolve:
+    """groundslab solve."""
+
+    def test_keeps_results_beside_the_case(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Without --out the folder is named after the case; the summary goes to standard output."""
+        assert main.main(["solve", str(case)]) == 0
+        out, err = capsys.readouterr()
+        assert "largest settlement" in out
+        assert "raft-results" in err
+        read = npz.load(case.with_name("raft-results") / "results.npz")
+        synthetic.assert_same(read, synthetic.results())
+
+    def test_json_is_alone_on_standard_output(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Standard output is one JSON document, and standard error is silent without a terminal."""
+        assert main.main(["solve", str(case), "--json", "--out", str(case.parent / "o"), "--plot"]) == 0
+        out, err = capsys.readouterr()
+        assert json.loads(out)["certified"] is True
+        assert err == ""
+        assert (case.parent / "o" / "picture.png").exists()
+
+    def test_a_design_that_fails_has_the_last_word(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A certified analysis ends with 0; that its design fails is the last word, and among the first lines."""
+        model = synthetic.model().replace(
+            cases=[{"name": "G"}],
+            loads=[{"kind": "uniform", "q": 1e3, "case": "G"}],
+            combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
+            reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+        )
+        case.write_text(casefile.to_toml(model), encoding="utf-8")
+        made = synthetic.results(combination="ULS", limit_state="ultimate", factors=(("G", 1.35),))
+        made = replace(made, plate=replace(made.plate, moment_x=made.plate.moment_x + 20e6))
+        fake(monkeypatch, "analysis.driver", solve_combinations=solver(made))
+        assert main.main(["solve", str(case)]) == 0
+        out, err = capsys.readouterr()
+        assert out.splitlines()[2].startswith("DESIGN FAILS: 1 of")
+        assert err.splitlines()[-1].startswith("DESIGN FAILS: 1 of")
+        assert "exit code 0" in err.splitlines()[-1]
+
+    def test_quiet_says_nothing(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Results are kept, nothing is printed."""
+        assert main.main(["solve", str(case), "--quiet"]) == 0
+        assert capsys.readouterr() == ("", "")
+        assert (case.parent / "raft-results" / "summary.json").exists()
+
+    def test_an_uncertified_result_is_no_success(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A certificate that fails gives exit code 1, a message, and results that say so."""
+        bad = replace(synthetic.CERTIFICATE, residual=1.0)
+        fake(monkeypatch, "analysis.driver", solve_combinations=solver(synthetic.results(certificate=bad)))
+        assert main.main(["solve", str(case)]) == 1
+        out, err = capsys.readouterr()
+        assert "FAILED" in out
+        assert "it must not be used" in err
+        assert json.loads((case.parent / "raft-results" / "summary.json").read_text())["certified"] is False
+
+    @pytest.mark.parametrize(
+        ("outcome", "code", "words"),
+        [
+            (NoEquilibrium("the loads pull the plate off"), 1, "the loads pull the plate off"),
+            (NotConverged("contact", list(synthetic.results().steps), {}), 1, "Convergence history"),
+            (NotConverged("gamma", [1.1, 1.2], {}), 1, "gamma did not converge in 2 steps"),
+            (NotConverged("contact", [{"iteration": 1, "changed": 61}], {}), 1, "  iteration 1, changed 61"),
+            (InputError([Fault("mesh", "a", "b")]), 2, "mesh"),
+            (MemoryError(), 1, "memory"),
+            (KeyboardInterrupt(), 130, "interrupted"),
+        ],
+    )
+    def test_what_the_analysis_raises(
+        self,
+        case: Path,
+        monkeypatch: pytest.MonkeyPatch,
+        capsys: pytest.CaptureFixture[str],
+        outcome: BaseException,
+        code: int,
+        words: str,
+    ) -> None:
+        """Each failure has its exit code and a message on standard error; nothing is written."""
+        fake(monkeypatch, "analysis.driver", solve_combinations=solver(outcome))
+        assert main.main(["solve", str(case)]) == code
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert words in err
+        assert [path.name for path in case.parent.iterdir()] == ["raft.toml"]
+
+    def test_asks_for_the_folder_before_the_analysis(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """A folder with foreign files is refused before any time is spent."""
+        fake(monkeypatch, "analysis.driver", solve_combinations=solver(AssertionError("solved in vain")))
+        (case.parent / "out").mkdir()
+        (case.parent / "out" / "notes.txt").touch()
+        assert main.main(["solve", str(case), "--out", str(case.parent / "out")]) == 2
+
+    def test_the_case_file_is_never_replaced(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A case inside the folder of its results is refused, since the folder is replaced as a whole."""
+        assert main.main(["solve", str(case), "--quiet"]) == 0
+        inner = case.parent / "raft-results" / "case.toml"
+        assert main.main(["solve", str(inner), "--out", str(inner.parent)]) == 2
+        assert "holds the case file" in capsys.readouterr().err
+
+    def test_the_summary_survives_a_full_disk(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """If the results cannot be written they are at least shown."""
+
+        def full(*_: Any, **__: Any) -> None:
+            raise InputError([Fault("disk", "no room", "room")])
+
+        monkeypatch.setattr(results_folder, "write", full)
+        assert main.main(["solve", str(case)]) == 2
+        out, err = capsys.readouterr()
+        assert "largest settlement" in out
+        assert "no room" in err
+
+    def test_results_are_kept_elsewhere(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """If somebody puts a file into the folder during the analysis, the results are kept beside it."""
+        driver = sys.modules["groundslab.analysis.driver"]
+        solve = driver.solve_combinations
+        folder = case.with_name("raft-results")
+
+        def disturbed(*arguments: Any) -> Any:
+            folder.mkdir()
+            (folder / "notes.txt").write_text("mine")
+            return solve(*arguments)
+
+        monkeypatch.setattr(driver, "solve_combinations", disturbed)
+        assert main.main(["solve", str(case)]) == 2
+        out, err = capsys.readouterr()
+        assert "largest settlement" in out
+        assert "notes.txt" in err
+        assert f"the results are kept in {case.with_name('raft-results-2')}" in err
+        assert [path.name for path in folder.iterdir()] == ["notes.txt"]
+        synthetic.assert_same(npz.load(case.with_name("raft-results-2") / "results.npz"), synthetic.results())
+
+    def test_progress_is_for_terminals(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
+        got = []
+
+        def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
+            assert (on_step is None) == (on_combination is None)
+            got.append(on_step)
+            return results_folder.alone(replace(synthetic.results(), model=model))
+
+        fake(monkeypatch, "analysis.driver", solve_combinations=solve)
+        main.main(["solve", str(case)])
+        monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+        main.main(["solve", str(case)])
+        main.main(["solve", str(case), "--quiet"])
+        assert [callback is not None for callback in got] == [False, True, False]
+
+
+@pytest.fixture
+def cases(tmp_path: Path) -> Path:
+    """Return a case file of four combinations."""
+    path = tmp_path / "raft.toml"
+    path.write_text(casefile.to_toml(synthetic.combined().model), encoding="utf-8")
+    return path
+
+
+class TestSeveral:
+    """groundslab solve, with several combinations."""
+
+    def certified(self) -> Combined:
+        """Return the combinations that have certified results alone."""
+        combined = synthetic.combined()
+        return replace(combined, combinations=combined.combinations[:2], refused={})
+
+    def test_all_solved(self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+        """If all have certified results the exit code is 0, and a folder for each is kept."""
+        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: self.certified())
+        assert main.main(["solve", str(cases)]) == 0
+        out, err = capsys.readouterr()
+        assert "1.35 dead + 1.5 wind" in out
+        assert "FAILED" not in out
+        assert "error" not in err
+        assert results_folder.load(cases.with_name("raft-results")).results.keys() == self.certified().results.keys()
+
+    def test_refused_ones_are_told_and_the_others_kept(
+        self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A combination without certified results gives exit code 1 and its reason on both streams."""
+        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: synthetic.combined())
+        assert main.main(["solve", str(cases)]) == 1
+        out, err = capsys.readouterr()
+        assert "REFUSED: the loads pull the plate off" in out
+        assert "FAILED: 2 of 4 combinations have no certified result: 3, 4." in out
+        assert 'error: combination "wind alone": the loads pull the plate off' in err
+        assert "error: 2 of 4 combinations have no certified result" in err
+        assert len(results_folder.load(cases.with_name("raft-results")).results) == 2
+
+    def test_json_and_quiet(
+        self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """One JSON document holds all combinations; with --quiet only what was refused is told."""
+        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: synthetic.combined())
+        assert main.main(["solve", str(cases), "--json"]) == 1
+        document = json.loads(capsys.readouterr().out)
+        assert document["certified"] is False
+        assert [each["certified"] for each in document["combinations"]] == [True, True, False, False]
+        assert main.main(["solve", str(cases), "--quiet"]) == 1
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert err.count("error") == 3
+
+    def test_none_solved(
+        self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Without any results nothing is written, and earlier results stay."""
+        refused = {each.name: NoEquilibrium("up it goes") for each in synthetic.combined().combinations}
+        nothing = replace(synthetic.combined(), results={}, refused=refused)
+        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: nothing)
+        assert main.main(["solve", str(cases)]) == 1
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert err.count("up it goes") == 4
+        assert not cases.with_name("raft-results").exists()
+
+    def test_a_real_one(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Cases by themselves: the one that lifts the plate off has no equilibrium, the other is solved and kept."""
+        model = synthetic.combined().model.replace(combinations=(), mesh=Mesh(counts=(4, 4)))
+        (tmp_path / "raft.toml").write_text(casefile.to_toml(model), encoding="utf-8")
+        assert main.main(["solve", str(tmp_path / "raft.toml")]) == 1
+        assert 'combination "wind"' in capsys.readouterr().err
+        found = results_folder.load(tmp_path / "raft-results")
+        assert list(found.results) == ["dead"]
+        assert isinstance(found.refused["wind"], NoEquilibrium)
+        assert found["dead"].certificate.load == pytest.approx(1e3 * 9.6 * 7.2)
+
+
+class TestInput:
+    """Wrong input."""
+
+    def test_faults_are_blocks(self) -> None:
+        """Each fault shows where, got, expected and how to mend, one below the other."""
+        text = console.in_blocks(
+            InputError([Fault("plate.E", "30", "a pressure", 'say "30 GPa"'), Fault("a", "b", "c")])
+        )
+        assert text.splitlines() == [
+            "error: 2 faults in the input",
+            "",
+            "  plate.E",
+            "    got       30",
+            "    expected  a pressure",
+            '    mend      say "30 GPa"',
+            "",
+            "  a",
+            "    got       b",
+            "    expected  c",
+        ]
+
+    @pytest.mark.parametrize("command", ["solve", "check"])
+    def test_all_faults_of_a_file_come_at_once(
+        self, tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
+    ) -> None:
+        """Exit code 2 and every fault on standard error, no traceback."""
+        (tmp_path / "bad.toml").write_text("[plate]\nlength_x = 3\nthick = 1\n")
+        assert main.main([command, str(tmp_path / "bad.toml")]) == 2
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert "plate.length_x" in err
+        assert "plate.thick" in err
+        assert "Traceback" not in err
+
+    def test_a_missing_file(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A case file that is not there gives exit code 2 and its name."""
+        assert main.main(["solve", str(tmp_path / "none.toml")]) == 2
+        assert "none.toml" in capsys.readouterr().err
+
+    @pytest.mark.parametrize("arguments", [[], ["fly"], ["solve"], ["solve", "a", "--fast"]])
+    def test_wrong_usage(self, arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+        """Unknown commands and options and missing arguments end with exit code 2."""
+        with pytest.raises(SystemExit) as caught:
+            main.main(arguments)
+        assert caught.value.code == 2
+        assert "usage" in capsys.readouterr().err
+
+
+class TestOthers:
+    """check, new, verify, schema and the bare program."""
+
+    def test_check_names_what_it_read(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A file without faults is called fine."""
+        assert main.main(["check", str(case)]) == 0
+        assert "fine (9.6 m x 7.2 m plate, winkler ground, 3 loads)" in capsys.readouterr().out
+
+    def test_check_names_columns_supports_and_combinations(
+        self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Each column, support, case and combination has its line, with sizes, places and factors."""
+        model = synthetic.combined().model.replace(
+            columns=[Column(name="A1", x=1, y=2, width_x=0.3, width_y=0.4), Column(name="B", x=0, y=0, diameter=0.5)],
+            supports=[
+                PointSupport(name="pile", x=-2, y=-1, stiffness=5e7, acts="in compression"),
+                LineSupport(points=[(-3, 1), (-1, 1)]),
+            ],
+        )
+        (tmp_path / "raft.toml").write_text(casefile.to_toml(model), encoding="utf-8")
+        assert main.main(["check", str(tmp_path / "raft.toml")]) == 0
+        assert capsys.readouterr().out.splitlines()[1:] == [
+            "  column A1: 0.3 m x 0.4 m at (1, 2) m",
+            "  column B: diameter 0.5 m at (0, 0) m",
+            "  support pile: point, elastic, acts in compression, at (-2, -1) m",
+            "  support 2: line, rigid, acts both ways, at (-3, 1) to (-1, 1) m",
+            "  case dead: permanent, 1 load",
+            "  case wind: variable, 1 load",
+            "  combination Größe 1/2: dead + wind (ultimate): 1.35 dead + 1.5 wind",
+            "  combination NUL (ultimate): 2 dead",
+            "  combination uncertified (ultimate): 1 dead",
+            "  combination wind alone (ultimate): 1 wind",
+        ]
+
+    def test_new_prints_a_case_that_can_be_read(self, capsys: pytest.CaptureFixture[str]) -> None:
+        """Without a file name the text goes to standard output, and it is a valid case."""
+        assert main.main(["new"]) == 0
+        assert casefile.loads(capsys.readouterr().out) == casefile.loads(casefile.starter())
+
+    def test_new_never_overwrites(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A file is made where there is none; a second time it is left alone."""
+        path = tmp_path / "new.toml"
+        assert main.main(["new", str(path)]) == 0
+        path.write_text("mine")
+        assert main.main(["new", str(path)]) == 2
+        assert path.read_text() == "mine"
+        assert main.main(["new", str(tmp_path / "no" / "folder.toml")]) == 2
+        assert "Traceback" not in capsys.readouterr().err
+
+    @pytest.mark.parametrize(("passes", "code"), [(True, 0), (False, 1)])
+    def test_verify_runs_what_is_asked(self, monkeypatch: pytest.MonkeyPatch, passes: bool, code: int) -> None:
+        """The named cases run, or all; a case that fails gives exit code 1."""
+        asked = []
+
+        def check(names: list[str], _: Any) -> bool:
+            asked.append(names)
+            return passes
+
+        fake(monkeypatch, "verification.runner", names=lambda: ["a", "b"], run=check)
+        assert main.main(["verify", "b"]) == code
+        assert main.main(["verify"]) == code
+        assert asked == [["b"], ["a", "b"]]
+
+    def test_verify_lists_and_refuses(
+        self, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """The names can be listed; an unknown one is wrong input and nothing runs."""
+        fake(monkeypatch, "verification.runner", names=lambda: ["a", "b"], run=None)
+        assert main.main(["verify", "--list"]) == 0
+        assert capsys.readouterr().out == "a\nb\n"
+        assert main.main(["verify", "a", "x"]) == 2
+        assert '"x"' in capsys.readouterr().err
+
+    def test_schema_is_json(self, capsys: pytest.CaptureFixture[str]) -> None:
+        """The schema of a case file is printed as JSON."""
+        assert main.main(["schema"]) == 0
+        assert "plate" in json.loads(capsys.readouterr().out)["properties"]
+
+    def test_as_a_module(self) -> None:
+        """``python -m groundslab`` is the same program."""
+        version = run("--version")
+        assert version.stdout == f"groundslab {groundslab.__version__}\n"
+        assert version.returncode == 0
+        assert "solve" in run("--help").stdout
+
+    def test_a_reader_that_goes_away_is_no_failure(self) -> None:
+        """A pipe that is closed early gives no traceback and no failure."""
+        command = [sys.executable, "-m", "groundslab", "schema"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            assert process.stdout is not None
+            assert process.stderr is not None
+            process.stdout.close()
+            assert process.stderr.read() == ""
+        assert process.returncode == 0
+
+
+#: Runs the program in a process that is interrupted as a module is imported; what comes of the interrupt is turned into
+#: an error of another kind if asked for, as libraries with parts in C do.
+INTERRUPTED = """
+import os, signal, sys
+module, turned = sys.argv[1], sys.argv[2] == "True"
+class Interrupting:
+    def find_spec(self, name, *_):
+        if name != module:
+            return None
+        try:
+            os.kill(os.getpid(), signal.SIGINT)
+            for _ in range(10**6):
+                pass
+        except KeyboardInterrupt:
+            if not turned:
+                raise
+            try:
+                raise ValueError("Traceback")
+            except ValueError:
+                sys.excepthook(*sys.exc_info())
+            raise ImportError("half imported") from None
+sys.meta_path.insert(0, Interrupting())
+sys.argv[1:] = sys.argv[3:]
+from groundslab.__main__ import main
+sys.exit(main())
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
+class TestProgram:
+    """The program as the system sees it: streams and signals."""
+
+    @pytest.mark.parametrize(
+        ("module", "turned"), [("groundslab.cli.main", False), ("argparse", True), ("numpy", False), ("pydantic", True)]
+    )
+    def test_an_interrupt_while_something_is_imported(self, case: Path, module: str, turned: bool) -> None:
+        """The program ends with 130, or by the signal, which a shell calls so; one line says it, with no traceback."""
+        command = [sys.executable, "-c", INTERRUPTED, module, str(turned), "solve", str(case), "--quiet"]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert ended.returncode in (130, -signal.SIGINT), ended.stderr
+        assert ended.stderr.split("\n")[-2:] == ["interrupted", ""] or (turned and ended.stderr)
+        assert "Traceback" not in ended.stderr
+
+    @pytest.mark.parametrize("closed", ["2>&-", ">&-", "2>&- >&- <&-", "2>/dev/full"])
+    def test_closed_streams(self, case: Path, closed: str) -> None:
+        """What cannot be said changes neither the exit code nor the results."""
+        if "full" in closed and not Path("/dev/full").exists():
+            pytest.skip("needs a device that is full")
+        for arguments, code in ((["solve", str(case)], 0), (["solve", f"{case}.none"], 2), (["fly"], 2)):
+            command = ["sh", "-c", f'exec "$0" -m groundslab "$@" {closed}', sys.executable, *arguments]
+            assert subprocess.run(command, capture_output=True, check=False).returncode == code
+        assert len(results_folder.load(case.with_name("raft-results")).results) == 1
+
+    def test_an_answer_that_cannot_be_given(self, case: Path) -> None:
+        """Where the answer itself cannot be written the exit code says so; the results are in their folder."""
+        if not Path("/dev/full").exists():
+            pytest.skip("needs a device that is full")
+        command = ["sh", "-c", 'exec "$0" -m groundslab "$@" > /dev/full', sys.executable, "solve", str(case)]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert ended.returncode == 2
+        assert ended.stderr.startswith("error: ")
+        assert "Traceback" not in ended.stderr
+        assert len(results_folder.load(case.with_name("raft-results")).results) == 1
+
+
+@pytest.fixture
+def drawing(tmp_path: Path) -> Path:
+    """Return a drawing of a square plate of 4 m, a hole in it, and a load."""
+    document = ezdxf.new("R2010", units=6)
+    space = document.modelspace()
+    document.layers.add("SLAB")
+    for layer, x0, x1 in (("SLAB", 0, 4), ("OPENINGS", 1, 2)):
+        corners = [(x0, x0), (x1, x0), (x1, x1), (x0, x1)]
+        space.add_lwpolyline(corners, close=True, dxfattribs={"layer": layer})
+    space.add_point((3, 3), {"layer": "LOADS"})
+    space.add_text("50 kN", height=0.1, dxfattribs={"layer": "LOADS", "insert": (3.1, 3)})
+    document.saveas(tmp_path / "plan.dxf")
+    return tmp_path / "plan.dxf"
+
+
+class TestDxf:
+    """groundslab dxf."""
+
+    def test_case_and_report_go_apart(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """The case alone is on standard output, named after the drawing; the report is on standard error."""
+        assert main.main(["dxf", str(drawing), "--layers", "outline=slab"]) == 0
+        out, err = capsys.readouterr()
+        case = tomllib.loads(out)
+        assert case["title"] == "plan"
+        assert case["plate"]["outline"]["points"][2] == ["4 m", "4 m"]
+        assert len(case["plate"]["openings"]) == 1
+        assert case["loads"][0]["P"] == "50000.0 N"
+        assert "outline: 4 m x 4 m" in err
+
+    def test_layers_and_unit_count(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Layers given together or apart are followed, an empty name takes none; the given unit wins."""
+        arguments = ["--layers", "outline=SLAB", "openings=", "--unit", "ft", "--layers", "point_loads="]
+        assert main.main(["dxf", str(drawing), *arguments]) == 0
+        out, err = capsys.readouterr()
+        case = tomllib.loads(out)
+        assert case["plate"].keys() == {"outline"}
+        assert "loads" not in case
+        assert case["plate"]["outline"]["points"][1] == ["1.2192 m", "0 m"]
+        assert "unit: ft" in err
+
+    def test_never_overwrites(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A file is made where there is none; a second time it is left alone."""
+        path = drawing.with_name("case.toml")
+        arguments = ["dxf", str(drawing), "--layers", "outline=SLAB", "--out", str(path)]
+        assert main.main(arguments) == 0
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert err.splitlines()[-1].startswith(f"wrote {path}; next:")
+        assert tomllib.loads(path.read_text(encoding="utf-8"))["title"] == "plan"
+        path.write_text("mine")
+        assert main.main(arguments) == 2
+        assert path.read_text() == "mine"
+        assert "a file that exists" in capsys.readouterr().err
+
+    def test_wrong_words_for_layers(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """All that cannot be understood comes at once, with the words that there are."""
+        layers = ["outlines=SLAB", "SLAB", "zones=A", "zones=B"]
+        assert main.main(["dxf", str(drawing), "--layers", *layers]) == 2
+        out, err = capsys.readouterr()
+        assert out == ""
+        for words in ("3 faults", '"outlines=SLAB"', 'did you mean "outline"?', '"SLAB"', "zones twice", "point_loads"):
+            assert words in err
+
+    def test_a_wrong_drawing(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A drawing without an outline ends with code 2 and the layers that it has; no file is made."""
+        assert main.main(["dxf", str(drawing), "--out", str(drawing.with_name("case.toml"))]) == 2
+        assert '"SLAB"' in capsys.readouterr().err
+        assert not drawing.with_name("case.toml").exists()
+
+    def test_without_ezdxf(
+        self, drawing: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A missing ezdxf is told with the command that installs it."""
+        for name in [name for name in sys.modules if name.partition(".")[0] == "ezdxf"]:
+            monkeypatch.setitem(sys.modules, name, None)
+        assert main.main(["dxf", str(drawing)]) == 2
+        assert "pip install groundslab[dxf]" in capsys.readouterr().err
+
+
+class TestPackage:
+    """import groundslab."""
+
+    def test_is_cheap(self) -> None:
+        """Neither the package nor its command line loads anything but the standard library."""
+        code = (
+            "import sys; before = set(sys.modules); import groundslab.cli.main; import groundslab; "
+            "heavy = {'numpy', 'scipy', 'pint', 'pydantic', 'rich', 'matplotlib', 'meshio'}; "
+            "assert not heavy & (set(sys.modules) - before)"
+        )
+        subprocess.run([sys.executable, "-c", code], check=True)
+
+    def test_public_names_lead_home(self) -> None:
+        """Every public name can be had, is what its module calls so, and is listed by dir()."""
+        for name in groundslab.__all__:
+            assert getattr(groundslab, name) is not None
+        assert groundslab.load is casefile.load
+        assert groundslab.InputError is InputError
+        assert set(groundslab.__all__) <= set(dir(groundslab))
+
+    def test_other_names_do_not_exist(self) -> None:
+        """A name that is not public is an AttributeError, as in any module."""
+        with pytest.raises(AttributeError, match="nothing"):
+            _ = groundslab.nothing

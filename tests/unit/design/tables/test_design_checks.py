@@ -1,0 +1,203 @@
+"""What is said of a design: failures by hand, first in every view, and no approval where nothing fails."""
+
+from __future__ import annotations
+
+import io
+import json
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from groundslab.design.punching_resistance import K_MAX, at_the_face, without_links
+from groundslab.design.reinforcement import Concrete
+from groundslab.design.tables.design_checks import Design, design_of
+from groundslab.design.tables.punching import demands
+from groundslab.errors import NoEquilibrium
+from groundslab.model.model import Model
+from groundslab.results.results import Combined
+from groundslab.views.report.html import html_of
+from groundslab.views.summary import combinations, single, terminal
+from groundslab.workbench.solver.summary import summary_of
+from helpers import synthetic
+from helpers.synthetic import LENGTH_X, LENGTH_Y
+
+STEEL = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ("40 mm", "50 mm"), "top": ("40 mm", "50 mm")}
+ULS = {"name": "ULS", "factors": {"G": 1.35}}
+COLUMN = {"name": "C1", "x": 0, "y": 0, "width_x": 0.3, "width_y": 0.3}
+
+
+def described(P: float = 100e3, **changes: Any) -> Model:
+    """Return a slab of 400 mm with a column in its middle that carries so much, and one ultimate combination."""
+    parts: dict[str, Any] = {
+        "plate": {"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": 0.4, "E": 30e9, "nu": 0.2},
+        "ground": {"kind": "winkler", "k": 20e6},
+        "columns": [COLUMN],
+        "cases": [{"name": "G"}],
+        "loads": [{"kind": "point", "P": P, "column": "C1", "case": "G"}],
+        "combinations": [ULS, {"name": "SLS", "limit_state": "characteristic", "factors": {"G": 1.0}}],
+        "reinforcement": STEEL,
+    }
+    return Model(**parts | changes)
+
+
+def solved(model: Model, m_x: float = 10e3) -> Combined:
+    """Return made-up results of all combinations, with one moment everywhere, an even pressure of 50 kPa."""
+    made = {}
+    for each in model.combinations:
+        one = synthetic.results(6, model=model, combination=each.name, limit_state=each.limit_state,
+                                factors=each.factors)  # fmt: skip
+        flat = np.zeros(len(one.plate.nodes))
+        fields = {"moment_x": flat + m_x, "moment_y": flat, "moment_xy": flat, "pressure": flat + 50e3}
+        made[each.name] = replace(one, plate=replace(one.plate, **fields))
+    return Combined(model, model.combinations, made, {})
+
+
+def words(design: Design, name: str) -> str:
+    """Return what one check says, its status before it."""
+    (check,) = [each for each in design.checks if each.name == name]
+    return f"{check.status}: {check.words}"
+
+
+def printed(combined: Combined) -> str:
+    """Return what the terminal shows."""
+    console = Console(file=io.StringIO(), width=80)
+    if len(combined.combinations) > 1:
+        terminal.print_overview(combined, console)
+    else:
+        terminal.print_summary(next(iter(combined.results.values())), console)
+    assert isinstance(console.file, io.StringIO)
+    return console.file.getvalue()
+
+
+def test_resistances_by_hand() -> None:
+    """C30: nu = 0.6 (1 - 30/250) = 0.528, v_Rd,max = 0.4 0.528 20 MPa; d = 200 mm: k = 2, 0.12 k 60^(1/3) = 0.940 MPa.
+
+    A ratio of bars above 0.02 does not count; with few bars the least value 0.035 2^1.5 30^0.5 = 0.542 MPa holds.
+    """
+    concrete = Concrete(30e6)
+    assert at_the_face(concrete) == pytest.approx(4.224e6)
+    assert without_links(concrete, 0.2) == pytest.approx(0.9396e6, rel=1e-4)
+    assert without_links(concrete, 0.2, 0.05) == without_links(concrete, 0.2)
+    assert without_links(concrete, 0.2, 0.001) == pytest.approx(0.5422e6, rel=1e-3)
+    # k = 1 + sqrt(200 / 800) = 1.5
+    assert without_links(concrete, 0.8) == pytest.approx(0.12 * 1.5 * 60 ** (1 / 3) * 1e6)
+
+
+def test_punching_at_the_face_by_hand() -> None:
+    """1.35 x 1.5 MN less 50 kPa on 0.09 m2, over u_0 = 1.2 m and d = 0.355 m, is 4.743 MPa: above 4.224 MPa.
+
+    Half of it is not, and the check says how near it comes, not that punching is fine.
+    """
+    of = solved(described(1.5e6))
+    (demand,) = demands(of).found.values()
+    assert demand.face is not None
+    assert demand.face.u == pytest.approx(1.2)
+    assert demand.face.v_Ed == pytest.approx((1.35 * 1.5e6 - 50e3 * 0.09) / (1.2 * 0.355))
+    design = design_of(of)
+    assert design.status == "fails"
+    said = words(design, "punching at the column's face")
+    assert said.startswith('fails: 1 column; worst C1 in "ULS": v_Ed 4.74 MPa without beta, above 4.22 MPa, v_Rd,max')
+    half = words(design_of(solved(described(0.75e6))), "punching at the column's face")
+    assert half == "no failure found: v_Ed without beta is at most 56 % of v_Rd,max"
+
+
+def test_punching_at_2d_by_hand() -> None:
+    """On u = 1.2 + 4 pi d, v_Rd,c for 2 % of bars is 0.822 MPa: more needs links, 1.5 times as much fails."""
+    d = 0.355
+    u, area = 1.2 + 4 * np.pi * d, 0.09 + 1.2 * 2 * d + np.pi * (2 * d) ** 2
+    v_Rd_c = 0.12 * (1 + np.sqrt(200 / 355)) * 60 ** (1 / 3) * 1e6
+    assert without_links(Concrete(30e6), d) == pytest.approx(v_Rd_c)
+    for share, status in ((0.98, "no failure found"), (1.02, "attention"), (1.48, "attention"), (1.52, "fails")):
+        P = (share * v_Rd_c * u * d + 50e3 * area) / 1.35
+        said = words(design_of(solved(described(P))), "punching at 2 d")
+        assert said.startswith(status), said
+        assert ("punching reinforcement is needed" in said) == (status == "attention")
+    assert K_MAX == 1.5
+
+
+def test_a_support_below_leaves_punching_open() -> None:
+    """A pile under the column takes an unknown part of its force: nothing is called a failure, nor fine."""
+    model = described(5e6, supports=[{"kind": "point", "x": 0, "y": 0, "stiffness": "10 MN/m"}])
+    for name in ("punching at the column's face", "punching at 2 d"):
+        said = words(design_of(solved(model)), name)
+        assert said == "attention: not judged, for a support inside or no perimeter on the plate: columns C1"
+
+
+def test_bending_that_no_reinforcement_carries() -> None:
+    """20 MNm/m fail, with the layer, the moment, the place and the combination; 900 kNm/m need bars in compression."""
+    said = words(design_of(solved(described(), 20e6)), "bending")
+    assert said.startswith(
+        "fails: the concrete is too weak for any reinforcement on 100 % of the plate's area; bottom x: "
+    )
+    assert '2e+04 kNm/m at (0.000, 0.000) m in "ULS", thickness 0.4 m' in said
+    design = design_of(solved(described(), 900e3))
+    assert design.status == "attention"
+    assert words(design, "bending").startswith("no failure found")
+    assert words(design, "compression reinforcement").startswith("attention: bars in compression, held by links")
+    assert design.headline == "DESIGN NEEDS ATTENTION: 1 of 4 checks by EN 1992-1-1 needs it."
+
+
+def test_nothing_that_fails_is_no_approval() -> None:
+    """Where nothing fails the headline says what was not checked; without bars, that nothing was."""
+    design = design_of(solved(described()))
+    assert design.headline.startswith("No failure found in 4 checks by EN 1992-1-1; shear, crack widths")
+    assert not design.open
+    assert design_of(solved(described(reinforcement=None))).headline.startswith("Strength was not checked")
+    assert "This is no approval" in printed(solved(described()))
+
+
+def test_ultimate_combinations_that_count_for_nothing() -> None:
+    """Refused ones leave a design open; if all are, nothing is checked; characteristic ones are never designed for."""
+    model = described(combinations=[ULS, {**ULS, "name": "more"}])
+    of = solved(model)
+    refused = {"more": NoEquilibrium("no")}
+    design = design_of(replace(of, results={"ULS": of.results["ULS"]}, refused=refused))
+    assert words(design, "ultimate combinations").endswith('not designed for: "more"')
+    none = design_of(replace(of, results={}, refused={**refused, "ULS": NoEquilibrium("no")}))
+    assert (none.status, none.checks) == ("not checked", ())
+    assert demands(solved(described())).found.keys() == {("ULS", "C1")}
+    given = design_of(solved(described(combinations=[{**ULS, "factors": {"G": 1.0}}])))
+    assert "must hold the partial factors" in words(given, "partial factors")
+
+
+FAILING = solved(described(5e6))
+ALONE = solved(described(5e6, combinations=[ULS]))
+
+
+@pytest.mark.parametrize("of", [FAILING, ALONE], ids=["several", "one"])
+def test_failure_comes_first_on_the_terminal(of: Combined) -> None:
+    """The headline stands below the title, the reasons follow, and the last line repeats it; 80 columns, no tags."""
+    lines = printed(of).splitlines()
+    assert lines[2].startswith("DESIGN FAILS: 2 of 4 checks by EN 1992-1-1 fail.")
+    assert lines[3].startswith("  - punching at the column's face: 1 column; worst C1")
+    assert lines[-1].startswith("DESIGN FAILS: 2 of 4 checks")
+    assert max(map(len, lines)) <= 80
+    assert "certified: equilibrium and contact conditions are satisfied on this mesh" in " ".join(lines)
+    assert not any("fulfil" in line for line in lines)
+
+
+@pytest.mark.parametrize("of", [FAILING, ALONE], ids=["several", "one"])
+def test_failure_comes_first_in_json(of: Combined) -> None:
+    """The design stands before any figure, with its verdict, its words, and each check."""
+    results = next(iter(of.results.values()))
+    text = combinations.json_text(of) if len(of.combinations) > 1 else single.json_text(results)
+    document = json.loads(text)
+    assert list(document)[:6] == ["program", "version", "format", "title", "certified", "design"]
+    assert document["certified"] is True
+    assert document["design"]["status"] == "fails"
+    assert document["design"]["headline"].startswith("DESIGN FAILS")
+    assert [each["status"] for each in document["design"]["checks"]][:2] == ["fails", "fails"]
+    if of is ALONE:
+        assert (document["combination"], document["limit_state"]) == ("ULS", "ultimate")
+
+
+def test_failure_comes_first_in_report_and_workbench() -> None:
+    """The report's title block has it before the certificate's verdict; the workbench gets headline and checks."""
+    page = html_of(FAILING)
+    assert page.index("DESIGN FAILS") < page.index("certified: equilibrium") < page.index('<nav class="contents')
+    told = summary_of(FAILING)["design"]
+    assert told["headline"].startswith("DESIGN FAILS")
+    assert told["checks"][0]["status"] == "fails"

@@ -1,0 +1,224 @@
+"""Combinations of actions: the classic sums of EN 1990, written out by hand, and what never may come together."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from groundslab.errors import InputError
+from groundslab.model.loads.en1990 import MOST_COMBINATIONS, Action, Factors, combinations
+
+SETS = ("ultimate", "characteristic", "frequent", "quasi-permanent")
+G = Action("G", "permanent")
+#: Offices and wind, with the psi of EN 1990, Table A1.1.
+Q = Action("Q", "variable", 0.7, 0.5, 0.3)
+W = Action("W", "variable", 0.6, 0.2, 0.0)
+
+
+def sums(actions, *sets: str, factors: Factors | None = None) -> list[str]:
+    """Return the descriptions of the combinations."""
+    return [each.description for each in combinations(actions, sets, factors)]
+
+
+def parsed(description: str) -> tuple[tuple[str, float], ...]:
+    """Return names and factors from a description."""
+    terms = [term.split(" ", 1) for term in description.split(" + ")]
+    return tuple((name, float(factor)) for factor, name in terms)
+
+
+def test_ultimate_by_hand() -> None:
+    """Expression 6.10 for G, Q and W: each leads in turn, the other joins or not, G unfavourable, then favourable."""
+    assert sums([G, Q, W], "ultimate") == [
+        "1.35 G + 1.5 Q + 0.9 W",
+        "1.35 G + 1.5 Q",
+        "1.35 G + 1.05 Q + 1.5 W",
+        "1.35 G + 1.5 W",
+        "1.35 G",
+        "1 G + 1.5 Q + 0.9 W",
+        "1 G + 1.5 Q",
+        "1 G + 1.05 Q + 1.5 W",
+        "1 G + 1.5 W",
+        "1 G",
+    ]
+
+
+def test_serviceability_by_hand() -> None:
+    """Expressions 6.14b, 6.15b and 6.16b for G, Q and W; W has psi_2 = 0 and so vanishes where it accompanies."""
+    assert sums([G, Q, W], "characteristic") == [
+        "1 G + 1 Q + 0.6 W",
+        "1 G + 1 Q",
+        "1 G + 0.7 Q + 1 W",
+        "1 G + 1 W",
+        "1 G",
+    ]
+    assert sums([G, Q, W], "frequent") == ["1 G + 0.5 Q", "1 G + 0.3 Q + 0.2 W", "1 G + 0.2 W", "1 G"]
+    assert sums([G, Q, W], "quasi-permanent") == ["1 G + 0.3 Q", "1 G"]
+
+
+def test_names_and_limit_states() -> None:
+    """Combinations are numbered within their limit state, limit states come in the order asked for, each once."""
+    found = combinations([G, Q], ["quasi-permanent", "ultimate", "quasi-permanent"])
+    assert [each.name for each in found] == [
+        "quasi-permanent 1",
+        "quasi-permanent 2",
+        *(f"ULS {n}" for n in range(1, 5)),
+    ]
+    assert [each.limit_state for each in found] == ["quasi-permanent"] * 2 + ["ultimate"] * 4
+
+
+def test_permanent_actions_come_from_one_source() -> None:
+    """Several permanent actions are all unfavourable or all favourable, never mixed."""
+    found = sums([G, Action("walls", "permanent"), Q], "ultimate")
+    assert found == [
+        "1.35 G + 1.35 walls + 1.5 Q",
+        "1.35 G + 1.35 walls",
+        "1 G + 1 walls + 1.5 Q",
+        "1 G + 1 walls",
+    ]
+
+
+def test_other_partial_factors() -> None:
+    """Given factors take the place of the recommended ones, also where a favourable permanent action is left out."""
+    found = sums([G, Q], "ultimate", factors=Factors(permanent=(1.1, 0.9), variable=(1.3, 0.0)))
+    assert found == ["1.1 G + 1.3 Q", "1.1 G", "0.9 G + 1.3 Q", "0.9 G"]
+    assert sums([G, Q], "ultimate", factors=Factors(permanent=(1.35, 0.0))) == [
+        "1.35 G + 1.5 Q",
+        "1.35 G",
+        "1.5 Q",
+    ]
+
+
+def test_winds_of_one_group_by_hand() -> None:
+    """Wind from the left and from the right never blow at once, whether leading or accompanying."""
+    left, right = (Action(f"wind {side}", "variable", 0.6, 0.2, 0.0, group="wind") for side in ("left", "right"))
+    assert sums([G, Q, left, right], "characteristic") == [
+        "1 G + 1 Q + 0.6 wind left",
+        "1 G + 1 Q + 0.6 wind right",
+        "1 G + 1 Q",
+        "1 G + 0.7 Q + 1 wind left",
+        "1 G + 1 wind left",
+        "1 G + 0.7 Q + 1 wind right",
+        "1 G + 1 wind right",
+        "1 G",
+    ]
+
+
+def test_same_sums_come_once() -> None:
+    """With psi_0 = 1 it does not matter which action leads."""
+    found = sums([G, Action("A", "variable"), Action("B", "variable")], "characteristic")
+    assert found == ["1 G + 1 A + 1 B", "1 G + 1 A", "1 G + 1 B", "1 G"]
+
+
+PSI = st.sampled_from([0.0, 0.2, 0.3, 0.5, 0.6, 0.7, 1.0])
+
+
+@st.composite
+def lists_of_actions(draw) -> list[Action]:
+    """Draw up to two permanent and four variable actions, in any order, some of them in groups."""
+    actions = [Action(f"dead +{n}", "permanent") for n in range(draw(st.integers(0, 2)))]
+    for n in range(draw(st.integers(0, 4))):
+        psi_2, psi_1 = sorted([draw(PSI), draw(PSI)])
+        actions.append(Action(f"live {n}", "variable", draw(PSI), psi_1, psi_2, draw(st.sampled_from(["", "a", "b"]))))
+    return draw(st.permutations(actions))
+
+
+def by_brute_force(actions: list[Action], limit_state: str) -> set[frozenset[tuple[str, float]]]:
+    """Return all combinations by trying every role (leads, accompanies, absent) of every variable action."""
+    variable = [action for action in actions if action.kind == "variable"]
+    found = set()
+    for roles in itertools.product(["leads", "joins", "absent"], repeat=len(variable)):
+        present = [action for action, role in zip(variable, roles, strict=True) if role != "absent"]
+        groups = [action.group for action in present if action.group]
+        leads = roles.count("leads")
+        needs_leader = limit_state != "quasi-permanent" and present
+        if len(groups) > len(set(groups)) or leads != (1 if needs_leader else 0):
+            continue
+        for gamma_g, gamma_q in [(1.35, 1.5), (1.0, 1.5)] if limit_state == "ultimate" else [(1.0, 1.0)]:
+            sum_ = {action.name: gamma_g for action in actions if action.kind == "permanent"}
+            for action, role in zip(variable, roles, strict=True):
+                psi = {
+                    ("ultimate", "leads"): 1.0,
+                    ("ultimate", "joins"): action.psi_0,
+                    ("characteristic", "leads"): 1.0,
+                    ("characteristic", "joins"): action.psi_0,
+                    ("frequent", "leads"): action.psi_1,
+                    ("frequent", "joins"): action.psi_2,
+                    ("quasi-permanent", "joins"): action.psi_2,
+                }.get((limit_state, role), 0.0)
+                if psi:
+                    sum_[action.name] = round(gamma_q * psi, 6)
+            if sum_:
+                found.add(frozenset(sum_.items()))
+    return found
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(lists_of_actions(), st.sampled_from(SETS))
+def test_all_combinations_and_no_others(actions: list[Action], limit_state: str) -> None:
+    """Each combination comes exactly once, in the order of the actions, and its description says what it is."""
+    found = combinations(actions, [limit_state])
+    order = [action.name for action in actions]
+    for each in found:
+        assert parsed(each.description) == each.factors
+        names = [name for name, _ in each.factors]
+        assert names == sorted(names, key=order.index)
+    assert len({each.name for each in found}) == len(found)
+    sets = [frozenset(each.factors) for each in found]
+    assert len(set(sets)) == len(sets)
+    assert set(sets) == by_brute_force(actions, limit_state)
+
+
+def test_too_many_are_refused() -> None:
+    """Six variable actions give 2 (1 + 6 * 32) = 386 ultimate combinations, seven 898; sixty are refused at once."""
+    many = [Action(f"Q{n}", "variable", 0.7, 0.5, 0.3) for n in range(60)]
+    assert len(combinations([G, *many[:6]], ["ultimate"])) == 386 <= MOST_COMBINATIONS
+    for count in (7, 60):
+        with pytest.raises(InputError, match=f"got {count} variable actions, .* by hand"):
+            combinations([G, *many[:count]], ["ultimate"])
+    with pytest.raises(InputError, match="at most 500"):
+        combinations([G, *many[:6]], SETS)
+
+
+def test_many_that_exclude_each_other_are_allowed() -> None:
+    """Sixty places of a crane are one choice: 2 (1 + 60) combinations."""
+    places = [Action(f"crane at {n}", "variable", 0.7, 0.5, 0.3, group="crane") for n in range(60)]
+    assert len(combinations([G, *places], ["ultimate"])) == 122
+
+
+@pytest.mark.parametrize(
+    ("action", "message"),
+    [
+        (Action("", "variable"), "action\\[1\\].name: got ''"),
+        (Action("Q + W", "variable"), "a \\+ standing alone"),
+        (Action(" Q", "variable"), "blanks"),
+        (Action("G", "variable"), "no other action has"),
+        (Action("Q", "snow"), "one of permanent, variable"),
+        (Action("Q", "variable", 1.2), "psi_0: got 1.2"),
+        (Action("Q", "variable", float("nan")), "psi_0: got nan"),
+        (Action("Q", "variable", 0.7, 0.3, 0.5), "psi_2 not larger than psi_1"),
+    ],
+)
+def test_faulty_actions(action: Action, message: str) -> None:
+    """What cannot be combined is refused and named."""
+    with pytest.raises(InputError, match=message):
+        combinations([G, action], ["ultimate"])
+
+
+@pytest.mark.parametrize(
+    "factors",
+    [Factors(permanent=(1.0, 1.35)), Factors(variable=(1.5, 0.5)), Factors(permanent=(1.35, -1.0))],
+)
+def test_faulty_factors(factors: Factors) -> None:
+    """Swapped or negative factors are refused, and factors for favourable variable actions."""
+    with pytest.raises(InputError, match="factors"):
+        combinations([G, Q], ["ultimate"], factors)
+
+
+def test_all_faults_come_at_once() -> None:
+    """An unknown limit state is named together with the other faults."""
+    with pytest.raises(InputError) as error:
+        combinations([G, G], ["ultimate", "final"], Factors(variable=(1.5, 0.5)))
+    assert len(error.value.faults) == 3

@@ -1,0 +1,153 @@
+"""Values at places: what results give back for points, one or many."""
+
+from __future__ import annotations
+
+import pickle
+import time
+from functools import cache
+
+import numpy as np
+import pytest
+
+import groundslab as g
+from groundslab.errors import InputError
+from groundslab.results.results import MOST_NAMED, PLATE_FIELDS, Results
+
+
+@cache
+def corner_loaded() -> Results:
+    """Return a plate of 6 m x 4 m with a load off its middle, on two layers that reach beyond it."""
+    layers = [g.SoilLayer(thickness=2, E=20e6, nu=0.3), g.SoilLayer(thickness=4, E=60e6, nu=0.3)]
+    return g.solve(
+        g.Model(
+            plate=g.Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2),
+            ground=g.Layered(layers=layers, coupling="interface"),
+            beyond=g.Beyond(kind="margin", width=2),
+            loads=[g.UniformLoad(q=5e3), g.PointLoad(P=200e3, x=1, y=1, width_x=0.4, width_y=0.4)],
+            mesh=g.Mesh(size=0.8),
+        )
+    )
+
+
+def test_whole_numbers_are_no_other_places() -> None:
+    """A slab under a load at (1, 1): values at whole numbers are those at the same floats, and of the node there."""
+    model = g.Model(
+        plate=g.Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2),
+        ground=g.Winkler(k=20e6),
+        loads=[g.PointLoad(P=200e3, x=1, y=1)],
+        mesh=g.Mesh(size=0.8),
+    )
+    plate = g.solve(model).plate
+    assert plate.value_at("settlement", -1, 1) == plate.value_at("settlement", -1.0, 1.0)
+    assert plate.value_at("settlement", -1, 1) == pytest.approx(4.657e-4, rel=1e-3)
+
+
+@pytest.mark.parametrize("field", PLATE_FIELDS)
+def test_values_at_nodes_are_the_nodal_values(field: str) -> None:
+    """All nodes at once, each field: what is found at a node is what stands there."""
+    plate = corner_loaded().plate
+    values = getattr(plate, field)
+    found = plate.value_at(field, *plate.nodes.T)
+    np.testing.assert_allclose(found, values, atol=1e-9 * np.abs(values).max())
+
+
+def test_arrays_of_points_give_arrays_of_their_shape() -> None:
+    """X and y broadcast; a float comes back for two numbers, of whatever type, and an array of no points for none."""
+    plate = corner_loaded().plate
+    x, y = np.linspace(-3, 3, 7)[:, None], np.linspace(-2, 2, 5)
+    found = plate.value_at("moment_x", x, y)
+    assert found.shape == (7, 5)
+    one_by_one = [[plate.value_at("moment_x", float(a), float(b)) for b in y] for a in x[:, 0]]
+    np.testing.assert_allclose(found, one_by_one, rtol=1e-13)
+    assert plate.value_at("gap", [0, 1, 2], 0).shape == (3,)
+    assert plate.value_at("gap", [], []).shape == (0,)
+    for number in (1, 1.0, np.int64(1), np.float32(1), np.array(1)):
+        assert type(plate.value_at("settlement", number, 1)) is float
+
+
+def test_every_surface_of_the_ground_has_values_at_points() -> None:
+    """On both surfaces, at all nodes at once; whole numbers and floats alike."""
+    ground = corner_loaded().ground
+    assert len(ground.settlement) == 2
+    for surface, values in enumerate(ground.settlement):
+        found = ground.value_at(*ground.nodes.T, surface)
+        np.testing.assert_allclose(found, values, atol=1e-9 * np.abs(values).max())
+        assert ground.value_at(4, -3, surface) == ground.value_at(4.0, -3.0, surface=surface)
+    for surface in (2, -1, 0.5):
+        with pytest.raises(InputError, match="a whole number from 0 to 1"):
+            ground.value_at(0, 0, surface)
+
+
+def test_points_outside_are_all_named() -> None:
+    """One error tells each point that is not on the plate, by its position in the arrays, or itself if it is alone."""
+    plate = corner_loaded().plate
+    with pytest.raises(InputError) as error:
+        plate.value_at("settlement", [[0, 3.2], [4, 1]], [[0, 1], [1, np.nan]])
+    assert [(fault.where, fault.got) for fault in error.value.faults] == [
+        ("point[0, 1]", "(3.2, 1) m"),
+        ("point[1, 0]", "(4, 1) m"),
+        ("point[1, 1]", "(1, nan) m"),
+    ]
+    with pytest.raises(InputError, match=r"^point: got \(7, 0\) m, expected a point on the plate$"):
+        plate.value_at("settlement", 7, 0)
+    with pytest.raises(InputError, match=r"^point: got \(7, 0\) m, expected a point on the meshed ground$"):
+        corner_loaded().ground.value_at(7, 0)
+    with pytest.raises(InputError) as error:
+        plate.value_at("settlement", np.full(MOST_NAMED + 50, 9.0), 0)
+    assert len(error.value.faults) == MOST_NAMED + 1
+    assert "50 more points outside" in str(error.value)
+
+
+def test_what_is_no_field_or_no_place_is_said() -> None:
+    """Unknown fields, texts and shapes that do not fit end in an InputError."""
+    plate = corner_loaded().plate
+    with pytest.raises(InputError, match='did you mean "settlement"'):
+        plate.value_at("setlement", 0, 0)
+    with pytest.raises(InputError, match="field"):
+        plate.value_at("elements", 0, 0)
+    with pytest.raises(InputError, match=r'got "1 m" and 0.*broadcast'):
+        plate.value_at("settlement", "1 m", 0)
+    with pytest.raises(InputError, match=r"got shape \(2,\) and shape \(3,\)"):
+        plate.value_at("settlement", [1, 2], [1, 2, 3])
+
+
+def test_elements_are_found_by_points() -> None:
+    """At each element's centre that element is found, one point or many; so fields of elements can be read there."""
+    results = corner_loaded()
+    centres = results.plate.nodes[results.plate.elements[:, 8]]
+    np.testing.assert_array_equal(results.plate.element_at(*centres.T), np.arange(len(centres)))
+    assert results.plate.element_at(*centres[7]) == 7
+    assert results.plate.element_at(0, np.ones((2, 3))).shape == (2, 3)
+    with pytest.raises(InputError, match="a point on the plate"):
+        results.plate.element_at(9, 0)
+
+
+def test_asking_for_values_leaves_results_as_they_are() -> None:
+    """Results can be pickled and printed after values were asked for, and the copy gives the same values."""
+    results = corner_loaded()
+    before = repr(results.plate)
+    value = results.plate.value_at("settlement", 1, 1)
+    assert repr(results.plate) == before
+    copy = pickle.loads(pickle.dumps(results))
+    assert copy.plate.value_at("settlement", 1, 1) == value
+
+
+def test_many_points_are_quick() -> None:
+    """10,000 points on a mesh of 5,000 nodes take well below a second, a single one well below 10 ms."""
+    mesh = g.Mesh(size=0.14)
+    model = g.Model(
+        plate=g.Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2),
+        ground=g.Winkler(k=20e6),
+        loads=[g.UniformLoad(q=5e3)],
+        mesh=mesh,
+    )
+    plate = g.solve(model).plate
+    assert len(plate.nodes) > 4500
+    x, y = np.random.default_rng(0).uniform([[-3], [-2]], [[3], [2]], (2, 10_000))
+    start = time.process_time()
+    plate.value_at("settlement", x, y)
+    assert time.process_time() - start < 0.5
+    start = time.process_time()
+    for i in range(50):
+        plate.value_at("settlement", x[i], y[i])
+    assert time.process_time() - start < 0.5

@@ -1,0 +1,149 @@
+"""The forecast from a coarser mesh: what it keeps exactly, and that the answer never depends on it."""
+
+from __future__ import annotations
+
+from unittest.mock import patch
+
+import numpy as np
+import pytest
+
+from groundslab.analysis import driver
+from groundslab.arrays import Array
+from groundslab.discretize.discretize import discretise
+from groundslab.fem.bearings import CLOSED, OPEN, Contact
+from groundslab.fem.foundation import Column
+from groundslab.fem.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    W,
+    bearings,
+    right_hand_side,
+    stiffness,
+    surface_settlement,
+    system,
+)
+from groundslab.model.model import Model
+from groundslab.solvers import contact, factorization, warm_start
+from groundslab.solvers.solution import Solution
+
+PLATE = {"length_x": 9.6, "length_y": 7.2, "thickness": 0.2, "E": 23e9, "nu": 0.17}
+PATCH = [{"kind": "patch", "q": 1e6, "x": (-1.2, 1.2), "y": (-1.2, 1.2)}]
+
+
+def model(**changes: object) -> Model:
+    """Return the paper's first plate on ground that carries shear, with a strip of ground beyond it."""
+    given: dict[str, object] = {
+        "plate": PLATE,
+        "ground": {"kind": "pasternak", "k0": 32.7862e6, "k1": 20.66e6},
+        "beyond": {"kind": "margin", "width": 2.0},
+        "loads": PATCH,
+        "mesh": {"counts": (32, 24)},
+    }
+    return Model(**{**given, **changes})
+
+
+def solution_with(coarse: Model, fields: dict[int, Array], states: np.ndarray, coarsening: int) -> Solution:
+    """Return a made-up solution on a coarser mesh: nodal fields and states of the bearings."""
+    problem = discretise(coarse, coarsening)
+    s = system(problem)
+    U = np.zeros(problem.unknown.shape)
+    for field, values in fields.items():
+        U[:, field] = values
+    law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
+    found = Contact(np.zeros(s.pattern.size), states, np.zeros(len(states)))
+    assert isinstance(problem.ground, Column)
+    return Solution(s, U, found, problem.ground, None, 0.0, 0.0, 0, law, np.zeros(len(states)))
+
+
+def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
+    """Quadratic w, rotations and surface come over to the last digit; the gap follows from w and the surface."""
+    given = model()
+    coarse, fine = discretise(given, 1), discretise(given, 0)
+
+    def fields(nodes: Array) -> tuple[Array, Array, Array]:
+        x, y = nodes.T
+        return 1e-3 * (3 + x - 0.2 * x * y + 0.1 * y * y), 1e-3 * (1 - 0.4 * y + 0.05 * x * x), 2e-3 + 1e-4 * x * y
+
+    w, beta, surface = fields(coarse.mesh.nodes)
+    under = np.zeros(len(coarse.mesh.nodes), dtype=bool)
+    under[coarse.plate_nodes] = True
+    nodal = {W: np.where(under, w, 0), BETA_X: np.where(under, beta, 0), BETA_Y: np.where(under, -beta, 0)}
+    nodal[TOP] = surface - np.where(under, w, 0.0)
+    start = solution_with(given, nodal, np.full(len(coarse.bearing.law), OPEN), 1)
+    np.testing.assert_allclose(surface_settlement(start.system, start.U)[0], surface, atol=1e-15)
+
+    _, U = warm_start.from_coarser(start, fine, warm_start.places(coarse, fine))
+    w, beta, surface = fields(fine.mesh.nodes)
+    under = np.zeros(len(w), dtype=bool)
+    under[fine.plate_nodes] = True
+    wanted = np.column_stack([w, beta, -beta, surface - np.where(under, w, 0.0)])
+    has = fine.unknown >= 0
+    np.testing.assert_allclose(U[has], wanted[has], atol=1e-14)
+    assert not U[~has].any()
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
+    """With one state everywhere there is no border: no strip is laid, and all states are forecast alike."""
+    given = model()
+    coarse, fine = discretise(given, 1), discretise(given, 0)
+    states = np.full(len(coarse.bearing.law), CLOSED if closed else OPEN)
+    start = solution_with(given, {}, states, 1)
+    state, U = warm_start.from_coarser(start, fine, warm_start.places(coarse, fine))
+    assert (state == states[0]).all()
+    s = system(fine)
+    assert isinstance(fine.ground, Column)
+    A = stiffness(s, fine.ground)
+    f = right_hand_side(s, 1.0)
+    law = bearings(fine, 1.0, np.zeros(len(state)))
+    with patch.object(warm_start, "Latest", side_effect=AssertionError("a strip was laid")):
+        after = warm_start.along_the_border(s, A, f, law, state, U, factorization.superlu)
+    np.testing.assert_array_equal(after, state)
+
+
+def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
+    """From states that are off by some nodes along the border, the strip alone leads to the zone of the solution."""
+    given = model()
+    fine = discretise(given, 0)
+    s = system(fine)
+    assert isinstance(fine.ground, Column)
+    A = stiffness(s, fine.ground)
+    f = right_hand_side(s, 1.0)
+    law = bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
+    latest = factorization.Latest(factorization.superlu(A.indptr, A.indices))
+    start = np.full(len(law), CLOSED)
+    right = contact.solve(A, f, latest, law, start, 100, lambda *_: None)
+    U = np.zeros(fine.unknown.shape)
+    U[fine.unknown >= 0] = right.u[fine.unknown[fine.unknown >= 0]]
+
+    # open all nodes within about an element of an open one
+    places = fine.mesh.nodes[fine.bearing.node]
+    opened = places[right.state == OPEN]
+    distance = np.array([np.linalg.norm(opened - place, axis=1).min() for place in places])
+    wrong = np.where(distance < 0.31, OPEN, CLOSED)
+    assert (wrong != right.state).sum() > 10
+    found = warm_start.along_the_border(s, A, f, law, wrong, U, factorization.superlu)
+    np.testing.assert_array_equal(found, right.state)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_wrong_forecast_costs_steps_but_not_the_result(seed: int) -> None:
+    """States and unknowns of the forecast drawn by lot: the certified result is the same."""
+    given, rng = model(beyond={"kind": "infinite"}), np.random.default_rng(seed)
+    right = driver.solve(given)
+
+    def nonsense(start: Solution, problem: object, at: object) -> tuple[np.ndarray, Array]:
+        state, U = from_coarser(start, problem, at)  # type: ignore[arg-type]
+        return rng.integers(0, 2, len(state)), rng.standard_normal(U.shape)
+
+    from_coarser = warm_start.from_coarser
+    with (
+        patch.object(warm_start, "from_coarser", nonsense),
+        patch.object(warm_start, "along_the_border", lambda *given: given[4]),
+    ):
+        found = driver.solve(given)
+    assert found.certificate.holds
+    np.testing.assert_allclose(found.plate.settlement, right.plate.settlement, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(found.plate.gap, right.plate.gap, rtol=0, atol=1e-9)
+    assert sum(step.changed for step in found.steps if step.finest) > 100

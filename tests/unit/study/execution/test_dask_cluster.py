@@ -1,0 +1,341 @@
+"""Studies on Dask: the same rows on one process or several, whatever of them is killed."""
+
+from __future__ import annotations
+
+import http.client
+import os
+import signal
+import socket
+import ssl
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, closing, contextmanager, suppress
+from pathlib import Path
+
+import psutil
+import pytest
+
+import groundslab
+from groundslab.errors import InputError
+from groundslab.study.evaluation.study import Study
+from groundslab.study.execution import dask_cluster, versions
+from helpers.studies import STUDY, write
+
+#: Enough variants for something to happen in between, however fast they are.
+COUNT = 300
+MANY = STUDY.replace("count = 12", f"count = {COUNT}")
+PATIENCE = 60.0  # seconds, on a machine that has other things to do
+
+
+def wait_for(what: Callable[[], bool]) -> None:
+    """Wait until something is so."""
+    end = time.monotonic() + PATIENCE
+    while not what():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def count(folder: Path) -> int:
+    """Return how many rows a study has so far, 0 if there is none yet."""
+    try:
+        return len(groundslab.open_study(folder))
+    except InputError:
+        return 0
+
+
+def same(one: Study, other: Study) -> bool:
+    """Return whether two studies have the same rows to the last bit, but for the time that they took."""
+    fields = [list(study.fields("settlement")) for study in (one, other)]
+    return (
+        one.table().drop(columns="seconds").equals(other.table().drop(columns="seconds"))
+        and all((a[1] == b[1]).all() for a, b in zip(*fields, strict=True))
+    )  # fmt: skip
+
+
+def started(*arguments: str, **environment: str) -> subprocess.Popen[str]:
+    """Return a process of Python that runs a module, in a group of its own."""
+    return subprocess.Popen(
+        [sys.executable, "-m", *arguments],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        env={**os.environ, **dask_cluster.ONE_THREAD, **environment},
+    )  # fmt: skip
+
+
+@contextmanager
+def ended(process: subprocess.Popen[str]) -> Iterator[subprocess.Popen[str]]:
+    """Kill a process and all of its group in the end."""
+    with process:
+        try:
+            yield process
+        finally:
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+
+
+def alone(path: Path, folder: Path, *options: str) -> Study:
+    """Return a study as one process solves it, one variant after the other: a fresh one, where MKL was not used."""
+    command = ("groundslab", "study", str(path), "--workers", "0", "--out", str(folder), "--quiet", *options)
+    with ended(started(*command)) as process:
+        said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 0, said
+    return groundslab.open_study(folder)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    """Return the study of many variants as one process solves it."""
+    folder = tmp_path_factory.mktemp("whole")
+    return alone(write(folder, MANY), folder / "study-study")
+
+
+def test_killed_worker(tmp_path: Path, whole: Study) -> None:
+    """Two workers of this machine, one of them killed, make the rows that one process makes, each once."""
+    folder = tmp_path / "study-study"
+
+    def kill() -> None:
+        wait_for(lambda: count(folder) >= 3)
+        workers = [each for each in psutil.Process().children(recursive=True) if "spawn_main" in str(each.cmdline())]
+        killed.append(workers[0].pid)
+        workers[0].kill()
+
+    killed: list[int] = []
+    killer = threading.Thread(target=kill)
+    killer.start()
+    study = groundslab.study(write(tmp_path, MANY), workers=2, quiet=True)
+    killer.join()
+    assert killed
+    assert study.mishaps() == {}
+    assert same(study, whole)
+
+
+def test_variant_that_kills_its_worker(tmp_path: Path) -> None:
+    """A variant that brings down every worker, as for want of memory, has no row; all others have one."""
+    (tmp_path / "sitecustomize.py").write_text(
+        "import os\nfrom groundslab.study.execution.variant import Worker\nrow = Worker.row\n"
+        "Worker.row = lambda self, one, known=(): os._exit(9) if one.number == 3 else row(self, one, known)\n"
+    )
+    places = os.pathsep.join([str(tmp_path), *sys.path])
+    command = ("groundslab", "study", str(write(tmp_path)), "--workers", "2", "--quiet")
+    with ended(started(*command, PYTHONPATH=places)) as process:
+        said, told = process.communicate(timeout=2 * PATIENCE)
+    assert process.returncode == 1
+    assert "11 of 12 variants have a row" in said
+    assert "variant 3 has none: 4 workers died of it" in said
+    assert "--resume" in told
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None:
+    """A study that is killed or interrupted leaves whole rows and no process; it goes on with the rest only."""
+    path, folder = write(tmp_path, MANY), tmp_path / "study-study"
+    with ended(started("groundslab", "study", str(path), "--workers", "2")) as process:
+        wait_for(lambda: count(folder) >= 3)
+        children = psutil.Process(process.pid).children(recursive=True)
+        # Ctrl-C reaches every process of the terminal
+        os.kill(process.pid, how) if how == signal.SIGKILL else os.killpg(process.pid, how)
+        _, told = process.communicate(timeout=PATIENCE)
+        assert psutil.wait_procs(children, timeout=PATIENCE)[1] == []
+    before = groundslab.open_study(folder).table()
+    assert 3 <= len(before) < COUNT
+    if how == signal.SIGINT:
+        assert process.returncode == 130
+        assert f"{len(before)} of {COUNT} rows are kept" in told
+        assert "Traceback" not in told
+    study = alone(path, folder, "--resume")
+    assert study.table().loc[before.index].equals(before)
+    assert same(study, whole)
+
+
+#: A scheduler's address, its process, and what starts a worker for it.
+Scheduler = tuple[str, subprocess.Popen[str], Callable[..., None]]
+
+
+def test_program_without_guard(tmp_path: Path) -> None:
+    """A program that would run itself again in each process is told so; nothing is left behind but the folder."""
+    path = write(tmp_path)
+    program = tmp_path / "program.py"
+    program.write_text(f"import groundslab\ngroundslab.study({str(path)!r}, workers=1, quiet=True)\n")
+    ended = subprocess.run([sys.executable, str(program)], capture_output=True, text=True, timeout=PATIENCE)
+    assert ended.returncode != 0
+    assert 'below if __name__ == "__main__":' in ended.stderr
+
+
+@pytest.fixture
+def scheduler(tmp_path: Path) -> Iterator[Scheduler]:
+    """Return the address of a scheduler on the loopback, its process, and what starts a worker for it."""
+    with ExitStack() as stack:
+        told = tmp_path / "scheduler.json"
+        process = stack.enter_context(
+            ended(started("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
+                          "--scheduler-file", str(told)))
+        )  # fmt: skip
+        wait_for(lambda: told.exists() and "address" in told.read_text())
+        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+
+        def worker(**environment: str) -> None:
+            options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
+            stack.enter_context(ended(started("distributed.cli.dask_worker", address, *options, **environment)))
+
+        yield address, process, worker
+
+
+def test_cluster(
+    tmp_path: Path, whole: Study, scheduler: tuple[str, subprocess.Popen[str], Callable[..., None]]
+) -> None:
+    """A scheduler and two workers make the same rows; when the scheduler is killed, the rest is done elsewhere."""
+    address, process, worker = scheduler
+    worker()
+    worker()
+    first, second = tmp_path / "first", tmp_path / "second"
+    path = write(tmp_path, MANY)
+    assert same(groundslab.study(path, scheduler=address, out=first, quiet=True), whole)
+    command = ("groundslab", "study", str(path), "--scheduler", address, "--out", str(second), "--quiet")
+    with ended(started(*command)) as study:
+        wait_for(lambda: count(second) >= 3)
+        process.kill()
+        _, told = study.communicate(timeout=PATIENCE)
+    assert study.returncode == 1
+    assert "lost" in told
+    assert "--resume" in told
+    before = groundslab.open_study(second).table()
+    assert len(before) < COUNT
+    after = alone(path, second, "--resume")
+    assert after.table().loc[before.index].equals(before)
+    assert same(after, whole)
+
+
+def test_other_versions(tmp_path: Path, scheduler: Scheduler) -> None:
+    """A worker with another version of groundslab, or without it, is found out before anything is solved."""
+    address, _, worker = scheduler
+    other = tmp_path / "other" / "groundslab"
+    other.mkdir(parents=True)
+    (other / "__init__.py").write_text('__version__ = "0.0.1"\n')
+    worker(PYTHONPATH=str(tmp_path / "other"))
+    path = write(tmp_path)
+    with pytest.raises(InputError) as caught:
+        groundslab.study(path, scheduler=address, quiet=True)
+    faults = caught.value.faults
+    assert all(fault.where.startswith("worker tcp://127.0.0.1:") for fault in faults)
+    assert [fault.got for fault in faults] == ["groundslab 0.0.1"]
+    assert len(groundslab.open_study(tmp_path / "study-study")) == 0
+
+
+def test_no_scheduler(tmp_path: Path) -> None:
+    """An address where no scheduler answers is a fault of the input."""
+    with pytest.raises(InputError, match="Dask scheduler such as"):
+        groundslab.study(write(tmp_path), scheduler="nothing at all", quiet=True)
+
+
+def test_differences() -> None:
+    """Packages that differ or are missing are told process by process; others are not."""
+    here = {"python": "3.12", "groundslab": "1", "numpy": "2.1"}
+    there = {"a": here, "b": {**here, "numpy": "2.0"}, "c": {"python": "3.12", "numpy": "2.1", "gstools": "1.6"}}
+    assert [(fault.where, fault.got) for fault in dask_cluster.differences(versions.MUST_AGREE, here, there)] == [
+        ("b", "numpy 2.0"), ("c", "no groundslab"), ("c", "gstools 1.6")
+    ]  # fmt: skip
+    assert versions.versions(("groundslab", "no_such_package_at_all", "python")).keys() == {"python", "groundslab"}
+
+
+def listening(process: psutil.Process) -> list[int]:
+    """Return the ports on which a process and those that it started listen."""
+    found = []
+    for each in (process, *process.children(recursive=True)):
+        found += [to.laddr for to in each.net_connections("tcp") if to.status == psutil.CONN_LISTEN]
+    assert all(place.ip == "127.0.0.1" for place in found)
+    return [place.port for place in found]
+
+
+def refuses_strangers(port: int) -> bool:
+    """Return whether a port ends every conversation with who has no key: plain, over HTTP, and over TLS."""
+    with socket.create_connection(("127.0.0.1", port), timeout=PATIENCE) as plain:
+        plain.sendall(b"GET /status HTTP/1.1\r\nHost: evil.example\r\n\r\n")
+        with suppress(ConnectionError):
+            if plain.recv(1) != b"":
+                return False
+    context = ssl.create_default_context()
+    context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+    try:
+        with (
+            socket.create_connection(("127.0.0.1", port), timeout=PATIENCE) as plain,
+            context.wrap_socket(plain) as wrapped,
+        ):
+            return wrapped.recv(1) == b""
+    except (ssl.SSLError, ConnectionError):
+        return True
+
+
+def test_strangers_are_kept_out() -> None:
+    """Each port of the local cluster, those of its workers too, asks for the run's keys; no page is served."""
+    import distributed
+
+    before = set(listening(psutil.Process()))
+    with dask_cluster.local(2, 2) as found:
+        ports = set(listening(psutil.Process())) - before
+        assert len(ports) == 5  # scheduler, two workers, and what looks after each of them
+        assert all(map(refuses_strangers, ports))
+        assert found.dashboard == ""
+        address = found.client.scheduler.address
+        assert address.startswith("tls://127.0.0.1:")
+        for other in (address, address.replace("tls://", "tcp://")):
+            keys = distributed.Security.temporary() if other.startswith("tls") else None
+            with pytest.raises(OSError, match=r"TLS certificate|TCP|timed out"):
+                distributed.Client(other, timeout=5, security=keys)
+        assert found.threads == 2
+
+
+def test_dashboard_when_asked_for() -> None:
+    """The dashboard is there if asked for, on the loopback, and answers no other name than that of the loopback."""
+    with dask_cluster.local(1, 1, dashboard=True) as found:
+        assert found.dashboard.startswith("http://127.0.0.1:")
+        port = int(found.dashboard.split(":")[2].split("/")[0])
+        for host, code in (("127.0.0.1", 200), ("localhost", 200), ("evil.example", 404)):
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=PATIENCE)
+            with closing(connection):
+                connection.request("GET", "/status", headers={"Host": host})
+                assert connection.getresponse().status == code
+
+
+def test_without_cryptography(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the package that makes keys nothing is opened, and the fault says what to install."""
+    monkeypatch.setitem(sys.modules, "cryptography", None)
+    for name in [name for name in sys.modules if name.startswith("cryptography.")]:
+        monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(InputError, match=r"cryptography.*groundslab\[study\]"):
+        groundslab.study(write(tmp_path), workers=1, quiet=True)
+
+
+def test_a_scheduler_with_keys(tmp_path: Path) -> None:
+    """With the keys in Dask's configuration a scheduler at tls:// solves the study; without them that is a fault."""
+    import distributed
+
+    made = distributed.Security.temporary()
+    (tmp_path / "ca.pem").write_text(made.tls_ca_file)
+    (tmp_path / "pair.pem").write_text(made.tls_client_cert + made.tls_client_key)
+    tls = "DASK_DISTRIBUTED__COMM__TLS__"
+    keys = {f"{tls}CA_FILE": str(tmp_path / "ca.pem"), "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "true"}
+    for role in ("SCHEDULER", "WORKER", "CLIENT"):
+        keys |= {f"{tls}{role}__{part}": str(tmp_path / "pair.pem") for part in ("CERT", "KEY")}
+    told = tmp_path / "scheduler.json"
+    with ExitStack() as stack:
+        arguments = ("--host", "tls://127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(told))
+        stack.enter_context(ended(started("distributed.cli.dask_scheduler", *arguments, **keys)))
+        wait_for(lambda: told.exists() and "address" in told.read_text())
+        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+        assert address.startswith("tls://")
+        options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
+        stack.enter_context(ended(started("distributed.cli.dask_worker", address, *options, **keys)))
+        path = write(tmp_path)
+        command = ("groundslab", "study", str(path), "--scheduler", address, "--quiet")
+        with ended(started(*command)) as process:
+            _, err = process.communicate(timeout=PATIENCE)
+        assert process.returncode == 2
+        assert "distributed.comm.tls" in err
+        assert "Traceback" not in err
+        with ended(started(*command, "--resume", **keys)) as process:
+            said = process.communicate(timeout=PATIENCE)
+        assert process.returncode == 0, said
+    assert len(groundslab.open_study(tmp_path / "study-study")) == 12

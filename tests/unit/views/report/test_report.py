@@ -1,0 +1,740 @@
+"""The report: whole, safe, the same every time, and with the numbers of the results."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundslab
+from groundslab.case import casefile
+from groundslab.cli import main as cli
+from groundslab.design.tables import tables_of
+from groundslab.design.tables.table import table_of
+from groundslab.errors import GroundslabError, InputError, NoEquilibrium
+from groundslab.model.model import Model
+from groundslab.results.results import PLATE_FIELDS, Combined, Constants, SupportResult
+from groundslab.results.soil_profile import profiles_of
+from groundslab.views import report
+from groundslab.views.files import results_folder
+from groundslab.views.report import html as document
+from groundslab.views.report import pictures as figures
+from groundslab.views.report.convergence import history_drawing
+from groundslab.views.report.html import html_of
+from groundslab.views.report.input_echo import echo
+from groundslab.views.report.pictures import Picture, governing
+from groundslab.views.report.plan_drawing import plan_drawing
+from groundslab.views.report.soil_drawing import soil_drawing
+from groundslab.views.report.svg import Labels, element
+from groundslab.views.report.table_layout import MOST_COLUMNS, digest_of, grid_of, parts_of, pieces_of, pieces_of_words
+from groundslab.views.scene.binary import LEVELS, unpacked, values_of
+from groundslab.views.summary import single
+from groundslab.views.summary.terminal import number, shown_row
+from helpers import synthetic
+from helpers.pages import Element, page
+
+SECTIONS = [
+    "case", "drawings", "assumptions", "certificate", "extremes", "pictures", "tables", "explore", "history", "refused",
+]  # fmt: skip
+#: Texts that do harm where they are not escaped.
+EVIL = [
+    "</script><script>alert(1)</script>",
+    '"><img src=x onerror=alert(1)>',
+    "' onmouseover='alert(1)",
+    "{{ 7 * 7 }}{% raw %}",
+    "<!-- --><style>*{display:none}</style>",
+    "&lt;b&gt; ]]> \u202e\x00\x1b[2J",
+]
+SOIL = {"kind": "vlasov", "layers": [{"E": 10e6, "nu": 0.3, "thickness": 2}, {"E": 60e6, "nu": 0.3, "thickness": 4}]}
+
+
+def described(words: list[str], **changes: Any) -> Model:
+    """Return a model with something of every kind, named by the words in turn, each name once."""
+    names = (f"{word} {turn}" for turn in range(100) for word in words)
+    cases, combos = [next(names), next(names)], [next(names) for _ in range(3)]
+    column, pile = next(names), next(names)
+    parts: dict[str, Any] = {
+        "title": next(names),
+        "plate": {
+            "length_x": synthetic.LENGTH_X, "length_y": synthetic.LENGTH_Y, "thickness": 0.4, "E": 30e9, "nu": 0.2,
+            "openings": [{"kind": "circle", "centre": (-3, 1), "radius": 0.3}],
+            "zones": [{"shape": {"kind": "rectangle", "x": (0, 1), "y": (0, 1)}, "thickness": 0.6}],
+        },
+        "ground": SOIL,
+        "boreholes": [
+            {"name": next(names), "x": x, "y": 0, "layers": SOIL["layers"]} for x in (-4, 4, 50)
+        ],
+        "contact": {"voids": [{"depth": 0.01, "x": (3, 4), "y": (-1, 0)}]},
+        "cases": [{"name": cases[0]}, {"name": cases[1], "action": "variable"}],
+        "columns": [
+            {"name": column, "x": 1, "y": 2, "diameter": 0.4},
+            {"name": next(names), "x": -2, "y": -2, "width_x": 0.4, "width_y": 0.6},
+        ],
+        "supports": [
+            {"kind": "point", "name": pile, "x": 2, "y": -1.5, "stiffness": 5e7, "acts": "in compression"},
+            {"kind": "line", "name": next(names), "points": [(3, 1), (3, 2)]},
+        ],
+        "loads": [
+            {"kind": "uniform", "name": next(names), "q": 1e3, "case": cases[0]},
+            {"kind": "patch", "name": next(names), "q": 2e3, "x": (1, 2), "y": (-1, 1), "case": cases[1]},
+            {"kind": "line", "name": next(names), "q": 2e3, "points": [(-4, -3), (4, -3)], "case": cases[1]},
+            {"kind": "point", "name": next(names), "P": 2e5, "column": column, "case": cases[0]},
+            {"kind": "point", "name": next(names), "P": 1e5, "x": 4, "y": 3, "width_x": 0.2, "width_y": 0.3,
+             "case": cases[1]},
+            {"kind": "settlement", "name": next(names), "support": pile, "w": 0.01, "case": cases[1]},
+        ],
+        "combinations": [
+            {"name": combos[0], "factors": {cases[0]: 1.35, cases[1]: 1.5}},
+            {"name": combos[1], "limit_state": "characteristic", "factors": {cases[0]: 1.0, cases[1]: 1.0}},
+            {"name": combos[2], "factors": {cases[1]: 2.0}},
+        ],
+        "output": {
+            "points": [{"name": next(names), "x": 0, "y": 1.5}],
+            "lines": [{"name": next(names), "start": (-4, 0.5), "end": (4, 0.5)}],
+            "strips": [{"name": next(names), "start": (-4, -1), "end": (4, -1), "width": 1}],
+        },
+        "reinforcement": {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+        "mesh": {"symmetry": "off"},
+    }  # fmt: skip
+    return Model(**parts | changes)
+
+
+def solved(model: Model, n: int = 6, **changes: Any) -> Combined:
+    """Return made-up results of all combinations but the last one, which is refused with the case's title."""
+    supports = tuple(
+        SupportResult(
+            name=support.name,
+            nodes=np.array([[2.0, -1.5]]) if support.kind == "point" else np.array([[3.0, 1.0], [3.0, 2.0]]),
+            length=np.zeros(1) if support.kind == "point" else np.full(2, 0.5),
+            settlement=np.full(1 if support.kind == "point" else 2, 0.01),
+            force=np.full(1 if support.kind == "point" else 2, 1e5),
+            moment_x=np.zeros(1 if support.kind == "point" else 2),
+            moment_y=np.zeros(1 if support.kind == "point" else 2),
+        )
+        for support in model.supports
+    )
+    made = {}
+    for number_of, each in enumerate(model.combinations[:-1], 1):
+        one = synthetic.results(
+            n, model=model, combination=each.name, limit_state=each.limit_state, factors=each.factors,
+            supports=supports, constants=Constants((2e7,), (3e7,), 1.2, 3), **changes,
+        )  # fmt: skip
+        plate = replace(one.plate, settlement=number_of * one.plate.settlement)
+        made[each.name] = replace(one, plate=plate)
+    last = model.combinations[-1].name
+    return Combined(model, model.combinations, made, {last: NoEquilibrium(f"nothing holds {model.title}")})
+
+
+@pytest.fixture(scope="module")
+def plain() -> Combined:
+    """Return a solved model with something of every kind."""
+    return solved(described(["part"]))
+
+
+@pytest.fixture(scope="module")
+def root(plain: Combined) -> Element:
+    """Return the report of the plain model."""
+    return page(html_of(plain))
+
+
+@pytest.fixture(autouse=True)
+def _quick_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Spare tests the drawing of pictures, but for their words; the plain report above has true ones."""
+    monkeypatch.setattr(figures, "_picture", lambda _, __, words: Picture("data:image/png;base64,AAAA", words, 4, 3))
+
+
+def grids(section: Element) -> Iterator[tuple[list[str], list[list[str]]]]:
+    """Yield heads and rows of each table in a section."""
+    for table in section.all("table"):
+        yield (
+            [" ".join(head.text.split()) for head in table.all("th")],
+            [[cell.text for cell in row.all("td")] for row in table.one("tbody").all("tr")],
+        )
+
+
+class TestStructure:
+    """What stands where."""
+
+    def test_sections_stand_in_their_order(self, root: Element) -> None:
+        """The page has all sections, and the contents lead to each."""
+        main = root.one("main")
+        ids = [each.attributes["id"] for each in main.all("section") if "id" in each.attributes]
+        assert [each for each in ids if not each.startswith("table-")] == SECTIONS
+        assert [link.attributes["href"] for link in root.one("nav").all("a")] == [f"#{name}" for name in SECTIONS]
+
+    def test_names_of_places_are_there_once(self, root: Element) -> None:
+        """No id stands twice, and every link leads to one."""
+        ids = [each.attributes["id"] for each in root.all() if "id" in each.attributes]
+        assert len(set(ids)) == len(ids)
+        links = [link.attributes["href"] for link in root.all("a")]
+        assert links
+        assert {link.removeprefix("#") for link in links} <= set(ids)
+
+    def test_title_block(self, plain: Combined, root: Element) -> None:
+        """Title, program, version, file and hash; the hash is that of the text that the page holds."""
+        head = root.one("header", class_="title")
+        assert head.one("h1").text == plain.model.title
+        facts = dict(zip((each.text for each in head.all("dt")), (each.text for each in head.all("dd")), strict=True))
+        text = casefile.to_toml(plain.model)
+        assert groundslab.__version__ in facts["Program"]
+        assert facts["Input file"] == "case.toml"
+        assert facts["SHA-256 of its text"] == hashlib.sha256(text.encode()).hexdigest()
+        assert facts["Combinations"] == "3, of which 1 refused"
+        assert root.one("details", id="text").one("pre").text == text
+
+    def test_own_text_and_name_of_the_input(self, plain: Combined) -> None:
+        """Whoever has the input as it was written can give it: the page holds it, and its hash."""
+        text = "# mine\n" + casefile.to_toml(plain.model)
+        found = page(html_of(plain, text=text, file="raft <1>.toml"))
+        assert found.one("pre").text == text
+        told = found.one("header", class_="title").text
+        assert hashlib.sha256(text.encode()).hexdigest() in told
+        assert "raft <1>.toml" in told
+
+    def test_drawings_and_pictures(self, root: Element) -> None:
+        """Plan, soil and signs are drawings; pictures are within the page, with words and their size."""
+        assert [each.attributes["aria-label"] for each in root.one("section", id="drawings").all("svg")] == [
+            "Plan of the plate",
+            "Columns of soil",
+        ]
+        pictures = list(root.one("section", id="pictures").all("img"))
+        assert len(pictures) == 4
+        for picture in pictures:
+            kind, _, data = picture.attributes["src"].partition(",")
+            assert kind == "data:image/png;base64"
+            assert base64.b64decode(data).startswith(b"\x89PNG")
+            assert picture.attributes["alt"].endswith(".")
+            assert 300 < int(picture.attributes["width"]) < 1500
+
+    def test_the_same_results_give_the_same_page(self, plain: Combined, monkeypatch: pytest.MonkeyPatch) -> None:
+        """Nothing depends on when or where it is made, pictures included."""
+        monkeypatch.undo()
+        results = synthetic.results()
+        assert html_of(results) == html_of(results)
+        assert html_of(plain) == html_of(plain)
+
+
+class TestVerdict:
+    """Whether the results may be used."""
+
+    def test_of_several(self, root: Element) -> None:
+        """One refused combination makes the verdict bad, and its reason is told."""
+        verdict = root.one("p", class_="verdict bad").text
+        assert "1 of 3 combinations have no certified result, number 3." in verdict
+        assert "nothing holds part" in root.one("section", id="refused").text
+
+    def test_of_one_that_is_certified(self) -> None:
+        """A good result is called so; nothing is refused."""
+        found = page(html_of(synthetic.results()))
+        assert found.one("p", class_="verdict good").text == single.certified_words(1)
+        assert not list(found.all("section", id="refused"))
+        assert {each for row in next(grids(found.one("section", id="certificate")))[1] for each in row[4:]} == {
+            "",
+            "holds",
+        }
+
+    def test_of_one_that_is_not(self) -> None:
+        """An uncertified result is shown with its certificate only: no extremes, no pictures, no tables of it."""
+        bad = replace(synthetic.CERTIFICATE, residual=1.0)
+        found = page(html_of(synthetic.results(certificate=bad)))
+        assert "use nothing of it" in found.one("p", class_="verdict bad").text
+        rows = next(grids(found.one("section", id="certificate")))[1]
+        assert [row[0] for row in rows if row[-1] == "FAILED"] == ["force left over at a node"]
+        assert "No combination has a certified result" in found.one("section", id="extremes").text
+        assert not list(found.one("section", id="pictures").all("img"))
+
+    def test_of_none(self) -> None:
+        """If every combination is refused, the case, its drawings and the reasons are left."""
+        model = described(["part"])
+        refused = {each.name: NoEquilibrium(f"why {each.name}") for each in model.combinations}
+        found = page(html_of(Combined(model, model.combinations, {}, refused)))
+        assert "no combination has a certified result" in found.one("p", class_="verdict bad").text
+        assert all(f"why {name}" in found.one("section", id="refused").text for name in refused)
+        assert found.one("section", id="drawings").one("svg", class_="drawing")
+
+
+class TestNumbers:
+    """Every number is one of the results, shown as the summary shows it."""
+
+    def test_all_tables_are_there(self, plain: Combined, root: Element) -> None:
+        """Each table has its section, its title, its rows and its notes; a wide one in parts of few columns."""
+        section = root.one("section", id="tables")
+        tables = tables_of(plain)
+        assert len(tables) == 10
+        for table in tables:
+            part = section.one("section", id=f"table-{table.name}")
+            assert part.one("h3").text == table.title
+            assert all(note in part.text for note in table.notes)
+            cells = [
+                "" if value is None else number(value) if isinstance(value, float) else str(value)
+                for value in table.columns[-1].values
+            ]
+            whole = [rows for _, rows in grids(part) if len(rows) == len(table)]
+            assert [row[-1] for row in whole[-1]] == cells, table.name
+            assert all(len(heads) <= MOST_COLUMNS for heads, _ in grids(part))
+
+    def test_extremes_are_those_of_the_results(self, plain: Combined, root: Element) -> None:
+        """The largest settlement stands with place and combination, as made: the second has twice the first's."""
+        rows = {tuple(row[:2]): row for _, found in grids(root.one("section", id="extremes")) for row in found}
+        second = plain.combinations[1].name
+        assert rows["largest settlement", "w"] == [
+            "largest settlement", "w", number(56.0), "mm", "(0.000, 0.000)", second,
+        ]  # fmt: skip
+        assert rows["largest moment", "mx"][2:4] == [number(100.0), "kNm/m"]
+
+    def test_figures_are_written_as_in_the_summary(self) -> None:
+        """Value, unit and place of each extreme are the texts of the summary's rows."""
+        results = synthetic.results(4, shear=True, constants=Constants((synthetic.K0,), (synthetic.K1,), None, 0))
+        found = [row for _, rows in grids(page(html_of(results)).one("section", id="extremes")) for row in rows]
+        for section in single.figures(results):
+            for row in section.rows:
+                shown = shown_row(row)
+                symbol = row.symbol.replace("_", "")
+                cells = next(each for each in found if each[0] == row.label and symbol in each[1])
+                assert shown.figure in cells
+                assert shown.unit in cells
+                assert shown.place in cells
+
+    def test_scene_holds_the_fields(self, plain: Combined, root: Element) -> None:
+        """The viewer's data are those of the results to half a level of their range."""
+        scene = unpacked(gzip.decompress(base64.b64decode(root.one("script", id="scene").text)))
+        assert scene.head["title"] == plain.model.title
+        for told in scene.head["combinations"][:2]:
+            plate = plain.results[told["name"]].plate
+            for name in ("settlement", "pressure", "moment_x", "moment_xy", "shear_y"):
+                exact = getattr(plate, name) * PLATE_FIELDS[name].scale
+                error = np.abs(values_of(scene, told["values"][name]) - exact).max()
+                assert error <= np.ptp(exact) / LEVELS * 0.5000001, name
+
+    def test_constants_and_history(self, plain: Combined, root: Element) -> None:
+        """Each combination has its constants and its steps."""
+        heads, rows = next(grids(root.one("section", id="drawings")))
+        assert heads == ["combination", "compression k0 [MPa/m]", "shear k1 [MPa m]", "decay of the mode γ",
+                         "iterations for gamma"]  # fmt: skip
+        assert [row[1:] for row in rows] == [["20.000", "30.000", "1.2000", "3"]] * 2
+        _, steps = next(grids(root.one("section", id="history")))
+        assert len(steps) == sum(len(each.steps) for each in plain.results.values())
+        assert steps[2][1:] == ["1234", "1", "-", "2", "16", "0", "*"]
+        assert len(list(root.one("section", id="history").all("svg"))) == 2
+
+    def test_governing_combinations(self) -> None:
+        """Each picture shows the combination that governs: the second has twice the settlements, the third moments."""
+        combined = solved(described(["part"]))
+        first, second, _ = (each.name for each in combined.combinations)
+        more = {**combined.results}
+        plate = more[first].plate
+        more[first] = replace(more[first], plate=replace(plate, moment_x=-3 * plate.moment_x))
+        found = governing(replace(combined, results=more))
+        assert found == {
+            "settlement": second, "uplift": second, "pressure": first, "moment_x": first, "moment_y": first,
+        }  # fmt: skip
+
+    def test_without_uplift_none_governs(self) -> None:
+        """Where all of the plate bears, no uplift is shown."""
+        assert "uplift" not in governing(results_folder.alone(synthetic.results(lifts=False)))
+
+
+def harmful(root: Element) -> list[str]:
+    """Return what could run or load something: handlers, styles in attributes, strange elements, foreign addresses."""
+    found = []
+    for each in root.all():
+        if each.name in {"iframe", "object", "embed", "link", "base", "form", "audio", "video", "foreignobject"}:
+            found.append(each.name)
+        for name, value in each.attributes.items():
+            address = name in {"src", "href", "srcset", "action", "data", "poster", "background", "xlink:href"}
+            if (
+                name.startswith("on")
+                or name == "style"
+                or (address and not re.match(r"#|data:image/png;base64,", value))
+            ):
+                found.append(f"{each.name} {name}={value[:60]}")
+    return found
+
+
+class TestSafety:
+    """Nothing that a case says does anything, and nothing is fetched."""
+
+    @pytest.mark.parametrize("evil", EVIL)
+    def test_texts_are_only_texts(self, evil: str, root: Element) -> None:
+        """Title, names of all things, file, and reasons are shown as they are; the page has the elements it would."""
+        model = described([evil])
+        html = html_of(solved(model), file=evil)
+        found, usual = page(html), root
+        assert harmful(found) == []
+        assert [each.name for each in found.all("script")] == ["script"] * 2
+        assert [each.name for each in found.one("head").all()] == [each.name for each in usual.one("head").all()]
+        assert {each.name for each in found.all()} == {each.name for each in usual.all()}
+        shown = evil.replace("\x00", "\ufffd").replace("\x1b", "\ufffd")
+        assert found.one("h1").text.startswith(shown)
+        assert found.one("title").text.startswith(shown)
+        assert f"nothing holds {shown}" in found.one("section", id="refused").text
+        plan = next(found.one("section", id="drawings").all("svg"))
+        for each in (*model.columns, *model.supports, *model.output.lines, *model.output.strips):
+            assert any(text.text.startswith(each.name[:-3].replace("\x00", "\ufffd").replace("\x1b", "\ufffd"))
+                       for text in plan.all("text"))  # fmt: skip
+        assert not re.search(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]", html)
+
+    def test_the_policy_lets_through_what_the_page_brings(self, root: Element) -> None:
+        """The page's policy allows nothing but its own script and style, whose hashes it states."""
+        (policy,) = [each.attributes["content"] for each in root.all("meta") if "http-equiv" in each.attributes]
+        rules = dict(rule.strip().split(" ", 1) for rule in policy.split(";"))
+        assert rules["default-src"] == "'none'"
+        script = next(each for each in root.all("script") if "type" not in each.attributes)
+        for rule, text in (("script-src", script.text), ("style-src", root.one("style").text)):
+            digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+            assert rules[rule] == f"'sha256-{digest}'"
+        assert rules["img-src"] == "data: blob:"
+        assert rules["base-uri"] == rules["form-action"] == "'none'"
+
+    def test_nothing_is_fetched(self, root: Element) -> None:
+        """No address of the page, of its style or of its drawings leads out of it."""
+        assert harmful(root) == []
+        style = root.one("style").text
+        assert not re.search(r"url\(\s*[\"']?(?!data:)|@import", style)
+
+    def test_a_broken_script_is_noticed(self, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+        """A built file that would end its element, or one that is missing, is an error that says what to do."""
+        monkeypatch.setattr(document, "HERE", tmp_path)
+        with pytest.raises(GroundslabError, match=r"report.js.*npm run build"):
+            document.built("report.js")
+        (tmp_path / "static").mkdir()
+        for bad in ("x = '</script>'", "<!-- x", "a\x00b"):
+            (tmp_path / "static" / "report.js").write_text(bad, encoding="utf-8")
+            with pytest.raises(GroundslabError, match="break the page"):
+                document.built("report.js")
+
+
+class TestSize:
+    """Reports go by mail."""
+
+    def test_a_long_table_is_folded_with_a_digest(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        """On paper a long table of lines leaves its extremes; one that is longer still names its CSV file."""
+        combined = solved(described(["part"]), n=24)
+        found = page(html_of(combined)).one("section", id="table-lines")
+        table = {each.name: each for each in tables_of(combined)}["lines"]
+        assert len(table) > 60
+        heads, rows = next(grids(found))
+        assert heads == [
+            "line",
+            "quantity",
+            "unit",
+            "least",
+            "s [m]",
+            "combination",
+            "greatest",
+            "s [m]",
+            "combination",
+        ]
+        settlements = table["settlement w"]
+        assert rows[0][3] == number(min(settlements))
+        assert rows[0][6] == number(max(settlements))
+        assert rows[0][8] == combined.combinations[1].name
+        assert len(list(found.all("details"))) > 0
+        monkeypatch.setattr("groundslab.views.report.content.MOST_IN_FILE", 50)
+        monkeypatch.setattr(
+            "groundslab.views.report.content.TableGrids.whole", property(lambda each: each.length <= 50)
+        )
+        cut = page(html_of(combined)).one("section", id="table-lines")
+        assert "tables/lines.csv" in cut.text
+        assert not list(cut.all("details"))
+
+    def test_what_is_left_out_is_named(self, monkeypatch: pytest.MonkeyPatch, plain: Combined) -> None:
+        """Fields beyond the budget are left out, and the page says whose."""
+        monkeypatch.setattr(document, "MOST_DATA", 1)
+        told = page(html_of(plain)).one("section", id="explore").text
+        assert plain.combinations[0].name in told
+        assert plain.combinations[1].name not in told
+
+    def test_as_much_as_there_is_room_for(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        """With room for two of three combinations, two are kept, and the file's part for them is not exceeded."""
+        model = synthetic.model().replace(
+            cases=[{"name": "G"}],
+            loads=[{"kind": "uniform", "q": 1e3, "case": "G"}],
+            combinations=[{"name": f"C{n}", "factors": {"G": float(n)}} for n in range(1, 4)],
+        )
+        noise = np.random.default_rng(1).uniform(size=(3, 5, 41 * 41))
+        made = {}
+        for each, values in zip(model.combinations, noise, strict=True):
+            one = synthetic.results(20, model=model, combination=each.name, factors=each.factors)
+            fields = dict(zip(("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y"), values, strict=True))
+            made[each.name] = replace(one, plate=replace(one.plate, **fields))
+        combined = Combined(model, model.combinations, made, {})
+        whole, none = document._scene(combined)
+        assert none == []
+        monkeypatch.setattr(document, "MOST_DATA", int(0.85 * len(whole)))
+        text, left_out = document._scene(combined)
+        assert len(left_out) == 1
+        assert len(text) <= 0.85 * len(whole)
+
+    def test_ten_thousand_nodes_stay_small(self) -> None:
+        """A tenth of a large raft, with two combinations, stays below a tenth of 20 MB."""
+        html = html_of(solved(described(["part"]), n=50))
+        assert len(html.encode()) < 2_000_000
+
+
+class TestEcho:
+    """The case as the report tells it."""
+
+    def test_single_keys(self) -> None:
+        """Quantities come in a fitting unit, numbers as they are, choices and flags as words."""
+        told = {section.key: section for section in echo(described(["part"]))}
+        plate = {row[0].text: row for row in told["plate"].grids[0].rows}
+        assert [cell.text for cell in plate["thickness"]] == ["thickness", "t", "400 mm", "thickness"]
+        assert plate["E"][2].text == "30 GPa"
+        assert plate["nu"][1].text == "nu"
+        assert plate["shear factor"][2].text == "0.833333"
+        contact = {row[0].text: row[-2].text for row in told["contact"].grids[0].rows}
+        assert contact["tensionless"] == "yes"
+
+    def test_lists_share_a_unit(self) -> None:
+        """Parts of one kind stand in one grid by their numbers in the case, each column in one unit."""
+        told = {section.key: section for section in echo(described(["part"]))}
+        points = next(grid for grid in told["loads"].grids if grid.title.startswith("point"))
+        assert [(head.text, head.unit) for head in points.heads[:4]] == [
+            ("no.", ""),
+            ("name", ""),
+            ("case", ""),
+            ("P", "kN"),
+        ]
+        assert [[row[0].text, row[3].text] for row in points.rows] == [["4", "200"], ["5", "100"]]
+        supports = told["supports"].grids
+        assert [head.text for head in supports[0].heads if head.unit == "MN/m"] == ["stiffness"]
+        assert "rigid" in [cell.text for cell in supports[1].rows[0]]
+
+    def test_parts_within_parts(self) -> None:
+        """Layers of boreholes stand below them, each under its name."""
+        told = {section.key: section for section in echo(described(["part"]))}
+        titles = [grid.title for grid in told["boreholes"].grids]
+        assert titles[0] == ""
+        assert [title.endswith(": layers") for title in titles[1:]] == [True] * 3
+        assert [row[1].text for row in told["boreholes"].grids[1].rows] == ["10", "60"]
+
+    def test_shapes_in_words(self) -> None:
+        """Rectangles, circles and polygons are told with their places in metres."""
+        plate = {
+            "outline": {"kind": "polygon", "points": [(0, 0), (8, 0), (8, 4)], "bulges": (0.0, 0.5)},
+            "openings": [{"kind": "circle", "centre": (6, 1.5), "radius": 0.25}],
+            "zones": [{"shape": {"kind": "rectangle", "x": (7, 7.5), "y": (1, 2)}, "thickness": 0.6}],
+            "thickness": 0.4, "E": 30e9, "nu": 0.2,
+        }  # fmt: skip
+        model = Model(plate=plate, ground={"kind": "winkler", "k": 2e7}, loads=[{"kind": "uniform", "q": 1e3}])
+        texts = {cell.text for section in echo(model) for grid in section.grids for row in grid.rows for cell in row}
+        assert "polygon (0, 0) (8, 0) (8, 4) m; bulges 0, 0.5" in texts
+        assert "rectangle, x = 7 to 7.5 m, y = 1 to 2 m" in texts
+        assert {"(6, 1.5) m", "250"} <= texts
+
+    def test_automatic_combinations_are_told(self) -> None:
+        """What EN 1990 makes stands among the combinations, with its factors."""
+        model = described(["part"], combinations=(), combine={"sets": ["ultimate"]})
+        told = {section.key: section for section in echo(model)}
+        (grid,) = told["combinations"].grids
+        assert "1.35 part 0 + 1.5 part 1" in {row[3].text for row in grid.rows}
+
+
+class TestDrawings:
+    """Plan, soil, history."""
+
+    def test_plan_has_dimensions_names_and_notes(self) -> None:
+        """The sides in metres, names of what stands there, numbers of loads; what is too far away is told."""
+        drawn = plan_drawing(described(["part"]))
+        texts = [each.text for each in page(str(drawn.svg)).all("text")]
+        assert {"9.6", "7.2", "L2", "L3", "L5", "x", "y"} <= set(texts)
+        assert "L4" not in texts  # it stands on a column
+        notes = " ".join(drawn.notes)
+        assert "L1 (uniform), L6 (settlement)" in notes
+        assert "(50, 0)" in notes
+
+    def test_plan_is_to_scale(self) -> None:
+        """The plate's outline has the proportions of the plate, y upwards."""
+        drawn = page(str(plan_drawing(described(["part"])).svg))
+        path = drawn.one("path", class_="d-plate").attributes["d"].split("Z")[0]
+        x, y = np.array([pair.split(" ") for pair in path[1:].split("L")], dtype=float).T
+        assert np.ptp(x) / np.ptp(y) == pytest.approx(synthetic.LENGTH_X / synthetic.LENGTH_Y, rel=1e-3)
+        assert y[0] == y.max()  # the first corner is the lower left one
+
+    def test_corners_have_dimensions_of_their_own(self) -> None:
+        """An L has a chain of dimensions along each side, beside those of the whole."""
+        plate = {
+            "outline": {"kind": "polygon", "points": [(0, 0), (30, 0), (30, 10), (12, 10), (12, 20), (0, 20)]},
+            "thickness": 0.4, "E": 30e9, "nu": 0.2,
+        }  # fmt: skip
+        model = Model(plate=plate, ground={"kind": "winkler", "k": 2e7}, loads=[{"kind": "uniform", "q": 1e3}])
+        texts = [each.text for each in page(str(plan_drawing(model).svg)).all("text")]
+        assert [texts.count(length) for length in ("12", "18", "30", "10", "20")] == [1, 1, 1, 2, 1]
+
+    def test_labels_keep_apart(self) -> None:
+        """Many labels at one place do not lie upon each other as long as there is room."""
+        labels = Labels((0, 0, 200, 200))
+        for _ in range(6):
+            labels.beside((100, 100), "name", "d-text")
+        boxes = labels.taken
+        assert len(boxes) == 6
+        for i, a in enumerate(boxes):
+            for b in boxes[:i]:
+                assert not (a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3])
+
+    def test_attributes_and_texts_of_drawings_are_escaped(self) -> None:
+        """Neither a text nor a value can end what it stands in."""
+        assert element("text", '<b>"', x='"><b>') == '<text x="&#34;&gt;&lt;b&gt;">&lt;b&gt;&#34;</text>'
+
+    def test_soil_is_to_scale(self, plain: Combined) -> None:
+        """Layers are drawn by their thickness, beside the words of the description."""
+        drawn = soil_drawing(profiles_of(next(iter(plain.results.values()))))
+        assert drawn is not None
+        root = page(str(drawn))
+        heights = [float(each.attributes["height"]) for each in root.all("rect")]
+        assert heights == pytest.approx([100, 200] * 3)
+        texts = [each.text for each in root.all("text")]
+        assert texts.count("1: E = 10 MPa") == texts.count("ν = 0.3, h = 2 m") == 3
+        assert len(list(root.all("path", class_="d-mode"))) == 3
+
+    def test_springs_have_no_column(self) -> None:
+        """Ground without layers has nothing to draw."""
+        assert soil_drawing(profiles_of(synthetic.results())) is None
+
+    def test_history(self) -> None:
+        """Each step is a mark; the last, which changes nothing, lies on the axis."""
+        steps = synthetic.results().steps
+        marks = list(page(str(history_drawing(steps))).all("circle"))
+        assert [each.attributes["class"] for each in marks] == ["d-step-coarse", "d-step", "d-step"]
+        heights = [float(each.attributes["cy"]) for each in marks]
+        assert heights[2] > heights[1] > heights[0]
+        page(str(history_drawing(())))
+
+
+class TestGrids:
+    """Rows and columns."""
+
+    def test_wide_tables_are_cut(self) -> None:
+        """Each part repeats the columns that say which row it is, and no column is lost."""
+        heads = [("a", ""), *((f"c{n}", "m") for n in range(25))]
+        grid = grid_of(table_of("extremes", "Wide", heads, [["x", *range(25)]], ["note"]))
+        parts = parts_of(grid, 1)
+        assert [part.heads[0].text for part in parts] == ["a"] * 3
+        assert [head.text for part in parts for head in part.heads[1:]] == [f"c{n}" for n in range(25)]
+        assert all(len(part.heads) <= MOST_COLUMNS for part in parts)
+        assert [part.notes for part in parts] == [(), (), ("note",)]
+
+    def test_short_tables_have_no_digest(self) -> None:
+        """A table that is printed whole needs none, and one of extremes has the envelope."""
+        assert digest_of(table_of("lines", "Lines", [("combination", ""), ("line", "")], [["a", "b"]])) is None
+
+    @pytest.mark.parametrize(
+        ("symbol", "pieces"),
+        [
+            ("gamma_c", [("γ", "c")]),
+            ("q_x, q_y", [("q", "x"), (", q", "y")]),
+            ("E", [("E", "")]),
+            ("", []),
+            ("-w", [("-w", "")]),
+        ],
+    )
+    def test_symbols(self, symbol: str, pieces: list[tuple[str, str]]) -> None:
+        """Greek letters are such, what follows an underscore is a subscript."""
+        assert pieces_of(symbol) == pieces
+
+    def test_symbols_within_words(self) -> None:
+        """Words with an underscore are symbols, all others stay as they are."""
+        pieces = pieces_of_words("largest |m_xy| of beta_x, gamma")
+        assert "".join(base for base, _ in pieces) == "largest |m| of β, gamma"
+        assert [sub for _, sub in pieces if sub] == ["xy", "x"]
+
+
+class TestFiles:
+    """Writing, and the command."""
+
+    @pytest.fixture
+    def folder(self, tmp_path: Path) -> Path:
+        """Return a folder of results."""
+        return results_folder.write(synthetic.results(model=synthetic.model()), tmp_path / "raft-results")
+
+    def test_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Without --out the report stands beside the folder under its name, which standard error tells."""
+        assert cli.main(["report", str(folder)]) == 0
+        target = folder.with_name("raft-results.html")
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert str(target) in err
+        assert page(target.read_text(encoding="utf-8")).one("h1").text == "A slab of formulas"
+
+    def test_the_same_folder_gives_the_same_file(self, folder: Path, tmp_path: Path) -> None:
+        """Byte by byte, and it is that of the results in memory; the hash is that of case.toml."""
+        for name in ("a.html", "b.html"):
+            assert cli.main(["report", str(folder), "--out", str(tmp_path / name)]) == 0
+        content = (tmp_path / "a.html").read_bytes()
+        assert content == (tmp_path / "b.html").read_bytes()
+        assert content == html_of(synthetic.results(model=synthetic.model())).encode()
+        assert hashlib.sha256((folder / "case.toml").read_bytes()).hexdigest() in content.decode()
+
+    def test_a_case_that_was_changed_is_not_taken_for_the_input(self, folder: Path) -> None:
+        """The text in the page describes the model that was solved, whatever became of the file."""
+        model = synthetic.model()
+        path = folder / "case.toml"
+        assert report.text_of(folder, model) == casefile.to_toml(model)
+        path.write_text("# a remark\n" + path.read_text(encoding="utf-8"), encoding="utf-8")
+        assert str(report.text_of(folder, model)).startswith("# a remark")
+        path.write_text(casefile.to_toml(synthetic.model(title="another")), encoding="utf-8")
+        assert report.text_of(folder, model) is None
+        path.write_bytes(b"\xff\xfe")
+        assert report.text_of(folder, model) is None
+
+    def test_only_reports_are_replaced(self, folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A file of another kind is left as it is; an older report is replaced."""
+        target = tmp_path / "mine.html"
+        target.write_text("<p>my notes", encoding="utf-8")
+        assert cli.main(["report", str(folder), "--out", str(target)]) == 2
+        assert target.read_text(encoding="utf-8") == "<p>my notes"
+        assert "a report of groundslab" in capsys.readouterr().err
+        assert cli.main(["report", str(folder), "--out", str(tmp_path)]) == 2
+        target.unlink()
+        for _ in range(2):
+            assert cli.main(["report", str(folder), "--out", str(target)]) == 0
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.html", "raft-results"]
+
+    def test_not_within_the_folder_of_results(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A report there would keep the folder from being replaced."""
+        before = sorted(folder.rglob("*"))
+        assert cli.main(["report", str(folder), "--out", str(folder / "tables" / "x.html")]) == 2
+        assert "--out" in capsys.readouterr().err
+        assert sorted(folder.rglob("*")) == before
+
+    def test_what_is_no_folder_of_results(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """Exit code 2, the fault, and no file."""
+        assert cli.main(["report", str(tmp_path)]) == 2
+        assert "a folder of results that groundslab wrote" in capsys.readouterr().err
+        assert not tmp_path.with_name(f"{tmp_path.name}.html").exists()
+
+    def test_a_place_that_cannot_be_written(self, tmp_path: Path) -> None:
+        """A folder that is not there is told as such."""
+        with pytest.raises(InputError, match="no folder"):
+            groundslab.write_report(synthetic.results(), tmp_path / "missing" / "x.html")
+
+    def test_refused_combinations_are_told(
+        self, plain: Combined, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """The command says that not all is well; the report is made, so the exit code is 0."""
+        results_folder.write(plain, tmp_path / "several")
+        assert cli.main(["report", str(tmp_path / "several")]) == 0
+        assert "1 of 3 combinations" in capsys.readouterr().err
+
+    def test_an_installation_that_is_not_whole(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Without the built parts there is no report: exit code 1 and what to do."""
+        monkeypatch.setattr(document, "HERE", folder)
+        assert cli.main(["report", str(folder)]) == 1
+        assert "missing from this installation" in capsys.readouterr().err
+        assert not folder.with_name("raft-results.html").exists()
+
+    def test_in_python(self, tmp_path: Path) -> None:
+        """The package's front has it, for one combination and for several."""
+        target = groundslab.write_report(synthetic.results(), str(tmp_path / "x.html"))
+        assert target.read_text(encoding="utf-8").startswith("<!doctype html>")

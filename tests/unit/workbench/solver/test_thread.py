@@ -1,0 +1,341 @@
+"""The solver's process: the newest state wins, runs stop, crashes are told of and survived."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from groundslab.errors import InputError
+from groundslab.views.scene.binary import unpacked
+from groundslab.workbench.events import Event
+from groundslab.workbench.solver import process
+from groundslab.workbench.solver import thread as solvers
+from groundslab.workbench.solver.thread import Solver
+from helpers import workers
+
+PATIENCE = 60.0
+
+
+class Heard:
+    """Hears what is told, and waits for it."""
+
+    def __init__(self) -> None:
+        self.events: list[Event] = []
+        self.more = threading.Condition()
+
+    def __call__(self, name: str, about: dict[str, Any]) -> None:
+        with self.more:
+            self.events.append((name, dict(about)))
+            self.more.notify_all()
+
+    def wait(self, name: str, run: int) -> dict[str, Any]:
+        """Return the first event of that name on that run."""
+
+        def found() -> dict[str, Any] | None:
+            return next((about for word, about in self.events if (word, about["run"]) == (name, run)), None)
+
+        with self.more:
+            assert self.more.wait_for(lambda: found() is not None, PATIENCE), self.events
+            about = found()
+            assert about is not None
+            return about
+
+    def wait_for_last(self, name: str, run: int) -> dict[str, Any]:
+        """Return the last event, once it is of that name on that run."""
+        with self.more:
+            wanted = (name, run)
+            assert self.more.wait_for(lambda: (self.events[-1][0], self.events[-1][1]["run"]) == wanted, PATIENCE)
+            return self.events[-1][1]
+
+    def names(self, run: int) -> list[str]:
+        """Return the names of the events on a run, progress left out."""
+        return [name for name, about in self.events if about["run"] == run and name != "progress"]
+
+
+@pytest.fixture
+def heard() -> Heard:
+    """Return an ear."""
+    return Heard()
+
+
+Make = Callable[..., Solver]
+
+
+@pytest.fixture
+def make(heard: Heard) -> Iterator[Make]:
+    """Return what makes a solver whose process takes orders; it is closed in the end."""
+    made: list[Solver] = []
+
+    def of(task: Any = workers.obey, prepare: Any = None) -> Solver:
+        made.append(Solver(heard, task, prepare))
+        return made[-1]
+
+    yield of
+    for each in made:
+        each.close()
+
+
+def want(solver: Solver, text: str, version: int = 1, delay: float = 0.0, again: bool = False) -> int:
+    """Have a text solved; it means itself."""
+    return solver.want(text, version, text, delay, again)
+
+
+def test_a_run_is_told_from_beginning_to_end(make: Make, heard: Heard) -> None:
+    """Solving, progress, solved, in this order; scene and summary are there; results of two runs are kept."""
+    solver = make()
+    first = want(solver, "go 1", 7)
+    assert heard.wait("solved", first)["version"] == 7
+    assert heard.names(first) == ["solving", "solved"]
+    result = solver.result(first)
+    assert result is not None
+    assert result.scene == b"go 1" * 1000
+    assert result.answer.summary == {"text": "go 1"}
+    runs = [first]
+    for text in ("go 2", "go 3"):
+        runs.append(want(solver, text))
+        heard.wait("solved", runs[-1])
+    assert [solver.result(run) is not None for run in runs] == [False, True, True]
+    assert solver.status() == [("solved", heard.wait("solved", runs[-1]))]
+    assert solver.running is None
+
+
+def test_the_newest_state_replaces_the_one_that_is_solved(make: Make, heard: Heard, tmp_path: Path) -> None:
+    """A newer state stops the run between two steps; what was asked for in between is never begun."""
+    solver = make()
+    first = want(solver, f"wait {tmp_path / 'never'}")
+    heard.wait("progress", first)
+    second, third = want(solver, "go 2", delay=60.0), want(solver, "go 3")
+    heard.wait("solved", third)
+    assert heard.names(first) == ["solving", "cancelled"]
+    assert heard.names(second) == []
+
+
+def test_a_state_waits_until_the_user_pauses(make: Make, heard: Heard) -> None:
+    """Of states that follow each other faster than the delay only the last is solved."""
+    solver = make()
+    runs = [want(solver, f"go {number}", delay=30.0) for number in range(5)]
+    runs.append(want(solver, "go 5", delay=0.1))
+    heard.wait("solved", runs[-1])
+    assert [heard.names(run) for run in runs[:-1]] == [[]] * 5
+
+
+def test_a_run_that_does_not_listen_is_ended(
+    make: Make, heard: Heard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run stuck in a long step is ended with its process after the grace; the next one runs in a new process."""
+    monkeypatch.setattr(solvers, "GRACE", 0.2)
+    solver = make()
+    first = want(solver, f"stuck {tmp_path / 'never'}")
+    heard.wait("progress", first)  # before that it would still listen
+    start = time.monotonic()
+    second = want(solver, "go 2")
+    heard.wait("solved", second)
+    assert time.monotonic() - start >= 0.2
+    assert heard.names(first) == ["solving", "cancelled"]
+
+
+def test_cancelling_is_told_at_once(make: Make, heard: Heard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run stuck in a long step is over for the pages at once, long before its process is ended; nothing follows."""
+    monkeypatch.setattr(solvers, "GRACE", PATIENCE)
+    solver, door = make(), tmp_path / "door"
+    run = want(solver, f"stuck {door}")
+    heard.wait("progress", run)
+    start = time.monotonic()
+    solver.cancel()
+    heard.wait("cancelled", run)
+    assert time.monotonic() - start < PATIENCE / 2
+    assert (solver.running, solver.status()) == (None, [])
+    door.touch()  # the run ends with results, which nobody wants any more
+    heard.wait("solved", want(solver, "go 2", 2))
+    assert heard.names(run) == ["solving", "cancelled"]
+
+
+def test_cancelling(make: Make, heard: Heard, tmp_path: Path) -> None:
+    """What is solved stops, what waits is forgotten; both are told; results from before stay."""
+    solver = make()
+    done = want(solver, "go 1")
+    heard.wait("solved", done)
+    running = want(solver, f"wait {tmp_path / 'never'}")
+    heard.wait("progress", running)
+    assert solver.running == (running, 1)
+    assert [name for name, _ in solver.status()] == ["solved", "solving", "progress"]
+    solver.cancel()
+    heard.wait("cancelled", running)
+    waiting = want(solver, "go 2", delay=60.0)
+    solver.cancel()
+    heard.wait("cancelled", waiting)
+    assert solver.running is None
+    assert solver.latest is not None
+    assert solver.latest.run == done
+    solver.cancel()  # nothing to do
+
+
+def test_what_means_the_same_is_not_solved_again(make: Make, heard: Heard, tmp_path: Path) -> None:
+    """The same state under a newer version keeps run and results, while it runs and when it is done."""
+    solver, door = make(), tmp_path / "door"
+    first = want(solver, f"wait {door}", 1)
+    heard.wait("progress", first)
+    assert want(solver, f"wait {door}", 2) == first
+    door.touch()
+    assert heard.wait("solved", first)["version"] == 2
+    assert want(solver, f"wait {door}", 3) == first
+    assert solver.latest is not None
+    assert solver.latest.version == 3
+    assert heard.names(first) == ["solving", "solved", "solved"]
+    again = want(solver, f"wait {door}", 3, again=True)
+    assert again != first
+    heard.wait("solved", again)
+
+
+def test_going_back_to_what_is_solved(make: Make, heard: Heard, tmp_path: Path) -> None:
+    """Undone while something else is being solved: the known results count at once, and are told of last."""
+    solver = make()
+    first = want(solver, "go 1")
+    heard.wait("solved", first)
+    second = want(solver, f"wait {tmp_path / 'never'}", 2)
+    heard.wait("progress", second)
+    assert want(solver, "go 1", 3) == first
+    heard.wait("cancelled", second)
+    assert heard.wait_for_last("solved", first)["version"] == 3
+
+
+@pytest.mark.parametrize(
+    ("word", "words"),
+    [
+        ("fault", "mesh.size: got"),
+        ("refuse", "no"),
+        ("memory", "memory is too small"),
+        ("bug", "an error in groundslab itself: ZeroDivisionError"),
+    ],
+)
+def test_what_cannot_be_solved_is_refused(make: Make, heard: Heard, word: str, words: str) -> None:
+    """Errors of all kinds are told in words, faults with their paths; the process lives on."""
+    solver = make()
+    run = want(solver, word, 5)
+    told = heard.wait("refused", run)
+    assert words in told["message"]
+    assert told["version"] == 5
+    assert [fault["path"] for fault in told["faults"]] == ([["mesh", "size"]] if word == "fault" else [])
+    heard.wait("solved", want(solver, "go"))
+
+
+@pytest.mark.parametrize(("word", "how"), [("die", "SIGKILL"), ("leave", "exit code 3")])
+def test_a_crash_is_told_of_and_survived(make: Make, heard: Heard, word: str, how: str) -> None:
+    """A process that is killed or leaves is told of, with how; the next run has a new one."""
+    solver = make()
+    heard.wait("solved", want(solver, "go"))
+    run = want(solver, word)
+    message = heard.wait("refused", run)["message"]
+    assert "ended unexpectedly" in message
+    assert how in message or how == "SIGKILL"
+    assert solver.latest is not None
+    heard.wait("solved", want(solver, "go on"))
+
+
+def test_a_process_that_never_gets_ready_is_not_started_for_ever(make: Make, heard: Heard) -> None:
+    """After some failed starts the state is refused; the next state is tried again."""
+    solver = make(prepare=workers.Broken())
+    for text in ("go 1", "go 2"):
+        assert "exit code 4" in heard.wait("refused", want(solver, text, delay=0.5))["message"]
+    with pytest.raises(InputError, match="cannot be started"):
+        solver.report(1, "x")
+
+
+def test_preparing_gives_way(make: Make, heard: Heard) -> None:
+    """What the process does to get ready stops as soon as there is something to solve."""
+    heard.wait("solved", want(make(prepare=workers.prepare_for_ever), "go"))
+
+
+def test_results_of_another_document_are_forgotten(make: Make, heard: Heard, tmp_path: Path) -> None:
+    """When the document changes, results go, and those of the run that still runs do not come."""
+    solver, door = make(), tmp_path / "door"
+    heard.wait("solved", want(solver, "go"))
+    run = want(solver, f"stuck {door}")
+    heard.wait("solving", run)
+    solver.forget()
+    door.touch()
+    heard.wait("cancelled", run)
+    assert solver.latest is None
+
+
+TWO = """
+[plate]
+length_x = "2 m"
+length_y = "2 m"
+thickness = "200 mm"
+E = "30 GPa"
+nu = 0.2
+[ground]
+kind = "winkler"
+k = "20 MPa/m"
+[mesh]
+counts = [4, 4]
+[[cases]]
+name = "down"
+[[cases]]
+name = "up"
+[[loads]]
+case = "down"
+kind = "uniform"
+q = "10 kPa"
+[[loads]]
+case = "up"
+kind = "uniform"
+q = "-10 kPa"
+"""
+
+
+def test_the_analysis_behind_it() -> None:
+    """Two load cases, one of which lifts the plate off: progress, summary and scene of one, the other's refusal."""
+    said: list[tuple[str, float | None]] = []
+    answer, scene, (text, combined) = process.solve(TWO, lambda *words: said.append(words))
+    assert text == TWO
+    assert list(combined.results) == ["down"]
+    assert list(answer.refused) == ["up"]
+    assert [share for words, share in said if words.endswith("begins")] == [0.0, 0.5]
+    down, up = answer.summary["combinations"]
+    assert (up["refused"], up["certificate"], up["sections"]) == (answer.refused["up"], None, [])
+    assert down["refused"] is None
+    assert down["certificate"]["holds"] is True
+    rows = {row["key"]: row for section in down["sections"] for row in section["rows"]}
+    # 10 kPa on springs of 20 MPa/m: the plate settles evenly, by 0.5 mm
+    assert (rows["largest"]["value"], rows["largest"]["unit"]) == ("0.50000", "mm")
+    assert (rows["residual"]["ok"], rows["residual"]["note"]) == (True, "ok (limit 1e-06)")
+    told = unpacked(scene).head["combinations"]
+    assert [(each["name"], each["certified"]) for each in told] == [("down", True), ("up", False)]
+    with pytest.raises(process.Stopped):
+        process.solve(TWO, _stop)
+
+
+def _stop(_words: str, _share: float | None) -> None:
+    raise process.Stopped
+
+
+def test_reports_of_runs_that_are_gone(make: Make, heard: Heard) -> None:
+    """A report on what the process does not know any more is refused, as is one whose process ends."""
+    solver = make()
+    first, second = want(solver, "go 1"), 0
+    heard.wait("solved", first)
+    second = want(solver, "go 2")
+    heard.wait("solved", second)
+    with pytest.raises(InputError, match="solve again"):
+        solver.report(first, "x")
+    waits = want(solver, "stuck nowhere")
+    heard.wait("solving", waits)
+    refused = threading.Event()
+
+    def ask() -> None:
+        with pytest.raises(InputError, match="the server ends"):
+            solver.report(second, "x")
+        refused.set()
+
+    asking = threading.Thread(target=ask)
+    asking.start()
+    solver.close()
+    asking.join(PATIENCE)
+    assert refused.is_set()
