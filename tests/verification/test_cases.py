@@ -65,6 +65,17 @@ def test_a_tolerance_wider_than_the_value_is_an_error():
         next(runner.outcomes_of(case))
 
 
+def test_a_refuted_number_leaves_a_regression_value():
+    """A row whose published number cannot be right pins our own number, and fails if that changes by 0.01 %."""
+    case = runner.load("table1")
+    number = next(i for i, row in enumerate(case.rows) if "proof" in row)
+    assert next(runner.outcomes_of(_with_row("table1", number))).ok
+    ours = float(case.rows[number]["ours"])
+    changed = next(runner.outcomes_of(_with_row("table1", number, ours=f"{ours * 1.0001:.7g}")))
+    assert not changed.ok
+    assert changed.reason.startswith("regression: our own number was")
+
+
 def test_a_proof_that_does_not_hold_fails():
     """Calling a right number impossible is reported as failed: 13.59 mm is in equilibrium."""
     case = runner.load("table1")
