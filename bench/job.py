@@ -36,7 +36,7 @@ from groundslab.discretize.discretize import discretise
 from groundslab.fem import problem
 from groundslab.model.model import Model
 from groundslab.results.results import Results
-from groundslab.solvers import contact, factorization
+from groundslab.solvers import contact, factor_reuse, factorization, pardiso
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "table1.toml"
 KINDS: dict[str, dict[str, Any]] = {
@@ -73,8 +73,8 @@ PHASES: list[tuple[str, Any, str]] = [
     ("forecast", driver.forecast, "from_coarser"),
     ("forecast", driver.forecast, "along_the_border"),
     ("contact, all meshes and strips", contact, "solve"),
-    ("of which analysis and factorisations", factorization.Latest, "factor"),
-    ("of which solutions with the factor", factorization._Pardiso, "solve"),
+    ("of which analysis and factorisations", factor_reuse.Latest, "factor"),
+    ("of which solutions with the factor", pardiso._Pardiso, "solve"),
     ("recovery", driver, "recover"),
     ("certificate", driver, "certificate"),
 ]
@@ -205,7 +205,7 @@ def memory(model: Model) -> dict[str, float]:
     Of an MPI run with another solver each process tells its own.
     """
     held: list[float] = []
-    factor = factorization._Pardiso.factor
+    factor = pardiso._Pardiso.factor
 
     def watched(self: Any, data: Any) -> Any:
         found = factor(self, data)
@@ -213,7 +213,7 @@ def memory(model: Model) -> dict[str, float]:
         held.append((int(self.handle.get_iparm(16)) + int(self.handle.get_iparm(17))) / 1024)
         return found
 
-    factorization._Pardiso.factor = watched  # type: ignore[method-assign]
+    pardiso._Pardiso.factor = watched  # type: ignore[method-assign]
     start = time.perf_counter()
     results = driver.solve(model)
     spent, peak = time.perf_counter() - start, largest_memory()

@@ -34,10 +34,6 @@ from .model.loads.load_types import SettlementLoad as SettlementLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
 from .model.loads.load_types import Void as Void
-from .model.model import Analysis as Analysis
-from .model.model import Beyond as Beyond
-from .model.model import Contact as Contact
-from .model.model import Mesh as Mesh
 from .model.model import Model as Model
 from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine

@@ -6,7 +6,7 @@ import re
 
 from groundslab.design.tables import tables_of
 from groundslab.design.tables.quantities import FIELDS, LISTED
-from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.combinations import combinations_of
 from groundslab.model.model import Model
 from groundslab.results.results import Combined
 from helpers.paths import DOCS

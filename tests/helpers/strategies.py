@@ -20,9 +20,10 @@ from groundslab.model.loads.load_types import (
     UniformLoad,
     Void,
 )
-from groundslab.model.model import Analysis, Beyond, Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStrip, Reinforcement
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone

@@ -19,7 +19,8 @@ from groundslab.case.casefile import from_table, loads, starter
 from groundslab.design.tables import tables_of
 from groundslab.errors import Fault, GroundslabError, InputError
 from groundslab.geometry.plan import MOST_CHORDS
-from groundslab.model.model import Model, plate_elements
+from groundslab.model.consistency import plate_elements
+from groundslab.model.model import Model
 from groundslab.model.shapes import Polygon
 
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))

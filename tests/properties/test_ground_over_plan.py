@@ -13,8 +13,9 @@ from groundslab.analysis.driver import solve
 from groundslab.errors import GroundslabError, InputError
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PointLoad, UniformLoad
-from groundslab.model.model import Beyond, Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Plate
+from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.shapes import Rectangle
 from groundslab.model.varying_ground import Borehole, SoilZone
 from helpers.strategies import MODULI_OF_SOIL, POISSON, models, numbers

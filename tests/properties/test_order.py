@@ -17,12 +17,12 @@ from groundslab.errors import InputError, NoEquilibrium
 from groundslab.fem.bearings import CLOSED
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import Problem, bearings, nodal, right_hand_side, stiffness, system
-from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.load_types import LineLoad
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport
 from groundslab.results.results import Combined
-from groundslab.solvers import contact, factorization
+from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.equilibrium import require_equilibrium
 from helpers.strategies import rich_models
 
@@ -86,7 +86,7 @@ def solved(problem: Problem) -> Array:
     s = system(problem)
     A = stiffness(s, problem.ground)
     law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
-    latest = factorization.Latest(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
+    latest = factor_reuse.Latest(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), CLOSED)
     f = right_hand_side(s, 1.0)
     return nodal(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)

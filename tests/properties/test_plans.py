@@ -10,8 +10,9 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.model.ground import Pasternak
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
-from groundslab.model.model import Beyond, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Zone
+from groundslab.model.settings import Beyond, Mesh
 from groundslab.model.shapes import Polygon, Rectangle
 from groundslab.results.results import Results
 

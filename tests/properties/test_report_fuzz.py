@@ -18,7 +18,7 @@ from groundslab.model.model import Model
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Part, key_of
 from groundslab.schema.fields import Quantity, Text
-from groundslab.schema.issues import quote
+from groundslab.schema.wording import quote
 from groundslab.units import QuantityError, parse
 from groundslab.views.files import results_folder
 from groundslab.views.report.input_echo import Section, echo

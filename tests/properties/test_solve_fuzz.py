@@ -17,7 +17,7 @@ from groundslab.analysis.driver import solve, solve_combinations
 from groundslab.discretize.discretize import discretise
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.fem.problem import BETA_X, TOP, Problem, W
-from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
 from groundslab.solvers.equilibrium import require_equilibrium

@@ -15,7 +15,8 @@ from hypothesis import strategies as st
 import groundslab as g
 from groundslab.analysis.driver import Variants
 from groundslab.design import design_moments, punching, reinforcement, section_cuts, tilt
-from groundslab.results.results import PLATE_FIELDS, Results
+from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.results import Results
 from groundslab.verification import analytic
 
 

@@ -20,9 +20,10 @@ from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.model.ground import Pasternak, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PatchLoad
-from groundslab.model.model import Beyond, Model
-from groundslab.model.model import Mesh as Density
+from groundslab.model.model import Model
 from groundslab.model.plate import Plate
+from groundslab.model.settings import Beyond
+from groundslab.model.settings import Mesh as Density
 from groundslab.results.results import Results
 
 LX, LY = 6.0, 4.0

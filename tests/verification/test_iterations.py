@@ -7,8 +7,9 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_types import PatchLoad
-from groundslab.model.model import Analysis, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Plate
+from groundslab.model.settings import Analysis, Mesh
 
 GROUNDS = {"winkler": Winkler(k=20e6), "pasternak": Pasternak(k0=32.7862e6, k1=20.660e6)}
 

@@ -18,8 +18,9 @@ from groundslab.errors import NotCertified
 from groundslab.fem import plate
 from groundslab.model.ground import Winkler
 from groundslab.model.loads.load_types import UniformLoad
-from groundslab.model.model import Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.settings import Contact, Mesh
 from helpers import quads
 
 THICKNESSES = [0.2, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6]

@@ -20,8 +20,9 @@ from groundslab.fem.problem import BETA_X, BETA_Y, W
 from groundslab.fem.shape_functions import gauss, q9
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_types import UniformLoad
-from groundslab.model.model import Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate, Zone
+from groundslab.model.settings import Contact, Mesh
 from groundslab.model.shapes import Polygon
 from groundslab.results import patch_recovery, recovery
 from groundslab.results.result_mesh import frame

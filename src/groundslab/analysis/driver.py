@@ -29,8 +29,10 @@ from groundslab.errors import (
 from groundslab.fem.bearings import CLOSED, YIELDING, Contact, slipped
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import System, W, bearings, nodal, right_hand_side
-from groundslab.model.loads.load_cases import Combination, combinations_of
-from groundslab.model.model import Model, plate_elements
+from groundslab.model.combinations import combinations_of
+from groundslab.model.consistency import plate_elements
+from groundslab.model.loads.load_cases import Combination
+from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, decay_squared, worst
 from groundslab.results.recovery import increment, recover
 from groundslab.results.results import Combined, Results, Step

@@ -19,7 +19,8 @@ from groundslab.results.result_mesh import Frame, frame
 from groundslab.solvers import warm_start
 from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio
 from groundslab.solvers.equilibrium import rigid_motions
-from groundslab.solvers.factorization import Latest, Solver
+from groundslab.solvers.factor_reuse import Latest
+from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
 #: Parts of a model on which the frame of its results depends.

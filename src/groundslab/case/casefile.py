@@ -12,7 +12,7 @@ from groundslab.errors import Fault, InputError
 from groundslab.model.model import Model
 from groundslab.schema.base import Part, key_of, nested
 from groundslab.schema.fields import FROM_FILE
-from groundslab.schema.issues import describe, quote
+from groundslab.schema.wording import describe, quote
 
 LARGEST = 10_000_000  # bytes of a file
 MOST_KEYS = 10  # joined by dots; those of a case are five at most, and tomllib's time grows with their square

@@ -185,7 +185,7 @@ def _solve(options: argparse.Namespace) -> int:
             [Fault("--out", f"{folder}, which holds the case file", "another folder", "it would be replaced")]
         )
     from groundslab.analysis.driver import solve_combinations
-    from groundslab.model.loads.load_cases import combinations_of
+    from groundslab.model.combinations import combinations_of
 
     follows = _follows(model)
     with _progress(options.quiet or follows, len(combinations_of(model))) as shown:
@@ -361,7 +361,7 @@ def _cases_and_combinations(model: Model) -> list[str]:
     """Return the load cases of a model and what is solved of them in words, a line each."""
     if not model.cases:
         return []
-    from groundslab.model.loads.load_cases import combinations_of
+    from groundslab.model.combinations import combinations_of
     from groundslab.views.summary.combinations import factors_text
 
     lines = []
@@ -409,7 +409,7 @@ def _layers(pairs: Sequence[str]) -> Layers:
     from dataclasses import fields
 
     from groundslab.case.dxf.layers import Layers
-    from groundslab.schema.issues import describe, listed, suggestion
+    from groundslab.schema.wording import describe, listed, suggestion
 
     known = [each.name for each in fields(Layers)]
     names: dict[str, str] = {}

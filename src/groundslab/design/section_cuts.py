@@ -13,7 +13,7 @@ from groundslab.design.design_moments import wood_armer
 from groundslab.errors import Fault, InputError
 from groundslab.fem.line_traversal import ON_LINE, Pieces, continues, interpolation, pieces
 from groundslab.fem.mesh import Mesh
-from groundslab.results.results import PLATE_FIELDS
+from groundslab.results.fields import PLATE_FIELDS
 
 if TYPE_CHECKING:
     from groundslab.results.results import PlateResult

@@ -9,8 +9,9 @@ from pydantic import Discriminator, Field, Tag
 
 from groundslab.schema.base import Check, Part, Table, kind_of
 from groundslab.schema.fields import Choice, Number, Quantity, Whole
-from groundslab.schema.issues import Finding, describe, quote
+from groundslab.schema.issues import Finding
 from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe, quote
 
 POSITIVE = Range(above=0)
 #: Stiffness against shear: none, or one whose reach is more than nothing.

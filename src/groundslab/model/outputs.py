@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.model.ground import POSITIVE
-from groundslab.model.loads.load_types import Covered, on_plate
+from groundslab.model.loads.placement import Covered, on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
 from groundslab.model.supports import named_once

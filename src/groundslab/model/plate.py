@@ -9,8 +9,9 @@ from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape, Rectangle, Shape, box_of
 from groundslab.schema.base import Check, Part, Table
 from groundslab.schema.fields import Choice, Number, Quantity
-from groundslab.schema.issues import Finding, quote
+from groundslab.schema.issues import Finding
 from groundslab.schema.ranges import Range
+from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
     from groundslab.geometry.plan import Ring

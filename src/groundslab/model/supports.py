@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
-from groundslab.model.ground import POSITIVE
+from groundslab.model.ground import (
+    POSITIVE,
+)
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
 from groundslab.schema.base import Check, Part, Table, kind_of
 from groundslab.schema.fields import Choice, Quantity, Several, Text
-from groundslab.schema.issues import Finding, describe
+from groundslab.schema.issues import Finding
 from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe
+
+if TYPE_CHECKING:
+    from groundslab.geometry.plan import Plan, Ring
 
 Acts = Literal["both ways", "in compression", "in tension"]
 Turning = Literal["free", "fixed"]
@@ -122,3 +128,17 @@ def named_once(part: str, names: list[str], needed: bool) -> Iterator[Finding]:
         if name in seen:
             yield Finding((part, position, "name"), f"{describe(name)} again", "a name of its own")
         seen |= {name} - {""}
+
+
+def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring | None = None) -> Plan:
+    """Return the plan of a plate with its supports: zone i is section i."""
+    from groundslab.geometry.plan import Plan
+
+    return Plan(
+        plate.ring(),
+        tuple(shape.ring() for shape in plate.openings),
+        tuple((zone.shape.ring(), number) for number, zone in enumerate(plate.zones, start=1)),
+        beyond,
+        tuple((support.x, support.y) for support in supports if isinstance(support, PointSupport)),
+        tuple(support.points for support in supports if isinstance(support, LineSupport)),
+    )

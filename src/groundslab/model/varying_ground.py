@@ -12,7 +12,8 @@ from groundslab.model.plate import Plate
 from groundslab.model.shapes import Shape, box_of
 from groundslab.schema.base import Part, Table
 from groundslab.schema.fields import Quantity, Text
-from groundslab.schema.issues import Finding, quote
+from groundslab.schema.issues import Finding
+from groundslab.schema.wording import quote
 
 #: Zones of soil reach no further from the plate, in lengths of its longer side.
 FARTHEST = 1000

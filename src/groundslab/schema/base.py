@@ -21,7 +21,8 @@ from pydantic.functional_validators import ModelWrapValidatorHandler
 
 from groundslab.errors import InputError
 from groundslab.schema.fields import MOST_FAULTS, Key, is_from_file
-from groundslab.schema.issues import Finding, Wrong, describe, listed, quote, suggestion
+from groundslab.schema.issues import Finding, Wrong
+from groundslab.schema.wording import describe, listed, quote, suggestion
 
 MOST_KEYS = 1000  # of one table; those that are too many are not named one by one
 

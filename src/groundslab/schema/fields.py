@@ -17,8 +17,9 @@ from pydantic_core import CoreSchema, core_schema
 
 from groundslab import units
 from groundslab.schema import ranges
-from groundslab.schema.issues import Finding, Wrong, describe, listed, quote, suggestion, wrong
+from groundslab.schema.issues import Finding, Wrong, wrong
 from groundslab.schema.ranges import ANY, Range
+from groundslab.schema.wording import describe, listed, quote, suggestion
 
 #: Validation context of what comes from a file: there units are mandatory, a key without effect a fault.
 FROM_FILE = {"from_file": True}

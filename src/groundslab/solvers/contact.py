@@ -18,7 +18,7 @@ from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, total
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers import interior_point
-from groundslab.solvers.factorization import Latest, Task
+from groundslab.solvers.factor_reuse import Latest, Task
 
 #: A way that is on the wrong side by less than this share of the largest one does not change a bearing, nor does a
 #: force that would make such a way on the unknown's own stiffness, or is so small beside the largest force.

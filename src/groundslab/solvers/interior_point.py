@@ -20,7 +20,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import SingularMatrix
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, total
 from groundslab.fem.sparse import Symmetric
-from groundslab.solvers.factorization import Latest, Task
+from groundslab.solvers.factor_reuse import Latest, Task
 
 #: mu begins so many times larger than force times way of the glued plate: too small a start costs many short steps.
 START = 1e3

@@ -27,7 +27,8 @@ from groundslab.fem.problem import (
 )
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers import contact
-from groundslab.solvers.factorization import Latest, Solver
+from groundslab.solvers.factor_reuse import Latest
+from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
 #: A node starts closed where the coarser mesh's contact (-1 closed, 1 open, linear between) is below this: the value

@@ -11,7 +11,7 @@ import pytest
 from groundslab.analysis import driver
 from groundslab.errors import InputError, NoEquilibrium, NotConverged
 from groundslab.model.model import Model
-from groundslab.solvers import factorization
+from groundslab.solvers import factorization, protocols
 
 PLATE = {"length_x": 9.6, "length_y": 7.2, "thickness": 0.2, "E": 23e9, "nu": 0.17}
 LOADS = [{"kind": "patch", "q": 1e6, "x": (-1.2, 1.2), "y": (-1.2, 1.2)}]
@@ -67,10 +67,10 @@ def test_a_variant_starts_on_the_finest_mesh_and_analyses_nothing() -> None:
     begun: list[int] = []
     choose = factorization.choose
 
-    def watched(name: str) -> tuple[str, factorization.Solver]:
+    def watched(name: str) -> tuple[str, protocols.Solver]:
         called, solver = choose(name)
 
-        def prepare(indptr: factorization.Indices, indices: factorization.Indices) -> factorization.Symbolic:
+        def prepare(indptr: factorization.Indices, indices: factorization.Indices) -> protocols.Symbolic:
             begun.append(len(indptr))
             return solver(indptr, indices)
 

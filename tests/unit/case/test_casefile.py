@@ -10,11 +10,12 @@ import pytest
 
 from groundslab.case.casefile import LARGEST, load, loads, starter, to_toml
 from groundslab.errors import Fault, InputError
+from groundslab.model.combinations import combinations_of
 from groundslab.model.ground import Layered, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_cases import combinations_of
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
-from groundslab.model.model import Analysis, Beyond, Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from helpers.paths import EXAMPLES
 
 

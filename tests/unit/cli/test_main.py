@@ -21,8 +21,8 @@ from groundslab.case import casefile
 from groundslab.cli import console, main
 from groundslab.errors import Fault, GroundslabError, InputError, NoEquilibrium, NotConverged
 from groundslab.model.columns import Column
-from groundslab.model.loads.load_cases import combinations_of
-from groundslab.model.model import Mesh
+from groundslab.model.combinations import combinations_of
+from groundslab.model.settings import Mesh
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.results.results import Combined
 from groundslab.views.files import npz, results_folder

@@ -11,7 +11,8 @@ from shapely import LineString, box
 from groundslab.design.design_moments import wood_armer
 from groundslab.design.section_cuts import along, cut, strip
 from groundslab.errors import InputError
-from groundslab.results.results import PLATE_FIELDS, PlateResult
+from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.results import PlateResult
 from helpers.plates import crooked, parted, plate_of, straight, without
 
 FORMULAS = {

@@ -15,7 +15,7 @@ from groundslab.analysis.driver import solve
 from groundslab.discretize import ground as rooms
 from groundslab.discretize.discretize import discretise
 from groundslab.discretize.ground import winkler_modulus
-from groundslab.discretize.plan_layout import symmetries
+from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column, interface_stack, single
 from groundslab.fem.mesh import Mesh as NodeMesh
@@ -23,8 +23,9 @@ from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, 
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
-from groundslab.model.model import Beyond, Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.varying_ground import GapPoint
 
 LX, LY = 6.0, 4.0

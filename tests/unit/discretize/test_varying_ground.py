@@ -10,15 +10,16 @@ import pytest
 
 from groundslab.discretize.discretize import discretise
 from groundslab.discretize.ground import ground_under, grounds_of, layer_of
-from groundslab.discretize.plan_layout import symmetries
+from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column, Layer, consistent_stack, tail
 from groundslab.fem.problem import tails
 from groundslab.fem.vlasov import Soil, parameters, parameters_as_printed, profile, profiles
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import UniformLoad
-from groundslab.model.model import Beyond, Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Plate
+from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Rectangle
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone
 

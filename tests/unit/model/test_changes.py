@@ -13,8 +13,9 @@ from groundslab.errors import InputError
 from groundslab.model.columns import Column
 from groundslab.model.ground import Layered, Pasternak, Vlasov, Winkler
 from groundslab.model.loads.load_types import PointLoad
-from groundslab.model.model import Beyond, Contact, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Plate
+from groundslab.model.settings import Beyond, Contact
 from groundslab.views.summary.single import description_of_ground
 
 PLATE = {"length_x": 6, "length_y": 4, "thickness": 0.25, "E": 30e9, "nu": 0.2}

@@ -12,10 +12,12 @@ import numpy as np
 import pytest
 
 from groundslab.errors import InputError
+from groundslab.model.consistency import MOST_ELEMENTS
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
-from groundslab.model.model import MOST_ELEMENTS, Analysis, Beyond, Contact, Mesh, Model, docs_table, json_schema
+from groundslab.model.model import Model, docs_table, json_schema
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.schema.base import Part, key_of, meaning_of, nested
 from groundslab.schema.fields import FROM_FILE, Key
 from helpers.paths import ROOT

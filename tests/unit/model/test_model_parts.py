@@ -8,7 +8,8 @@ import pytest
 
 from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
-from groundslab.model.loads.load_cases import Combination, combinations_of
+from groundslab.model.combinations import combinations_of
+from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model, json_schema
 from groundslab.model.shapes import Polygon
 from groundslab.schema.fields import FROM_FILE

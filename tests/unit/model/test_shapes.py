@@ -11,8 +11,9 @@ from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
 from groundslab.model.ground import Winkler
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, SelfWeight, UniformLoad
-from groundslab.model.model import Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Plate, Zone
+from groundslab.model.settings import Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle, box_of
 
 L = Polygon(points=[(0, 0), (30, 0), (30, 10), (12, 10), (12, 20), (0, 20)])

@@ -14,12 +14,14 @@ from groundslab.discretize.discretize import discretise
 from groundslab.fem.problem import BETA_X, BETA_Y, nodal_area
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_types import PatchLoad, UniformLoad
-from groundslab.model.model import Beyond, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Plate, Zone
+from groundslab.model.settings import Beyond, Mesh
 from groundslab.model.shapes import Rectangle
 from groundslab.results import recovery
+from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS
 from groundslab.results.result_mesh import frame
-from groundslab.results.results import ELEMENT_FIELDS, PLATE_FIELDS, ElementResult, Results
+from groundslab.results.results import ElementResult, Results
 from groundslab.views.files import vtk
 
 E, NU, T = 30e9, 0.2, 0.25

@@ -11,7 +11,8 @@ import pytest
 
 import groundslab as g
 from groundslab.errors import InputError
-from groundslab.results.results import MOST_NAMED, PLATE_FIELDS, Results
+from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.results import MOST_NAMED, Results
 
 
 @cache

@@ -11,8 +11,9 @@ from groundslab.analysis.driver import solve
 from groundslab.errors import IllConditioned, NoEquilibrium
 from groundslab.model.ground import Winkler
 from groundslab.model.loads.load_types import PointLoad, UniformLoad
-from groundslab.model.model import Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.settings import Mesh
 
 LX, LY, K = 6.0, 4.0, 20e6
 

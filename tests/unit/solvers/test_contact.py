@@ -17,13 +17,14 @@ from groundslab.fem.assembly import Pattern, pattern
 from groundslab.fem.bearings import OPEN, YIELDING, Bearings, Contact
 from groundslab.fem.bearings import gaps as gaps_at
 from groundslab.fem.sparse import Symmetric
-from groundslab.solvers import contact, factorization
-from groundslab.solvers.factorization import Factor, Latest
+from groundslab.solvers import contact, factor_reuse, factorization
+from groundslab.solvers.factor_reuse import Latest
+from groundslab.solvers.protocols import Factor
 
 NODES = np.arange(9)
 
 
-@pytest.fixture(autouse=True, params=[0, factorization.FEW], ids=["factors", "bordered"])
+@pytest.fixture(autouse=True, params=[0, factor_reuse.FEW], ids=["factors", "bordered"])
 def few(request: pytest.FixtureRequest) -> Iterator[int]:
     """Let every test pass with a factor for each set of states, and with one factor for near ones."""
     with patch.object(factorization, "FEW", request.param):

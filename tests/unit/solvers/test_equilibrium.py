@@ -17,8 +17,9 @@ from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.problem import BETA_X
 from groundslab.model.ground import Winkler
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
-from groundslab.model.model import Contact, Mesh, Model
+from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.settings import Contact, Mesh
 from groundslab.model.shapes import Circle
 from groundslab.model.supports import PointSupport
 from groundslab.solvers.equilibrium import require_equilibrium

@@ -12,7 +12,8 @@ from scipy.sparse import csr_array, triu
 
 from groundslab.errors import InputError, SingularMatrix
 from groundslab.fem.sparse import Symmetric
-from groundslab.solvers import factorization
+from groundslab.solvers import factor_reuse, factorization, protocols
+from groundslab.solvers import pardiso as factorization_pardiso
 
 SOLVERS = ["pardiso", "superlu"]
 
@@ -32,7 +33,7 @@ def random_positive(n: int, seed: int) -> np.ndarray:
     return A + np.diag(np.abs(A).sum(axis=1) * rng.uniform(1.01, 2.0, n))
 
 
-def solver(name: str) -> factorization.Solver:
+def solver(name: str) -> protocols.Solver:
     """Return a solver, or skip the test where it is not installed."""
     if name == "pardiso":
         pytest.importorskip("pypardiso")
@@ -137,13 +138,13 @@ def test_a_zero_on_the_diagonal_is_refused(name: str) -> None:
 def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """PARDISO is called with analysis for the first matrix (phase 12) and without for the next ones (phase 22)."""
     phases: list[int] = []
-    original = factorization._Pardiso._call
+    original = factorization_pardiso._Pardiso._call
 
     def spy(self: Any, phase: int, b: np.ndarray) -> np.ndarray:
         phases.append(phase)
         return original(self, phase, b)
 
-    monkeypatch.setattr(factorization._Pardiso, "_call", spy)
+    monkeypatch.setattr(factorization_pardiso._Pardiso, "_call", spy)
     indptr, indices, data = upper_half(random_positive(20, seed=3))
     symbolic = solver("pardiso")(indptr, indices)
     for factor in (1.0, 2.0, 3.0):
@@ -154,9 +155,9 @@ def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def asked_anew() -> Iterator[None]:
     """Let it be asked anew whether PARDISO can be loaded, in this test and after it."""
-    factorization.without_pardiso.cache_clear()
+    factorization_pardiso.without_pardiso.cache_clear()
     yield
-    factorization.without_pardiso.cache_clear()
+    factorization_pardiso.without_pardiso.cache_clear()
 
 
 @pytest.mark.usefixtures("asked_anew")
@@ -184,13 +185,13 @@ def test_solver_by_name(name: str) -> None:
 
 
 def _task(
-    A: np.ndarray, held: np.ndarray, added: np.ndarray, seed_of: factorization.Task | None = None
-) -> factorization.Task:
+    A: np.ndarray, held: np.ndarray, added: np.ndarray, seed_of: factor_reuse.Task | None = None
+) -> factor_reuse.Task:
     """Return a task; its matrix is the very one of another task if that is given."""
     if seed_of is not None:
-        return factorization.Task(seed_of.A, held, added, 0 * added)
+        return factor_reuse.Task(seed_of.A, held, added, 0 * added)
     indptr, indices, data = upper_half(A)
-    return factorization.Task(Symmetric(indptr, indices, data), held, added, 0 * added)
+    return factor_reuse.Task(Symmetric(indptr, indices, data), held, added, 0 * added)
 
 
 @pytest.mark.parametrize("name", SOLVERS)
@@ -202,7 +203,7 @@ def test_a_factor_solves_tasks_that_are_near_its_own(name: str, changes: int, mo
     A = random_positive(n, 7)
     held, added = rng.random(n) < 0.4, np.where(rng.random(n) < 0.3, 5.0, 0.0)
     own = _task(A, held, added)
-    latest = factorization.Latest(solver(name)(own.A.indptr, own.A.indices))
+    latest = factor_reuse.Latest(solver(name)(own.A.indptr, own.A.indices))
     assert not latest.near(own)
     latest.factor(own)
     which = rng.choice(n, changes, replace=False)
@@ -229,7 +230,7 @@ def test_too_few_steps_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(factorization, "SMALL", 0)
     A = random_positive(60, 3)
     own = _task(A, np.ones(60, dtype=bool), np.zeros(60))
-    latest = factorization.Latest(factorization.superlu(own.A.indptr, own.A.indices))
+    latest = factor_reuse.Latest(factorization.superlu(own.A.indptr, own.A.indices))
     latest.factor(own)
     task = _task(A, np.zeros(60, dtype=bool), np.zeros(60), own)
     assert not latest.near(task)
@@ -245,7 +246,7 @@ def test_a_refused_task_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> Non
     A = random_positive(20, 3)
     none = np.zeros(20, dtype=bool)
     own = _task(A, none, np.zeros(20))
-    latest = factorization.Latest(factorization.superlu(own.A.indptr, own.A.indices))
+    latest = factor_reuse.Latest(factorization.superlu(own.A.indptr, own.A.indices))
     latest.factor(own)
     with pytest.raises(SingularMatrix):
         latest.factor(_task(-A, none, np.zeros(20)))

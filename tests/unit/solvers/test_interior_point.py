@@ -8,7 +8,7 @@ from test_contact import any_bearings, entries, one_element, positive
 
 from groundslab.fem.bearings import CLOSED, OPEN, Bearings, gaps
 from groundslab.solvers import contact, factorization, interior_point
-from groundslab.solvers.factorization import Latest
+from groundslab.solvers.factor_reuse import Latest
 
 
 def solved(A: np.ndarray, f: np.ndarray, b: Bearings) -> tuple[contact.Contact, int]:

@@ -24,7 +24,7 @@ from groundslab.fem.problem import (
     system,
 )
 from groundslab.model.model import Model
-from groundslab.solvers import contact, factorization, warm_start
+from groundslab.solvers import contact, factor_reuse, factorization, warm_start
 from groundslab.solvers.solution import Solution
 
 PLATE = {"length_x": 9.6, "length_y": 7.2, "thickness": 0.2, "E": 23e9, "nu": 0.17}
@@ -111,7 +111,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     A = stiffness(s, fine.ground)
     f = right_hand_side(s, 1.0)
     law = bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
-    latest = factorization.Latest(factorization.superlu(A.indptr, A.indices))
+    latest = factor_reuse.Latest(factorization.superlu(A.indptr, A.indices))
     start = np.full(len(law), CLOSED)
     right = contact.solve(A, f, latest, law, start, 100, lambda *_: None)
     U = np.zeros(fine.unknown.shape)

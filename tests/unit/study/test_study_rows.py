@@ -12,7 +12,7 @@ import groundslab
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.results.results import PLATE_FIELDS
+from groundslab.results.fields import PLATE_FIELDS
 from groundslab.study.definition import outputs
 from groundslab.study.definition.distributions import Distribution
 from groundslab.study.definition.setup import Field

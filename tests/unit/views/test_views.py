@@ -17,7 +17,8 @@ import pytest
 from rich.console import Console
 
 from groundslab.errors import GroundslabError, InputError
-from groundslab.results.results import PLATE_FIELDS, SupportResult
+from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.results import SupportResult
 from groundslab.views.files import npz, vtk
 from groundslab.views.summary import combinations, progress, single, terminal
 from helpers import synthetic

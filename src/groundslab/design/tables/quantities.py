@@ -12,7 +12,8 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.design_moments import principal_moments, wood_armer
 from groundslab.design.tables.table import Head
 from groundslab.results.contact_zone import has_line_force
-from groundslab.results.results import LINE_FORCE, PLATE_FIELDS, Combined, PlateResult, Results, label
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, label
+from groundslab.results.results import Combined, PlateResult, Results
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,8 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.nodal_loads import materials
 from groundslab.geometry.plan import sections
-from groundslab.model.model import Model, plan_of_plate
+from groundslab.model.model import Model
+from groundslab.model.supports import plan_of_plate
 from groundslab.results.results import PlateResult
 
 

@@ -21,7 +21,8 @@ from groundslab.geometry.intersections import crossings
 from groundslab.geometry.plan import Segment, loaded_polygon
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_of
 from groundslab.model.plate import Plate
-from groundslab.schema.issues import Finding, quote
+from groundslab.schema.issues import Finding
+from groundslab.schema.wording import quote
 from groundslab.units import show
 
 if TYPE_CHECKING:

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from groundslab.errors import InputError
 from groundslab.schema.base import Check, Part
 from groundslab.schema.fields import Choice, Factors, Number, Several, Text
-from groundslab.schema.issues import Finding, describe, one_of, suggestion
+from groundslab.schema.issues import Finding
 from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
-    from groundslab.model.model import Model
+    pass
 
 Kind = Literal["permanent", "variable"]
 LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
@@ -142,7 +143,7 @@ def combine_makes(
     if not all(named_well) or len({case.name for case in cases}) < len(cases):
         return
     try:
-        made = {each.name for each in _made(combine, cases)}
+        made = {each.name for each in make_combinations(combine, cases)}
     except InputError as error:
         for fault in error.faults:
             yield Finding(("combine",), fault.got, fault.expected, fault.mend)
@@ -174,25 +175,7 @@ def design_has_loads(
     yield Finding(("reinforcement",), "no ultimate combination of loads", "at least one to design for", mend)
 
 
-def combinations_of(model: Model) -> tuple[Combination, ...]:
-    """Return all combinations of a model: those given and those made by EN 1990.
-
-    With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both
-    are as the file gives them, without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
-    """
-    if not model.cases:
-        return (Combination(name="all loads", limit_state="characteristic", factors={"": 1.0}),)
-    made: tuple[Combination, ...] = ()
-    if model.combine is not None:
-        made = _made(model.combine, model.cases)
-    if not model.combinations and model.combine is None:
-        return tuple(
-            Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
-        )
-    return (*model.combinations, *made)
-
-
-def _made(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:
+def make_combinations(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:
     """Return the combinations that EN 1990 makes of the cases."""
     from groundslab.model.loads.en1990 import Action, combinations
     from groundslab.model.loads.en1990 import Factors as Partial

@@ -10,7 +10,8 @@ from typing import Any
 from groundslab.model.model import Model
 from groundslab.schema.base import Part, key_of, nested
 from groundslab.schema.fields import Factors, Key, Number, Several
-from groundslab.schema.issues import Finding, Wrong, describe, listed, one_of, quote, suggestion
+from groundslab.schema.issues import Finding, Wrong
+from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 
 _STEP = re.compile(r'\.?(?:(?P<name>[A-Za-z_][\w-]*)|"(?P<quoted>(?:[^"\\]|\\.)*)")|\[(?P<number>[0-9]{1,6})\]')
 

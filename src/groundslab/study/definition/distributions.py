@@ -15,8 +15,9 @@ from pydantic import Discriminator, Tag
 
 from groundslab.schema.base import Check, Part, Table, kind_of
 from groundslab.schema.fields import Factors, Number, Text
-from groundslab.schema.issues import Finding, Wrong, describe, quote, suggestion
+from groundslab.schema.issues import Finding, Wrong
 from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe, quote, suggestion
 from groundslab.study.definition.field_types import Amount, Raw
 
 if TYPE_CHECKING:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from groundslab.schema.fields import Key, Several
-from groundslab.schema.issues import quote, wrong
+from groundslab.schema.issues import wrong
+from groundslab.schema.wording import quote
 
 #: A value before it is known which key it is for: as the file or Python gives it.
 Raw = str | float | int | bool | tuple[Any, ...]

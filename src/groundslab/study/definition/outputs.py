@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from groundslab.errors import Fault, InputError
 from groundslab.results.contact_zone import contact_share
-from groundslab.results.results import LINE_FORCE, PLATE_FIELDS, Combined, Results
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
+from groundslab.results.results import Combined, Results
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
-    from groundslab.study.definition.schema import Take
 
 #: The dimension of each unit in PLATE_FIELDS.
 _DIMENSION = {
@@ -274,3 +274,6 @@ _FIGURE: dict[str, Callable[[Results, Output], float | None]] = {
     "gamma": lambda results, _: results.constants.gamma,
     "margin effect": lambda results, _: results.certificate.margin_effect,
 }
+
+
+Take = Literal["largest", "smallest", "mean", "at", "everywhere"]

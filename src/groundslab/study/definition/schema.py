@@ -10,13 +10,14 @@ from pydantic import Field
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Part, Table
 from groundslab.schema.fields import Choice, Flag, Number, Quantity, Several, Text, Whole
-from groundslab.schema.issues import Finding, describe, one_of, quote, suggestion
+from groundslab.schema.issues import Finding
 from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe, one_of, quote, suggestion
 from groundslab.study.definition.distributions import DistributionOf
 from groundslab.study.definition.field_types import Amount, OneOrTwo, Raw
+from groundslab.study.definition.outputs import Take
 
 SamplingKind = Literal["grid", "list", "latin hypercube", "sobol", "saltelli", "monte carlo", "tornado"]
-Take = Literal["largest", "smallest", "mean", "at", "everywhere"]
 Correlogram = Literal["gaussian", "exponential", "matern32"]
 
 #: What is counted through, not drawn.
@@ -178,7 +179,7 @@ def _kinds_fit(sampling: Sampling, vary: tuple[Vary, ...]) -> Iterator[Finding]:
 
 def one_of_numbers(numbers: set[int]) -> str:
     """Return numbers in words: ``2, 3 or 5``."""
-    from groundslab.schema.issues import listed
+    from groundslab.schema.wording import listed
 
     return listed(map(str, sorted(numbers)), "and")
 

@@ -11,12 +11,13 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.errors import InputError
-from groundslab.model.loads.load_cases import combinations_of
-from groundslab.model.loads.load_types import on_plate
+from groundslab.model.combinations import combinations_of
+from groundslab.model.loads.placement import on_plate
 from groundslab.model.model import Model
 from groundslab.model.outputs import OutputPoint
 from groundslab.schema.fields import Key, Number, Quantity
-from groundslab.schema.issues import Finding, Wrong, describe, one_of, suggestion
+from groundslab.schema.issues import Finding, Wrong
+from groundslab.schema.wording import describe, one_of, suggestion
 from groundslab.study.definition.case_paths import Place, place_of, value_at
 from groundslab.study.definition.distributions import AnyDistribution, Distribution, distribution_of
 from groundslab.study.definition.field_types import Raw

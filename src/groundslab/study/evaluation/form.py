@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.design.tables.table import table_of
 from groundslab.errors import Fault, GroundslabError, InputError, NotConverged
-from groundslab.schema.issues import describe, one_of, suggestion
+from groundslab.schema.wording import describe, one_of, suggestion
 from groundslab.study.evaluation.samples import Input, Output
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ import numpy as np
 
 from groundslab.schema.fields import Quantity
 from groundslab.study.evaluation.samples import PURE, RANDOM, Gathered, Input, Limit, Output, unit_for
-from groundslab.study.evaluation.study import columns_in
 from groundslab.study.execution import store
+from groundslab.study.execution.store import columns_in
 from groundslab.study.execution.variant import SOLVED, split
 
 if TYPE_CHECKING:

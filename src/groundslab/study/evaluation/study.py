@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import Fault, InputError
-from groundslab.schema.issues import one_of, suggestion
+from groundslab.schema.wording import one_of, suggestion
 from groundslab.study.definition import files
 from groundslab.study.definition.setup import Setup, columns_of
 from groundslab.study.evaluation.field_maps import moments
 from groundslab.study.execution import store
+from groundslab.study.execution.store import columns_in
 from groundslab.study.execution.variant import split
 from groundslab.study.sampling.designs import Sample, sample_of
 
@@ -182,13 +183,6 @@ class Study:
         names = [output.name for output in whole]
         expected = one_of(names) if names else 'a study that keeps a field with take = "everywhere"'
         raise InputError([Fault("field", f'"{name}"', expected, suggestion(name, names))])
-
-
-def columns_in(setup: Setup) -> store.Columns:
-    """Return the columns of a study's table."""
-    numbers, whole = split(setup.outputs)
-    inputs = [variable.name for variable in setup.variables] + [field.name for field in setup.fields]
-    return store.Columns(inputs, [output.name for output in numbers], [output.name for output in whole])
 
 
 def open_study(folder: str | Path) -> Study:

@@ -14,9 +14,9 @@ from groundslab._version import __version__
 from groundslab.errors import Fault, InputError
 from groundslab.study.definition import files
 from groundslab.study.definition.setup import columns_of, warnings_of
-from groundslab.study.evaluation.study import columns_in
 from groundslab.study.execution import dask_cluster, store, versions
 from groundslab.study.execution.dask_cluster import Mishap
+from groundslab.study.execution.store import columns_in
 from groundslab.study.execution.variant import Row, Worker
 from groundslab.study.sampling import random_fields
 from groundslab.study.sampling.designs import Sample, sample_of

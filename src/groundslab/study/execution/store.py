@@ -28,7 +28,13 @@ import numpy as np
 from groundslab.errors import Fault, GroundslabError, InputError
 from groundslab.fem.mesh import Mesh
 from groundslab.storage import atomic
-from groundslab.study.execution.variant import Row, key_of
+from groundslab.study.definition.setup import Setup
+from groundslab.study.execution import store
+from groundslab.study.execution.variant import Row, key_of, split
+
+if TYPE_CHECKING:
+    from groundslab.arrays import Array
+    from groundslab.fem.mesh import Mesh
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -299,3 +305,10 @@ def _packed(values: Array | None) -> bytes | None:
 
 def _bytes(values: Any, kind: str) -> bytes:
     return zlib.compress(np.ascontiguousarray(values, dtype=kind).tobytes())
+
+
+def columns_in(setup: Setup) -> store.Columns:
+    """Return the columns of a study's table."""
+    numbers, whole = split(setup.outputs)
+    inputs = [variable.name for variable in setup.variables] + [field.name for field in setup.fields]
+    return store.Columns(inputs, [output.name for output in numbers], [output.name for output in whole])

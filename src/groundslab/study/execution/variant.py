@@ -22,8 +22,9 @@ from groundslab.errors import (
     SingularMatrix,
 )
 from groundslab.fem.mesh import Mesh
-from groundslab.model.loads.load_cases import Combination, combinations_of, has_ultimate
-from groundslab.solvers import factorization
+from groundslab.model.combinations import combinations_of
+from groundslab.model.loads.load_cases import Combination, has_ultimate
+from groundslab.solvers import factorization, pardiso
 from groundslab.study.definition import case_paths, outputs
 from groundslab.study.sampling import random_fields
 
@@ -79,7 +80,7 @@ class Worker:
     """
 
     def __init__(self, setup: Setup) -> None:
-        factorization.repeatable()
+        pardiso.repeatable()
         self._setup = setup
         self._names = tuple(each.name for each in combinations_of(setup.model))
         named = {output.combination for output in setup.outputs}

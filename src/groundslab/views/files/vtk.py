@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.design.design_moments import principal_moments, wood_armer
 from groundslab.errors import GroundslabError
-from groundslab.results.results import ELEMENT_FIELDS, PLATE_FIELDS, label
+from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS, label
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

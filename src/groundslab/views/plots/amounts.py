@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from groundslab.design.tables.quantities import AMOUNTS
 from groundslab.errors import Fault, InputError
-from groundslab.results.results import LINE_FORCE, PLATE_FIELDS
-from groundslab.schema.issues import listed, quote, suggestion
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
+from groundslab.schema.wording import listed, quote, suggestion
 from groundslab.views.plots.style import symbol
 
 DESIGN = "design moment of Wood and Armer for {} bars along {}"

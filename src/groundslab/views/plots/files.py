@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.errors import Fault, InputError
-from groundslab.schema.issues import listed, quote
+from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic
 from groundslab.storage.ownership import is_figure, require_replaceable
 from groundslab.views.plots.style import styled

@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.design.envelope import envelope
 from groundslab.design.tables.quantities import extreme, nodal, place
 from groundslab.results.contact_zone import contact_function, contact_share, has_line_force
-from groundslab.results.results import LINE_FORCE, PLATE_FIELDS
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
 from groundslab.views.plots.amounts import NOT_ABOVE, NOT_BELOW, Amount
 from groundslab.views.plots.scale import Scale, scale_of
 from groundslab.views.plots.symbols import in_combination

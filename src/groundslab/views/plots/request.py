@@ -12,7 +12,7 @@ from groundslab.errors import Fault, GroundslabError, InputError, NotCertified, 
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
 from groundslab.results.results import Combined, Results, Step
-from groundslab.schema.issues import describe, listed, one_of, quote, suggestion
+from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.views.plots.amounts import Amount, chosen
 
 Kind = Literal["plan", "deformed", "lines", "soil", "convergence"]

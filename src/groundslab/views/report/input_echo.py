@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.clipping import clipped_loads
-from groundslab.model.loads.load_cases import combinations_of
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Part, key_of, meaning_of, nested
 from groundslab.schema.fields import Choice, Factors, Flag, Key, Number, Quantity, Several, Text, Whole

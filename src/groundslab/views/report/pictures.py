@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab._version import __version__
-from groundslab.results.results import PLATE_FIELDS
+from groundslab.results.fields import PLATE_FIELDS
 
 if TYPE_CHECKING:
     from groundslab.results.results import Combined, Results

@@ -10,7 +10,7 @@ import numpy as np
 from groundslab._version import __version__
 from groundslab.errors import GroundslabError
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
-from groundslab.results.results import LINE_FORCE, PLATE_FIELDS
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations, single

@@ -9,7 +9,8 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.results.contact_zone import contact_share, goes_below_zero, has_line_force, require_finite
-from groundslab.results.results import PLATE_FIELDS, alone
+from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.results import alone
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -12,7 +12,7 @@ from typing import Any
 from groundslab.case import casefile
 from groundslab.errors import Fault, InputError
 from groundslab.model.model import Model
-from groundslab.schema.issues import describe
+from groundslab.schema.wording import describe
 from groundslab.workbench.editing import lengths
 from groundslab.workbench.editing.diagnostics import where_of
 from groundslab.workbench.editing.toml_edits import Layout, Splice, replaced, same, spliced, value_at

@@ -10,7 +10,7 @@ from typing import Any
 
 from groundslab import units
 from groundslab.errors import Fault, InputError
-from groundslab.schema.issues import describe
+from groundslab.schema.wording import describe
 
 #: What a drag can mean [m], on a plate of a metre or more.
 STEP = 1e-3

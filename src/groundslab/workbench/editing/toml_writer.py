@@ -9,7 +9,7 @@ from datetime import date, datetime, time
 from typing import Any
 
 from groundslab.errors import Fault, InputError
-from groundslab.schema.issues import describe, quote
+from groundslab.schema.wording import describe, quote
 
 #: Longer lines are broken where a list allows it.
 WIDTH = 100

@@ -53,7 +53,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Comb
     """Return the results of the case that a text describes; raises GroundslabError."""
     from groundslab.analysis.driver import solve_combinations
     from groundslab.case import casefile
-    from groundslab.model.loads.load_cases import combinations_of
+    from groundslab.model.combinations import combinations_of
     from groundslab.views.scene.binary import packed
     from groundslab.views.scene.fields import scene_of
     from groundslab.views.summary.progress import line

@@ -16,7 +16,7 @@ from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.quantities import AMOUNTS, LISTED
 from groundslab.design.tables.table import Table, table_of
 from groundslab.errors import InputError, NoEquilibrium
-from groundslab.model.loads.load_cases import combinations_of
+from groundslab.model.combinations import combinations_of
 from groundslab.model.model import Model
 from groundslab.results.results import Combined, SupportResult
 from groundslab.views.files.vtk import array_name, plate_mesh

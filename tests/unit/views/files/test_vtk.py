@@ -14,7 +14,8 @@ import pytest
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.fem.shape_functions import q9
 from groundslab.model.outputs import Reinforcement
-from groundslab.results.results import ELEMENT_FIELDS, PLATE_FIELDS, Combined, Results
+from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS
+from groundslab.results.results import Combined, Results
 from groundslab.views.files import results_folder, vtk
 from helpers import synthetic
 

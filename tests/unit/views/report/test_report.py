@@ -21,7 +21,8 @@ from groundslab.design.tables import tables_of
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.model.model import Model
-from groundslab.results.results import PLATE_FIELDS, Combined, Constants, SupportResult
+from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.results import Combined, Constants, SupportResult
 from groundslab.results.soil_profile import profiles_of
 from groundslab.views import report
 from groundslab.views.files import results_folder

@@ -13,7 +13,8 @@ from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
 from groundslab.results.contact_zone import contact_function
-from groundslab.results.results import PLATE_FIELDS, Combined
+from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.results import Combined
 from groundslab.views.files import results_folder
 from groundslab.views.scene.binary import LEVELS, Blocks, Scene, packed, unpacked, values_of
 from groundslab.views.scene.fields import scene_of

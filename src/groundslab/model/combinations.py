@@ -1,0 +1,28 @@
+"""The combinations of a model: those it lists, those that EN 1990 makes, or each load case by itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from groundslab.model.loads.load_cases import Combination, make_combinations
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+
+
+def combinations_of(model: Model) -> tuple[Combination, ...]:
+    """Return all combinations of a model: those given and those made by EN 1990.
+
+    With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both
+    are as the file gives them, without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
+    """
+    if not model.cases:
+        return (Combination(name="all loads", limit_state="characteristic", factors={"": 1.0}),)
+    made: tuple[Combination, ...] = ()
+    if model.combine is not None:
+        made = make_combinations(model.combine, model.cases)
+    if not model.combinations and model.combine is None:
+        return tuple(
+            Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
+        )
+    return (*model.combinations, *made)

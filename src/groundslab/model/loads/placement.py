@@ -1,0 +1,142 @@
+"""Whether loads, columns, supports and voids lie on the plate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, Protocol
+
+from groundslab.model.columns import Column
+from groundslab.model.loads.load_types import AnyLoad, PointLoad, Void
+from groundslab.model.plate import Plate
+from groundslab.model.shapes import CHORD
+from groundslab.schema.issues import Finding
+from groundslab.schema.wording import describe, one_of, suggestion
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+
+ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
+
+
+class Placed(Protocol):
+    """What has a place in plan."""
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return it, arcs as chords at most so far off [m]."""
+        ...
+
+
+class Covered:
+    """What of the plan a plate covers, found once for all that may lie on it."""
+
+    def __init__(self, plate: Plate) -> None:
+        self.plate = plate
+        self.bounds = plate.bounds
+        x0, x1, y0, y1 = self.bounds
+        self.size = max(x1 - x0, y1 - y0)
+        #: Whether nothing but the rectangle counts.
+        self.plain = plate.outline is None and not plate.openings
+
+    @property
+    def near(self) -> float:
+        """Return how far off the plate a place may lie by rounding [m]."""
+        return ON_PLATE * self.size
+
+    @property
+    def chord(self) -> float:
+        """Return how far off an arc its chords may be [m]."""
+        return CHORD * self.size
+
+    @cached_property
+    def area(self) -> BaseGeometry:
+        """The plate without its openings."""
+        from shapely import union_all
+
+        openings = union_all([opening.ring().polygon(self.chord) for opening in self.plate.openings])
+        return self.plate.ring().polygon(self.chord).difference(openings)
+
+    @cached_property
+    def reach(self) -> BaseGeometry:
+        """What a part must not leave, wider than the plate by what rounding and chords may take."""
+        from shapely import prepare
+
+        rings = (self.plate.ring(), *(opening.ring() for opening in self.plate.openings))
+        reach = self.area.buffer(self.near if all(ring.straight for ring in rings) else 2 * self.chord)
+        prepare(reach)
+        return reach
+
+
+def on_plate(plate: Plate | Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+    """Find a part that does not lie on the plate."""
+    covered = plate if isinstance(plate, Covered) else Covered(plate)
+    x0, x1, y0, y1 = covered.bounds
+    near, plate = covered.near, covered.plate
+    mend = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
+    outside = False
+    for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
+        value = getattr(part, axis, None)
+        values = () if value is None else value if isinstance(value, tuple) else (value,)
+        if any(not low - near <= value <= high + near for value in values):
+            got = f"{values[0]!r} m" if len(values) == 1 else f"[{', '.join(f'{value!r} m' for value in values)}]"
+            yield Finding((*place, axis), got, f"a position on the plate, from {low!r} m to {high!r} m", mend)
+            outside = True
+    # for points and what runs along the sides of a rectangle that is all
+    if not outside and not (covered.plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
+        yield from _on_shape(covered, part, place)
+
+
+def _has_footprint(part: Placed) -> bool:
+    return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
+
+
+def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+    """Find a part that does not lie on the plate, be it within the rectangle around it."""
+    expected = "a place on the plate, not in an opening nor beside the outline"
+    (x0, x1, y0, y1), far = covered.bounds, covered.size
+    # arcs drawn roughly: chords so short would be too many for what is so large
+    left, low, right, high = part.drawn(math.inf).bounds
+    if not (x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far):
+        yield Finding(place, "a part that reaches far off the plate", expected)
+        return
+    loaded = part.drawn(covered.chord)
+    if not covered.reach.covers(loaded):
+        left = loaded.difference(covered.area)
+        off = left.representative_point()
+        got, mend = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
+        if _has_footprint(part) and left.area < loaded.area:
+            got = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
+            mend = "move it or make it smaller; a force is not cut off at the edge as a pressure is"
+        yield Finding(place, got, expected, mend)
+
+
+def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+    """Find point loads that do not lie on the plate; those on columns lie where these do.
+
+    A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
+    edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
+    """
+    covered = Covered(plate)
+    for position, load in enumerate(loads):
+        if isinstance(load, PointLoad) and not load.column:
+            yield from on_plate(covered, load, ("loads", position))
+
+
+def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[Finding]:
+    """Find loads on columns that are not there."""
+    names = [column.name for column in columns]
+    known = set(names)
+    for position, load in enumerate(loads):
+        if isinstance(load, PointLoad) and load.column and load.column not in known:
+            expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
+            place = ("loads", position, "column")
+            yield Finding(place, describe(load.column), expected, suggestion(load.column, names))
+
+
+def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[Finding]:
+    """Find voids that do not lie under the plate."""
+    covered = Covered(plate)
+    for position, void in enumerate(voids):
+        yield from on_plate(covered, void, ("contact", "voids", position))

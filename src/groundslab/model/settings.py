@@ -1,0 +1,167 @@
+"""Settings of an analysis: ground beyond the plate, contact, mesh, solver."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from groundslab.model.ground import (
+    POSITIVE,
+)
+from groundslab.model.loads.load_types import (
+    Void,
+)
+from groundslab.model.varying_ground import (
+    GapPoint,
+    gaps_apart,
+)
+from groundslab.schema.base import Check, Part, Table
+from groundslab.schema.fields import Choice, Flag, Quantity, Several, Whole
+from groundslab.schema.issues import Finding
+from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe, quote
+
+if TYPE_CHECKING:
+    pass
+
+Reach = Literal["none", "margin", "infinite"]
+
+
+OuterEdge = Literal["free", "fixed"]
+
+
+Side = Literal["left", "right", "bottom", "top"]
+
+
+Symmetry = Literal["auto", "off"]
+
+
+Solver = Literal["auto", "pardiso", "superlu", "mumps"]
+
+
+SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
+
+
+def _width_fits(kind: str, width: float | None) -> Iterator[Finding]:
+    if kind == "margin" and width is None:
+        yield Finding(("width",), "nothing", 'a length such as "5 m", as kind is "margin"')
+    if kind == "none" and width is not None:
+        yield Finding(("width",), f"{width!r} m", 'no width, as kind is "none"', 'kind = "margin" has a width')
+
+
+def _edge_fits(kind: str, edge: str, given: set[str]) -> Iterator[Finding]:
+    if kind != "margin" and "edge" in given:
+        yield Finding(("edge",), quote(edge), f'no edge, as kind is "{kind}"', 'kind = "margin" has an outer edge')
+
+
+class Beyond(Part):
+    """The ground beyond the plate; without effect where the ground carries no shear, as springs do not reach there."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_width_fits, _edge_fits)
+
+    kind: Annotated[
+        Reach,
+        Choice(Reach, "none: the ground ends with the plate; margin: a strip of ground; infinite: no end"),
+    ] = "none"
+    width: Annotated[
+        float | None,
+        Quantity(
+            "length",
+            "b",
+            "width of the meshed strip; needed for a margin; if infinite, by default the length over which the ground "
+            "dies out, and one whose widening changes settlements by more than 1 % is refused",
+            POSITIVE,
+        ),
+    ] = None
+    edge: Annotated[OuterEdge, Choice(OuterEdge, "outer edge of a margin")] = "free"
+    sides: Annotated[
+        tuple[Side, ...],
+        Several(Choice(Side, ""), "", "sides of the plate with ground beyond them", unique=True),
+    ] = SIDES
+
+
+def _gap_may_open(tensionless: bool, gap: float) -> Iterator[Finding]:
+    if not tensionless and gap > 0:
+        yield Finding(("gap",), f"{gap!r} m", "no gap, as tensionless is false")
+
+
+def _void_may_open(tensionless: bool, voids: tuple[Void, ...]) -> Iterator[Finding]:
+    if not tensionless and voids:
+        yield Finding(("voids",), describe(voids), "no voids, as tensionless is false")
+
+
+def _gaps_may_open(tensionless: bool, gaps: tuple[GapPoint, ...]) -> Iterator[Finding]:
+    if not tensionless and gaps:
+        yield Finding(("gaps",), describe(gaps), "no gaps, as tensionless is false")
+
+
+def _ground_may_yield(tensionless: bool, limit_pressure: float | None) -> Iterator[Finding]:
+    if not tensionless and limit_pressure is not None:
+        yield Finding(("limit_pressure",), f"{limit_pressure!r} Pa", "no limit, as tensionless is false")
+
+
+class Contact(Part):
+    """Contact between plate and ground."""
+
+    checks: ClassVar[tuple[Check, ...]] = (
+        _gap_may_open,
+        _void_may_open,
+        _gaps_may_open,
+        gaps_apart,
+        _ground_may_yield,
+    )
+
+    tensionless: Annotated[bool, Flag("whether the plate may lift off")] = True
+    gap: Annotated[float, Quantity("length", "g_0", "initial gap everywhere under the plate", Range(at_least=0))] = 0.0
+    voids: Annotated[
+        tuple[Void, ...], Table("parts with a further gap, or none to reach; the deeper counts where they overlap")
+    ] = ()
+    gaps: Annotated[
+        tuple[GapPoint, ...],
+        Table("measured gaps, further to gap, a smooth surface between them; a plane stays a plane", 2000),
+    ] = ()
+    limit_pressure: Annotated[
+        float | None,
+        Quantity(
+            "pressure",
+            "p_max",
+            "pressure at which the ground yields, no limit by default; line forces along the plate's "
+            "edges are none, but loads may not exceed this pressure over all of the plate",
+            POSITIVE,
+        ),
+    ] = None
+
+
+def _one_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[Finding]:
+    if size is not None and counts is not None:
+        yield Finding((), "both size and counts", "at most one of size and counts")
+
+
+class Mesh(Part):
+    """The mesh of the plate; without size and counts the shorter side has 24 elements."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_one_size,)
+
+    size: Annotated[
+        float | None,
+        Quantity("length", "h", "largest side of an element; smaller at edges where needed", POSITIVE),
+    ] = None
+    counts: Annotated[
+        tuple[int, int] | None, Several(Whole("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
+    ] = None
+    symmetry: Annotated[
+        Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")
+    ] = "auto"
+
+
+class Analysis(Part):
+    """How the equations are solved."""
+
+    increments: Annotated[
+        int, Whole("steps in which the load is applied; the result does not depend on it", at_most=1000)
+    ] = 1
+    solver: Annotated[
+        Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed, mumps is for many processes")
+    ] = "auto"
+    nested: Annotated[bool, Flag("start the contact zone from coarser meshes")] = True
+    max_iterations: Annotated[int, Whole("most contact steps on one mesh", at_most=10_000)] = 200
