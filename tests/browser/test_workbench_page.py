@@ -6,7 +6,10 @@ import re
 from pathlib import Path
 from typing import Any
 
+import pytest
 from helpers.browsing import Bench, Server, free_port
+
+pytestmark = pytest.mark.slow
 
 
 def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, tmp_path: Path) -> None:

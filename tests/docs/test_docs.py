@@ -87,6 +87,7 @@ def test_links_resolve(page: Path) -> None:
             assert anchor in anchors(target), link
 
 
+@pytest.mark.slow
 def test_theory_has_the_sections_that_the_code_names() -> None:
     """Every "docs/theory.md, SECTION" in the code names a heading of that page."""
     known = anchors(ROOT / "docs" / "theory.md")
@@ -96,6 +97,7 @@ def test_theory_has_the_sections_that_the_code_names() -> None:
         assert any(anchor.removeprefix("the-") == name.replace(" ", "-") for anchor in known), name
 
 
+@pytest.mark.slow
 def test_files_that_the_code_names_are_there() -> None:
     """Every docs/... that a comment or text of the package names is a file."""
     for module in MODULES:
@@ -103,6 +105,7 @@ def test_files_that_the_code_names_are_there() -> None:
             assert (ROOT / path).exists(), f"{module.name}: {path}"
 
 
+@pytest.mark.slow
 def test_equation_numbers_are_the_papers() -> None:
     """Every equation number in the package's comments and texts is one that the paper has."""
     known = printed_equations()
@@ -120,6 +123,7 @@ def test_equation_numbers_of_the_docs_are_the_papers() -> None:
         assert numbers <= known, name
 
 
+@pytest.mark.slow
 def test_sources_are_in_the_bibliography() -> None:
     """Every author and year in a docstring of the package or as a case's source has an entry; pages name no others."""
     known = entries()
@@ -151,6 +155,7 @@ def test_cases_of_the_readme_load() -> None:
         casefile.loads(text)
 
 
+@pytest.mark.slow
 def test_python_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> None:
     """Every Python block of the README runs; the model is that of the TOML block, and its result is certified."""
     programs = blocks(README, "python")

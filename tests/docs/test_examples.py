@@ -19,6 +19,7 @@ def test_examples_are_solved(path: Path) -> None:
     assert solve(load(path)).certificate.holds
 
 
+@pytest.mark.slow
 def test_the_raft_weighs_what_its_comment_says() -> None:
     """All eight combinations are solved, with the sums of loads that the comment works out by hand; the flood lifts."""
     model = load(EXAMPLES / "l_raft.toml")

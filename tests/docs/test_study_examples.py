@@ -76,6 +76,7 @@ def test_crack_moments_of_the_warehouse() -> None:
     assert limit.value == pytest.approx(f_ctm, rel=0.005)
 
 
+@pytest.mark.slow
 def test_the_design_point_that_the_page_quotes() -> None:
     """beta, probability, inputs and importance of the example are those of the page, digit for digit."""
     pytest.importorskip("openturns")

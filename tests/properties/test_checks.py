@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -23,6 +24,7 @@ def refusal(work: object, model: Model) -> set[str]:
     return set()
 
 
+@pytest.mark.slow
 @settings(FUZZ, max_examples=120)
 @given(st.one_of(models(), rich_models(), rich_models(whole=True)))
 def test_what_is_refused_in_solving_is_refused_in_checking(model: Model) -> None:

@@ -138,6 +138,7 @@ def varying(draw: st.DrawFn) -> Model:
     return model.replace(soil_zones=zones)
 
 
+@pytest.mark.slow
 @settings(max_examples=120, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 @given(varying())
 def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model) -> None:
@@ -153,6 +154,7 @@ def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model
         assert np.isfinite(results.plate.settlement).all()
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None, derandomize=True, database=None)
 @given(
     st.sampled_from(["consistent", "profile", "vlasov", "interface of soil", "given gamma"]),
@@ -184,6 +186,7 @@ def test_boreholes_anywhere(name: str, places: list[tuple[float, float, float, f
     assert {fault.where for fault in faults} == {"boreholes"}
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None, derandomize=True, database=None)
 @given(st.floats(0.1, 10.0), st.floats(0.1, 10.0))
 def test_stiffer_soil_anywhere_stores_less_work(left: float, right: float) -> None:

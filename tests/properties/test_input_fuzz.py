@@ -237,6 +237,7 @@ def test_fuzzed_files_are_sound(name: str) -> None:
     assert Model.model_validate(DATA[name], context=FROM_FILE) == loads(FILES[name])
 
 
+@pytest.mark.slow
 @settings(QUICK, max_examples=400)
 @given(descriptions())
 def test_damaged_structure(data: Any) -> None:
@@ -260,6 +261,7 @@ def test_deep_nesting(kind: type) -> None:
         check(error.value)
 
 
+@pytest.mark.slow
 @settings(QUICK, max_examples=150)
 @given(values() | st.binary() | st.dictionaries(st.integers() | st.none() | st.binary(), st.integers(), max_size=3))
 def test_any_object(data: Any) -> None:
@@ -271,6 +273,7 @@ def test_any_object(data: Any) -> None:
     )
 
 
+@pytest.mark.slow
 @settings(QUICK, max_examples=200)
 @given(st.data())
 def test_damaged_text(data: st.DataObject) -> None:
@@ -299,6 +302,7 @@ def test_damaged_bytes(tmp_path_factory: pytest.TempPathFactory, data: st.DataOb
         check(error)
 
 
+@pytest.mark.slow
 @settings(QUICK, max_examples=120)
 @given(models() | rich_models(whole=True))
 def test_written_model_is_read_back(model: Model) -> None:

@@ -103,6 +103,7 @@ def can_reach(ground: Any) -> bool:
     return not isinstance(ground, Winkler)
 
 
+@pytest.mark.slow
 @given(
     ground=grounds,
     loads=pushes(),
@@ -149,6 +150,7 @@ def test_equilibrium_holds_and_is_what_the_fields_say(
         assert (p.pressure * (p.gap > 1e-9 * np.abs(p.settlement).max()) == 0).all()
 
 
+@pytest.mark.slow
 @given(ground=columns, first=pushes(), second=pushes(), beyond=st.sampled_from(["none", "infinite"]))
 @few(8)
 def test_superposition_when_glued(ground: Any, first: list[Any], second: list[Any], beyond: str) -> None:
@@ -166,6 +168,7 @@ def test_superposition_when_glued(ground: Any, first: list[Any], second: list[An
         assert_same(getattr(a.elements, field) + getattr(b.elements, field), getattr(both.elements, field))
 
 
+@pytest.mark.slow
 @given(ground=grounds, loads=pushes(), factor=st.sampled_from([0.01, 3.0, 1e4]))
 @few(12)
 def test_the_contact_zone_does_not_know_the_size_of_the_load(ground: Any, loads: list[Any], factor: float) -> None:
@@ -195,6 +198,7 @@ def mirrored(load: Any, axis: str) -> Any:
     return load.model_copy(update={axis: (-value[1], -value[0]) if isinstance(value, tuple) else -value})
 
 
+@pytest.mark.slow
 @given(
     ground=grounds,
     loads=pushes(),
@@ -228,6 +232,7 @@ def test_mirror_image(ground: Any, loads: list[Any], axis: str, sides: tuple[str
         assert_same(getattr(one.plate, field), sign * getattr(image.plate, field)[there], 1e-6)
 
 
+@pytest.mark.slow
 @given(ground=grounds, loads=pushes(), infinite=st.booleans())
 @few(10)
 def test_quarter_turn(ground: Any, loads: list[Any], infinite: bool) -> None:
@@ -252,6 +257,7 @@ def test_quarter_turn(ground: Any, loads: list[Any], infinite: bool) -> None:
         assert_same(getattr(one.plate, field), sign * getattr(image.plate, other)[there], 1e-6)
 
 
+@pytest.mark.slow
 @given(
     ground=grounds,
     x=rounded(0.1, 2.0),
@@ -322,6 +328,7 @@ def scaled_ground(ground: Any, s: float, f: float) -> Any:
     return ground.model_copy(update={"layers": tuple(layer(one) for one in ground.layers)})
 
 
+@pytest.mark.slow
 @given(
     ground=grounds,
     loads=pushes(),
@@ -426,6 +433,7 @@ def test_compression_everywhere_makes_tensionless_equal_to_glued(ground: Any, P:
     np.testing.assert_allclose(free.plate.moment_x, glued.plate.moment_x, atol=1e-7 * 2e5 * LX**2)
 
 
+@pytest.mark.slow
 @given(ground=grounds, loads=pushes(), gap=st.booleans())
 @few(8)
 def test_ways_of_solving_do_not_matter(ground: Any, loads: list[Any], gap: bool) -> None:
@@ -451,6 +459,7 @@ def test_steps_tell_of_increments_and_meshes() -> None:
     assert all(step.finest for step in cold.steps)
 
 
+@pytest.mark.slow
 @given(
     ground=st.sampled_from([GROUNDS["pasternak"], GROUNDS["interface"], GROUNDS["consistent"]]),
     loads=pushes(),
@@ -469,6 +478,7 @@ def test_infinite_ground_equals_a_wide_margin(ground: Any, loads: list[Any], ten
     assert_same(fixed.plate.settlement, wide.plate.settlement, 1e-5)
 
 
+@pytest.mark.slow
 @given(ground=st.sampled_from([SOILS["vlasov"], SOILS["profile"], SOILS["interface of soil"]]), loads=pushes())
 @few(5)
 def test_gamma_counts_the_ground_beyond_the_mesh(ground: Any, loads: list[Any]) -> None:
@@ -550,6 +560,7 @@ def test_vlasov_with_gamma_given_is_pasternak(loads: list[Any], gamma: float) ->
     assert_same(soil.plate.settlement, two.plate.settlement, 1e-10)
 
 
+@pytest.mark.slow
 @given(ground=st.sampled_from([SOILS["vlasov"], SOILS["profile"], SOILS["interface of soil"]]), loads=pushes())
 @few(6)
 def test_iterated_gamma_is_a_fixed_point(ground: Any, loads: list[Any]) -> None:

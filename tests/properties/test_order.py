@@ -55,6 +55,7 @@ def assert_alike(one: Combined, other: Combined) -> None:
             assert_same(getattr(results.plate, field), getattr(other.results[name].plate, field))
 
 
+@pytest.mark.slow
 @FEW
 @given(rich_models(), st.randoms(use_true_random=False))
 def test_order_in_the_file(model: Model, random: Any) -> None:
@@ -66,6 +67,7 @@ def test_order_in_the_file(model: Model, random: Any) -> None:
     assert_alike(combined(model), combined(model.replace(**mixed)))
 
 
+@pytest.mark.slow
 @FEW
 @given(rich_models())
 def test_combination_by_itself(model: Model) -> None:
@@ -125,6 +127,7 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
     return changed, new
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("element", ["mitc9", "q9", "heterosis"])
 @pytest.mark.parametrize("seed", range(3))
 def test_node_numbers(element: str, seed: int) -> None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import from_table
 from groundslab.errors import GroundslabError
+
+pytestmark = pytest.mark.slow
 
 NUMBERS = st.integers(-6, 6).map(float) | st.floats(-8, 8).map(lambda value: round(value, 2))
 LENGTHS = NUMBERS.map(lambda value: f"{value!r} m")

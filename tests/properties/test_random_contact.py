@@ -27,6 +27,8 @@ from groundslab.model.supports import PointSupport
 from groundslab.results.results import Results
 from helpers.paths import DATA
 
+pytestmark = pytest.mark.slow
+
 MODELS = int(os.environ.get("GROUNDSLAB_MODELS", "60"))
 FILES = sorted((DATA / "contact").glob("*.toml"))
 #: What an iteration may take: tens of steps on each mesh.

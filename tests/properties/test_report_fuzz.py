@@ -28,6 +28,8 @@ from helpers import damage, synthetic
 from helpers.pages import page
 from helpers.strategies import models, rich_models
 
+pytestmark = pytest.mark.slow
+
 
 def leaves(part: Part) -> Iterator[tuple[Any, Any]]:
     """Yield the kinds and values of all keys that a case gives; of shapes none, as they are told in words."""

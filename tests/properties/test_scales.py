@@ -66,6 +66,7 @@ def test_measured_gaps_that_stay_open(factor: float) -> None:
     assert_same(one, other)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ground", ["winkler", "pasternak"])
 @pytest.mark.parametrize("factor", FACTORS)
 @pytest.mark.parametrize("acts", ["in compression", "in tension"])

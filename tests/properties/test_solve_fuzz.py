@@ -25,6 +25,8 @@ from groundslab.views.files import results_folder
 from helpers import synthetic
 from helpers.strategies import models, rich_models
 
+pytestmark = pytest.mark.slow
+
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 
 

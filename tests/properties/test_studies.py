@@ -21,6 +21,8 @@ from groundslab.study.definition.schema import StudyFile
 from helpers.strategies import rich_models
 from helpers.studies import CASE, STUDY
 
+pytestmark = pytest.mark.slow
+
 
 def all_paths(part: Part, path: str) -> Iterator[tuple[str, Any]]:
     """Yield the path of every key below a part with what it holds."""

@@ -75,6 +75,7 @@ def at_once(module: str) -> set[str]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("module", MODULES)
 def test_heavy_libraries_are_imported_when_used(module: str) -> None:
     """Plots, files, tables, units and solvers cost nothing until a function needs them."""

@@ -215,6 +215,7 @@ def test_show(value: float, dimension: str, text: str) -> None:
     assert show(value, dimension) == text
 
 
+@pytest.mark.slow
 @settings(derandomize=True, max_examples=300, deadline=None, database=None)
 @given(st.floats(allow_nan=False, allow_infinity=False), st.sampled_from(list(DIMENSIONS)))
 def test_written_is_read_back(value: float, dimension: str) -> None:
@@ -226,6 +227,7 @@ def test_written_is_read_back(value: float, dimension: str) -> None:
     assert shown == pytest.approx(value, rel=1e-4, abs=1e-300)
 
 
+@pytest.mark.slow
 @settings(derandomize=True, max_examples=300, deadline=None, database=None)
 @given(st.text(max_size=120) | st.from_regex(units.NUMBER + r"\s?[A-Za-z*/^ 0-9]{0,12}", fullmatch=True))
 def test_any_text(text: str) -> None:
@@ -236,6 +238,7 @@ def test_any_text(text: str) -> None:
     assert time.perf_counter() - start < 5.0  # pint's first start included
 
 
+@pytest.mark.slow
 def test_pint_only_when_needed() -> None:
     """Everyday units do not wait for pint to be imported; others do import it."""
     code = (

@@ -11,6 +11,7 @@ from groundslab.verification import runner
 CASES = [name for name in runner.names() if name not in ("paper", "analytic", "programs")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_every_row_of_a_case_passes(name):
     """Each row agrees with its source within its tolerance, deviates as explained, or is refuted by its proof."""

@@ -76,6 +76,7 @@ def across(result: Results, axis: int, place: float) -> tuple[float, float]:
 CUTS = [(0, 0.5), (0, -1.0), (0, 1.0), (1, 0.0), (1, 0.5)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ground", GROUNDS)
 @pytest.mark.parametrize(("axis", "place"), CUTS)
 def test_cuts_along_element_sides(ground: str, axis: int, place: float) -> None:
@@ -148,6 +149,7 @@ def test_a_strip_as_wide_as_the_plate() -> None:
     np.testing.assert_allclose((found.moment - found.moment[0]) / scale, grown / scale, atol=1e-2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("column", "tolerance"),
     [((0.0, 0.0), [0.012, 0.001, 0.001]), ((3.5, 0.0), [0.04, 0.001, 0.001])],

@@ -141,6 +141,7 @@ SHAPES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("tensionless", [True, False])
 @pytest.mark.parametrize("kind", ["pasternak", "layers", "winkler"])
@@ -186,6 +187,7 @@ def test_pressures_and_line_forces_together_are_the_load(shape: str, tensionless
         assert not force[~plate.in_contact].any()
 
 
+@pytest.mark.slow
 def test_edge_pressure_converges() -> None:
     """At the middle of an edge pressure and line force hardly change from mesh to mesh; a node's force halves."""
     found = []

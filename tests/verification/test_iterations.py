@@ -11,6 +11,8 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Mesh
 
+pytestmark = pytest.mark.slow
+
 GROUNDS = {"winkler": Winkler(k=20e6), "pasternak": Pasternak(k0=32.7862e6, k1=20.660e6)}
 
 

@@ -131,6 +131,7 @@ def test_settlements_over_a_cavity_converge_as_those_of_the_plate(edges: tuple[f
     assert errors[2] < errors[1] / 5
 
 
+@pytest.mark.slow
 def test_a_stiff_pier_under_a_column_is_seen_by_large_elements() -> None:
     """A pier of 0.4 x 0.4 m off the lines of elements of 0.5 m: as on a grid of 0.1 m on whose lines it lies."""
     parts: dict[str, Any] = {

@@ -173,6 +173,7 @@ def rigid_on_yielding_springs(P: float, M: float, limit: float) -> tuple[float, 
     return found[0], found[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("increments", [1, 5])
 def test_a_rigid_plate_on_ground_that_yields(increments: int) -> None:
     """An eccentric force on a rigid plate makes one end yield and the other lift off, as the two equilibria say.
@@ -204,6 +205,7 @@ def test_more_than_the_ground_can_carry_is_refused() -> None:
     certified(solve(raft(contact={"limit_pressure": 11e3})))
 
 
+@pytest.mark.slow
 def test_a_cavity_carries_nothing() -> None:
     """Over a cavity no pressure arises however far the plate settles, and the rest of the ground carries all."""
     void = {"shape": {"kind": "circle", "centre": (1.0, 0.5), "radius": 0.8}}
@@ -214,6 +216,7 @@ def test_a_cavity_carries_nothing() -> None:
     assert (plate.pressure * plate.area).sum() == pytest.approx(240e3, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beyond", ["none", "infinite"])
 @pytest.mark.parametrize("threads", [1, 3])
 def test_combinations_are_solved_by_themselves(threads: int, beyond: str, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -75,6 +75,7 @@ def rows(table: Table, **where: Any) -> list[dict[str, Any]]:
     return [each for each in found if all(each[key] == value for key, value in where.items())]
 
 
+@pytest.mark.slow
 def test_sums_of_loads(combined: Combined, tables: dict[str, Table]) -> None:
     """The sums are those worked out by hand, and one combination cannot be: everything pushes up."""
     assert isinstance(combined.refused["upside down"], NoEquilibrium)
@@ -94,6 +95,7 @@ def test_pile_and_pressure_carry_the_loads(combined: Combined, tables: dict[str,
     assert pile["force"] + plate.contact_force.sum() / 1e3 == pytest.approx(1.35 * G + 1.5 * Q, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_strips_are_cuts(combined: Combined, tables: dict[str, Table]) -> None:
     """Forces across the whole width at x = 1 m are those of the cut, and of the loads and pressure beyond it."""
     (one,) = rows(tables["strips"], combination="in use", s=5.0)

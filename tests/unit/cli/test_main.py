@@ -88,6 +88,7 @@ class TestSolve:
         read = npz.load(case.with_name("raft-results") / "results.npz")
         synthetic.assert_same(read, synthetic.results())
 
+    @pytest.mark.slow
     def test_json_is_alone_on_standard_output(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """Standard output is one JSON document, and standard error is silent without a terminal."""
         assert main.main(["solve", str(case), "--json", "--out", str(case.parent / "o"), "--plot"]) == 0
@@ -441,6 +442,7 @@ class TestOthers:
         assert version.returncode == 0
         assert "solve" in run("--help").stdout
 
+    @pytest.mark.slow
     def test_a_reader_that_goes_away_is_no_failure(self) -> None:
         """A pipe that is closed early gives no traceback and no failure."""
         command = [sys.executable, "-m", "groundslab", "schema"]
@@ -484,6 +486,7 @@ sys.exit(main())
 class TestProgram:
     """The program as the system sees it: streams and signals."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         ("module", "turned"), [("groundslab.cli.main", False), ("argparse", True), ("numpy", False), ("pydantic", True)]
     )
@@ -495,6 +498,7 @@ class TestProgram:
         assert ended.stderr.split("\n")[-2:] == ["interrupted", ""] or (turned and ended.stderr)
         assert "Traceback" not in ended.stderr
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("closed", ["2>&-", ">&-", "2>&- >&- <&-", "2>/dev/full"])
     def test_closed_streams(self, case: Path, closed: str) -> None:
         """What cannot be said changes neither the exit code nor the results."""
@@ -505,6 +509,7 @@ class TestProgram:
             assert subprocess.run(command, capture_output=True, check=False).returncode == code
         assert len(results_folder.load(case.with_name("raft-results")).results) == 1
 
+    @pytest.mark.slow
     def test_an_answer_that_cannot_be_given(self, case: Path) -> None:
         """Where the answer itself cannot be written the exit code says so; the results are in their folder."""
         if not Path("/dev/full").exists():

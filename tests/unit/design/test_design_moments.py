@@ -23,6 +23,7 @@ def bending(m_x: float, m_y: float, m_xy: float) -> np.ndarray:
     return m_x * np.cos(ANGLES) ** 2 + m_y * np.sin(ANGLES) ** 2 + 2 * m_xy * np.sin(ANGLES) * np.cos(ANGLES)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None, derandomize=True)
 @given(MOMENTS, MOMENTS, MOMENTS)
 def test_principal_moments_are_the_extremes(m_x: float, m_y: float, m_xy: float) -> None:

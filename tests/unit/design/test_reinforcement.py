@@ -163,6 +163,7 @@ def carried(f_ck: float, alpha: float, f_yk: float, d: float, d_2: float, A_s: f
     return -sum(force * depth for force, depth in forces(x)), x
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None, derandomize=True)
 @given(
     f_ck=st.floats(12, 90),

@@ -69,6 +69,7 @@ def test_a_cut_integrates_quadratic_fields_exactly(a: tuple, b: tuple) -> None:
     assert found.mean_shear == pytest.approx(found.shear / on.length)
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None, derandomize=True)
 @given(a=PLACES, b=PLACES, part=st.floats(0.2, 0.8))
 def test_a_cut_from_behind_and_in_two(a: tuple, b: tuple, part: float) -> None:

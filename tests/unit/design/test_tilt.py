@@ -15,6 +15,7 @@ SLOPES = st.floats(-5e-3, 5e-3)
 POINTS = {"A": (0.5, 0.5), "B": (5.5, 0.5), "C": (5.5, 3.5), "D": (3.0, 2.0)}
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None, derandomize=True)
 @given(a=SLOPES, b=SLOPES, c=st.floats(0, 0.1))
 def test_a_plane_is_its_own_best_fit(a: float, b: float, c: float) -> None:

@@ -38,6 +38,7 @@ def sides_at(problem: Problem, axis: int, value: float) -> bool:
     return bool(np.isclose(problem.mesh.nodes[:, axis], value, atol=1e-9).any() and not across.any())
 
 
+@pytest.mark.slow
 def test_borders_are_lines_of_grids_and_zones_are_met_exactly() -> None:
     """The default mesh, a size, nested coarser meshes, ground beyond the plate: a line at each border within it."""
     zone = stiffer({"kind": "rectangle", "x": (1.07, 50.0), "y": (-50.0, 3.13)})

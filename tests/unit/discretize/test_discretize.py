@@ -450,6 +450,7 @@ def dense(problem: Problem, column: Column) -> np.ndarray:
     return upper + np.triu(upper, 1).T
 
 
+@pytest.mark.slow
 @settings(max_examples=6, derandomize=True, deadline=None)
 @given(
     element=st.sampled_from(ELEMENTS),
@@ -516,6 +517,7 @@ def test_a_point_load_on_a_line_of_symmetry_up_to_rounding(off: float) -> None:
         assert problem.load[:, W].sum() == pytest.approx(2.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("symmetry", ["auto", "off"])
 def test_nodes_on_the_edge_of_a_void_bear(symmetry: str) -> None:
     """Nodes on the edge of a void have the gap outside, however their coordinates and those of the void are rounded."""

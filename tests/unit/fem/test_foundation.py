@@ -208,6 +208,7 @@ def test_tail_modes(column: Column) -> None:
     assert (t.decay > 0).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("column", COLUMNS.values(), ids=COLUMNS.keys())
 def test_tail_spring_equals_a_long_strip(column: Column) -> None:
     """Held at one end, a strip of ground 25 decay lengths long, in 600 quadratic elements, is as stiff as the tail."""

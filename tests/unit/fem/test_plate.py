@@ -202,6 +202,7 @@ def errors(name: str, n: int, t: float, amount: float, split: int = 1) -> tuple[
     return float(off), float(bending)
 
 
+@pytest.mark.slow
 @every_element
 @pytest.mark.parametrize("t", [0.2, 0.01])
 @pytest.mark.parametrize("amount", [0.0, 0.25])

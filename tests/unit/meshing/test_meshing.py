@@ -45,6 +45,7 @@ def test_mesh_is_whole(plan: Plan, maker: Maker | None) -> None:
     assert corners - len(np.unique(ends, axis=0)) + len(result.elements) == 1 - holes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("plan", "maker"), ALL)
 def test_what_is_asked_for_is_a_node(plan: Plan, maker: Maker | None) -> None:
     """Corners, points and ends of lines are nodes; along lines there are sides of elements."""
@@ -60,6 +61,7 @@ def test_what_is_asked_for_is_a_node(plan: Plan, maker: Maker | None) -> None:
         assert np.hypot(length[:, 0], length[:, 1]).sum() == pytest.approx(line.length)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("plan", "maker"), ALL)
 def test_elements_are_good(plan: Plan, maker: Maker | None) -> None:
     """No scaled Jacobian is below 0.35, and the quality names the worst place."""
@@ -69,6 +71,7 @@ def test_elements_are_good(plan: Plan, maker: Maker | None) -> None:
     assert holds(result, result.quality.worst_place)
 
 
+@pytest.mark.slow
 @each_maker
 def test_all_boundary_nodes_lie_on_the_circles(maker: Maker) -> None:
     """Corner and midside nodes on arcs are exactly there; so the area is right to the fourth order."""
@@ -84,6 +87,7 @@ def test_all_boundary_nodes_lie_on_the_circles(maker: Maker) -> None:
     assert abs(fine) < abs(coarse) / 10
 
 
+@pytest.mark.slow
 @each_maker
 def test_sections_have_their_areas(maker: Maker) -> None:
     """Zones are met exactly: where they overlap the last counts, and openings are taken off."""
@@ -100,6 +104,7 @@ def test_sections_have_their_areas(maker: Maker) -> None:
     assert set(ground.section.tolist()) == {GROUND, 0, 2}
 
 
+@pytest.mark.slow
 @each_maker
 def test_elements_follow_what_is_small_and_grow_outside(maker: Maker) -> None:
     """Elements are small at a small opening, near the wanted size elsewhere, and large on the ground far away."""
@@ -116,6 +121,7 @@ def test_elements_follow_what_is_small_and_grow_outside(maker: Maker) -> None:
     assert len(slow.elements) > 1.5 * len(ground.elements)
 
 
+@pytest.mark.slow
 @each_maker
 @pytest.mark.parametrize("name", ["zones", "ground"])
 def test_the_same_plan_gives_the_same_mesh(name: str, maker: Maker) -> None:

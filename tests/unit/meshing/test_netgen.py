@@ -111,6 +111,7 @@ def test_hard_plans(plan: Plan, parts: int, maker: Maker) -> None:
     assert result.quality.worst > 0.3
 
 
+@pytest.mark.slow
 @needs_netgen
 @pytest.mark.parametrize("parts", [3, 5, 8, 10, 13, 17, 22, 30])
 @pytest.mark.parametrize("name", FREE)

@@ -254,6 +254,7 @@ def test_a_refused_task_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> Non
     assert not latest.solves(own)
 
 
+@pytest.mark.slow
 def test_another_number_of_threads_than_at_the_analysis() -> None:
     """PARDISO takes a matrix that it analysed on one number of threads on another one as well."""
     pardiso = solver("pardiso")

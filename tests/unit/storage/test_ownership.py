@@ -32,6 +32,7 @@ def figures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_every_file_of_results_is_recognised(results: Path) -> None:
     """Each file of a folder of results is of the kind that belongs to its name, and none is a stranger."""
     names = {path.relative_to(results).as_posix() for path in results.rglob("*") if path.is_file()}
@@ -39,6 +40,7 @@ def test_every_file_of_results_is_recognised(results: Path) -> None:
     assert ownership.strangers(results, names) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", files.FORMATS)
 def test_figures_are_recognised_and_replaced(figures: Path, ending: str) -> None:
     """An earlier figure gives way to a new one; nothing is left beside it."""

@@ -94,6 +94,7 @@ def test_targets_reach_the_limit_states() -> None:
     assert [each.target for each in described("monte carlo", [P], limit_state=limits).limits] == [0.05, None]
 
 
+@pytest.mark.slow
 def test_tensile_stress_and_settlement_difference() -> None:
     """The stress is 6 m / t^2 of the principal moment that pulls most, with the thickness of each node's zone."""
     zone = {"thickness": 0.6, "shape": {"kind": "rectangle", "x": [0.0, 2.0], "y": [-1.0, 1.0]}}

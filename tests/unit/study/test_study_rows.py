@@ -101,6 +101,7 @@ class TestOutputs:
 class TestRows:
     """Variants become rows."""
 
+    @pytest.mark.slow
     def test_row_is_the_changed_case(self, tmp_path: Path) -> None:
         """A row holds what solving the case by itself, with the row's values written into its file, gives."""
         study = run(tmp_path)
@@ -145,6 +146,7 @@ class TestRows:
         )
         assert study.table()["load under service"].tolist() == pytest.approx([224e3, 224e3])
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("ground", ["winkler", "vlasov"])
     def test_rows_do_not_depend_on_their_order(self, tmp_path: Path, ground: str) -> None:
         """Variants solved in another order, or each by a new worker, give the same numbers to the last bit."""
@@ -175,6 +177,7 @@ class TestRows:
         first, second = study.table()["load"]
         assert first - second == pytest.approx(0.15 * 24e3)
 
+    @pytest.mark.slow
     def test_reinforcement_is_that_of_ultimate_combinations(self, tmp_path: Path) -> None:
         """Of all combinations the characteristic one, with the larger moments, is not designed for; nor may it be."""
         case = CASE.replace('name = "service"', 'name = "service"\nlimit_state = "characteristic"').replace(
@@ -233,6 +236,7 @@ correlation_length = "2 m"
         study = run(tmp_path, text + 'take = "largest"\ncombination = "service"\n' + field, case)
         assert study.table()["largest settlement under service"][1] == pytest.approx(2e3 / 40e6, rel=1e-6)
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("model", ["gaussian", "exponential", "matern32"])
     def test_correlation(self, model: str) -> None:
         """Over 1000 seeds the scores have mean 0, variance 1 and the formula's correlation, along x and along y."""

@@ -39,6 +39,7 @@ def radial(r: Any, y: Any, p: Any, D: float, S: float, nu: float) -> Any:
     return np.array([beta + shear / S + 0 * w, dbeta, shear - (m - m_t) / r, -shear / r - p])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("factor", "b"), [(5 / 6, 0.4), (math.inf, 0.4), (5 / 6, 1.5)])
 def test_lifting_plate_solves_the_boundary_value_problem(factor: float, b: float) -> None:
     """A collocation solution of the radial equations on springs that only press has the same w and m_r everywhere."""
@@ -84,6 +85,7 @@ def test_lifting_plate_solves_the_boundary_value_problem(factor: float, b: float
     assert lifting_circular_plate(r=R, **given)["settlement"] < -1e-3 * largest
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("b", [0.0, 0.4])
 @pytest.mark.parametrize("factor", [5 / 6, math.inf])
 def test_lifting_plate_is_in_equilibrium(b: float, factor: float) -> None:

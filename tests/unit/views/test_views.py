@@ -436,6 +436,7 @@ class TestArchive:
             npz.load(path)
 
 
+@pytest.mark.slow
 def test_heavy_libraries_wait_until_they_are_called() -> None:
     """Importing every view loads neither matplotlib nor meshio nor rich, and drawing never loads pyplot."""
     code = f"""

@@ -180,6 +180,7 @@ class TestOutline:
         assert "lines within 1 mm" in said(drawing, "SPLINE")[0][1]
         assert len(drawing.openings) == 1
 
+    @pytest.mark.slow
     def test_a_closed_spline(self, drawn: Any) -> None:
         """A spline with the flag of closed ones needs no equal ends, and its lines are as near as promised."""
 
@@ -849,6 +850,7 @@ def everything(space: Modelspace) -> None:
     space.add_text("250 kN", height=0.1, dxfattribs=on("LOADS", insert=(6.1, 5)))
 
 
+@pytest.mark.slow
 @given(
     turn=st.floats(-math.pi, math.pi),
     x=st.floats(-1000, 1000),

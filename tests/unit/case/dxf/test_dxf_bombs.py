@@ -15,6 +15,8 @@ from groundslab.case.dxf import document, reader, sheet
 from groundslab.errors import InputError
 from helpers import bombs
 
+pytestmark = pytest.mark.slow
+
 #: Reads a drawing, writes case and report, and prints what is wrong with it.
 READ = """
 import sys

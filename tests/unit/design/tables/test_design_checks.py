@@ -194,6 +194,7 @@ def test_failure_comes_first_in_json(of: Combined) -> None:
         assert (document["combination"], document["limit_state"]) == ("ULS", "ultimate")
 
 
+@pytest.mark.slow
 def test_failure_comes_first_in_report_and_workbench() -> None:
     """The report's title block has it before the certificate's verdict; the workbench gets headline and checks."""
     page = html_of(FAILING)

@@ -202,6 +202,7 @@ def test_check_tells_what_does_not_act(tmp_path: Path, capsys: pytest.CaptureFix
     assert f"  remark: {REMARK}" in capsys.readouterr().out.splitlines()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("combinations", [1, 2])
 def test_summary_and_report_tell_what_does_not_act(tmp_path: Path, combinations: int) -> None:
     """Text, JSON and report give share and force of what is cut off; the sum of the loads is what acts, 240 + 20 kN."""

@@ -52,6 +52,7 @@ def sampled(count: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return ishigami(A), ishigami(B), np.array([ishigami(each) for each in AB])
 
 
+@pytest.mark.slow
 def test_indices_of_ishigamis_function() -> None:
     """Both indices of all inputs come out, and each interval holds the exact one."""
     found = sensitivity.indices(*sampled(2048, 3), seed=3)

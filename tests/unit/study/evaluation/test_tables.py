@@ -91,6 +91,7 @@ def test_probability_of_failure_and_what_missing_results_could_change() -> None:
     assert row["target kept"] == ("yes" if wanted < 0.05 else "no")
 
 
+@pytest.mark.slow
 def test_an_infinite_output_fails_its_limit() -> None:
     """Where no finite amount would do, the limit state has failed; statistics are of the finite ones and say so."""
     made = monte_carlo(40)
@@ -107,6 +108,7 @@ def test_an_infinite_output_fails_its_limit() -> None:
     assert min(table(hurt, "exceedance")["probability"]) == pytest.approx(2 / 40, rel=1e-12)  # type: ignore[type-var]
 
 
+@pytest.mark.slow
 def test_designs_by_words_have_a_figure() -> None:
     """A choice of words is named below the probabilities, as several choices are."""
     made = monte_carlo(30, designs=2)
@@ -282,6 +284,7 @@ def made_page(made: Gathered, title: str = "A study") -> str:
     return page.html(made, page.Origin(title, (("seed", "3"), ("file", title))), fields)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["monte carlo", "saltelli", "tornado", "list"])
 def test_the_page_is_whole_and_loads_nothing(kind: str) -> None:
     """Every element is closed, ids are unique, references resolve, no script runs, nothing comes from elsewhere."""
@@ -299,6 +302,7 @@ def test_the_page_is_whole_and_loads_nothing(kind: str) -> None:
     assert "default-src 'none'" in text
 
 
+@pytest.mark.slow
 def test_texts_of_the_study_are_escaped() -> None:
     """A title, a name or a reason that looks like markup or like a formula stands in the page as it was written."""
     text = made_page(monte_carlo(60, missing=(5,), name=EVIL), EVIL)
@@ -311,6 +315,7 @@ def test_texts_of_the_study_are_escaped() -> None:
     assert "NoEquilibrium: &lt;script" in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["monte carlo", "saltelli", "tornado"])
 def test_long_names_leave_room_for_the_figures(kind: str) -> None:
     """Names of 200 letters, or ones that begin with a line below, are cut in figures and stand whole in tables."""
@@ -323,6 +328,7 @@ def test_long_names_leave_room_for_the_figures(kind: str) -> None:
     assert text.count(name) > 3
 
 
+@pytest.mark.slow
 def test_figures_are_whole_svg() -> None:
     """Each figure is an SVG element by itself, the same each time, with the page's colours instead of its own."""
     made = monte_carlo(80, designs=2)

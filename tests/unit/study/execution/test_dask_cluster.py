@@ -24,6 +24,8 @@ from groundslab.study.evaluation.study import Study
 from groundslab.study.execution import dask_cluster, versions
 from helpers.studies import STUDY, write
 
+pytestmark = pytest.mark.slow
+
 #: Enough variants for something to happen in between, however fast they are.
 COUNT = 300
 MANY = STUDY.replace("count = 12", f"count = {COUNT}")

@@ -20,6 +20,8 @@ from groundslab.study.execution import runner, store, variant
 from groundslab.study.sampling import designs
 from helpers.studies import CASE, STUDY, read, run, write
 
+pytestmark = pytest.mark.slow
+
 MODEL = casefile.loads(CASE)
 
 

@@ -27,6 +27,8 @@ from groundslab.study.evaluation.study import Study
 from groundslab.study.report import writer
 from groundslab.study.report.writer import evaluate, tables_of
 
+pytestmark = pytest.mark.slow
+
 #: Under an even load on even springs the plate settles by q / k, whatever its stiffness.
 CASE = Model(
     title="Even load <b>",

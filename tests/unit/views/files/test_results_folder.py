@@ -57,6 +57,7 @@ def folder(tmp_path: Path) -> Path:
 class TestWrite:
     """What is written, and where."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("plot", [False, True])
     def test_summary_lists_exactly_the_files(self, tmp_path: Path, plot: bool) -> None:
         """The folder holds what the summary lists, a picture only when asked for; nothing lies beside it."""
@@ -67,6 +68,7 @@ class TestWrite:
         synthetic.assert_same(npz.load(folder / "results.npz"), OLD)
         assert casefile.load(folder / "case.toml") == OLD.model
 
+    @pytest.mark.slow
     def test_replaces_earlier_results_whole(self, folder: Path) -> None:
         """Files of the earlier results that the new ones lack are gone."""
         results_folder.write(OLD, folder, plot=True)
@@ -101,6 +103,7 @@ class TestSeveral:
 
     EACH = ("01-grosse-1-2-dead-wind", "02-nul", "03-uncertified")
 
+    @pytest.mark.slow
     def test_a_folder_for_each_that_has_results(self, tmp_path: Path) -> None:
         """The summary names every file, in folders too; a combination without results has none."""
         folder = results_folder.write(synthetic.combined(), tmp_path / "raft", plot=True)
@@ -272,6 +275,7 @@ class TestDamaged:
             assert "that groundslab wrote" in capsys.readouterr().err
             assert not out.exists()
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("how", damage.ARRAYS)
     def test_arrays(self, folder: Path, how: str) -> None:
         """No array of another type, shape or range is read as one of results, whichever it is."""
@@ -432,6 +436,7 @@ class TestRefuse:
         assert (folder / name).read_bytes() == b"\0 mine"
         assert debris(folder) == []
 
+    @pytest.mark.slow
     def test_every_name_is_a_name_of_ours(self, tmp_path: Path) -> None:
         """Whatever is written, with many combinations and increments too, is among the names that may be replaced."""
         combined = synthetic.combined()
@@ -639,6 +644,7 @@ store.write(synthetic.combined() if "several" in sys.argv else synthetic.results
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("function", "number", "moment", "survives", "needs_recovery"),
     [
@@ -677,6 +683,7 @@ def test_a_killed_run_leaves_whole_results(
     synthetic.assert_same(npz.load(folder / "results.npz"), NEW)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("function", "number", "moment", "survives", "needs_recovery"),
     [

@@ -69,6 +69,7 @@ def weights_at(cell: Any, place: tuple[float, float]) -> tuple[np.ndarray, np.nd
 class TestCells:
     """The nine-node cells."""
 
+    @pytest.mark.slow
     def test_vtk_has_our_shape_functions_in_our_order(self, tmp_path: Path) -> None:
         """At any place VTK weighs a cell's nodes as our shape functions weigh the element's, and finds the same point.
 

@@ -215,6 +215,7 @@ class TestScale:
 class TestPlan:
     """Plans of amounts."""
 
+    @pytest.mark.slow
     def test_each_amount_has_a_panel_with_units(self) -> None:
         """All that can be drawn is drawn: axes in metres, bars with symbol and unit, titles with the meaning."""
         figure = groundslab.plot(synthetic.results(3), *amounts.KNOWN)
@@ -227,6 +228,7 @@ class TestPlan:
             assert bar.get_ylabel() == f"{amount.symbol} [{AMOUNTS[amount.name].unit.replace('kNm', 'kN m')}]"
             assert any(text.get_text().lower() == amount.meaning.lower() for text in axes.texts)
 
+    @pytest.mark.slow
     def test_bars_cover_the_values_that_are_drawn(self) -> None:
         """The colour bar's range holds the amount's values in its unit of display."""
         results = synthetic.results(3)
@@ -355,6 +357,7 @@ class TestPlan:
         assert len(drawn) == 2
         assert [float(np.ptp(path[:, 0])) for path in drawn] == [2.0, 2.0]
 
+    @pytest.mark.slow
     def test_envelope_has_extremes_with_the_governing_combination(self) -> None:
         """Panels hold the largest and smallest values over the certified combinations, and who governs is named."""
         combined = synthetic.combined()
@@ -370,6 +373,7 @@ class TestPlan:
         assert "largest 56 mm at (0, 0) m (NUL)" in told
         assert f"uplift 28 mm at (4.8, 3.6) m ({combined.combinations[0].name})" in told
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("ratio", [0.1, 0.4, 0.75, 1.0, 2.5])
     def test_pages_fit_on_a4(self, ratio: float) -> None:
         """Whatever the plate's shape, a full page is as wide as the text and not higher than a sheet of A4."""
@@ -392,6 +396,7 @@ class TestPlan:
 class TestWords:
     """What is written by users and by us."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         "title", ["costs $5 and $x", r"$\frac{1}{", "<b>bold</b> & more", "tab\tbell\a\x00end", "日本", "x" * 400, ""]
     )
@@ -402,6 +407,7 @@ class TestWords:
         written = "".join(ElementTree.parse(tmp_path / "a.svg").getroot().itertext())
         assert set(free(title, 60).split(" ...")[0].splitlines()) <= {line.strip() for line in written.splitlines()}
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("ending", ["pdf", "png"])
     def test_free_text_is_harmless_in_other_files(self, tmp_path: Path, ending: str) -> None:
         """The same for a title with all of that, and for names of combinations, which stand in legends too."""
@@ -711,6 +717,7 @@ class TestConvergence:
 class TestFiles:
     """Figures as files."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         ("kind", "ending"),
         [
@@ -730,6 +737,7 @@ class TestFiles:
         assert first == second
         assert not any(word in first for word in (b"CreationDate", b"<dc:date>", b"tIME"))
 
+    @pytest.mark.slow
     def test_another_process_gives_the_same_bytes(self, tmp_path: Path) -> None:
         """With other hashes of texts, too, the SVG is the same."""
         program = f"""
@@ -754,6 +762,7 @@ assert "matplotlib.pyplot" not in sys.modules
         for word in ("A slab of formulas", "Settlement of the plate, downwards positive", "x [m]", "loaded area"):
             assert f">{word}</text>" in text
 
+    @pytest.mark.slow
     def test_colours_of_large_meshes_are_pixels(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """Above a number of elements the SVG holds an image, and lines and text as before."""
         results = synthetic.results(4)
@@ -765,6 +774,7 @@ assert "matplotlib.pyplot" not in sys.modules
         assert "<image" in large
         assert ">x [m]</text>" in large
 
+    @pytest.mark.slow
     def test_a_pdf_has_pages_and_others_one_sheet(self, tmp_path: Path) -> None:
         """Each combination has a page of its own in a PDF; a PNG holds all panels."""
         combined = synthetic.combined()
@@ -787,6 +797,7 @@ assert "matplotlib.pyplot" not in sys.modules
             groundslab.plot(synthetic.combined(), "w", "p")
         assert len(panels(groundslab.plot(synthetic.combined(), "w"))) == 2
 
+    @pytest.mark.slow
     def test_notebooks_show_the_figure(self) -> None:
         """The figure gives its own picture; results of one and of several combinations have the method."""
         figure = synthetic.results().plot("w")
@@ -798,6 +809,7 @@ assert "matplotlib.pyplot" not in sys.modules
 class TestPicture:
     """The picture of solve --plot."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(("n", "shear", "lifts"), [(2, False, True), (3, True, True), (2, True, False)])
     def test_is_a_png_with_titles_and_units(self, tmp_path: Path, n: int, shear: bool, lifts: bool) -> None:
         """A PNG file comes out; both panels name their axes and colour bars with units."""
@@ -824,6 +836,7 @@ class TestPicture:
             drawn = panels(picture.draw(synthetic.results(lifts=lifts)))[0].collections[0]
             assert (drawn.norm(0.0) == 0.5 and drawn.get_cmap().name == scale.TWO_SIGNS) == lifts
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("value", [0.0, 1e-3])
     def test_constant_fields_can_be_drawn(self, tmp_path: Path, value: float) -> None:
         """A plate that settles evenly, or not at all, has a picture too."""
@@ -874,6 +887,7 @@ class TestCommand:
         """Return a folder of results of several combinations."""
         return results_folder.write(synthetic.combined(), tmp_path / "raft-results")
 
+    @pytest.mark.slow
     def test_writes_a_pdf_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """The file is named after the folder and what it shows, and told on standard error."""
         assert main.main(["plot", str(folder)]) == 0
@@ -938,6 +952,7 @@ class TestCommand:
         assert all(name in told for name in (*amounts.KNOWN, "plan", "deformed", "lines", "soil", "convergence"))
 
 
+@pytest.mark.slow
 def test_plots_wait_for_matplotlib() -> None:
     """Importing all of them loads neither matplotlib nor pandas."""
     names = ", ".join(sorted(path.stem for path in Path(plots.__file__).parent.glob("*.py") if path.stem[0] != "_"))

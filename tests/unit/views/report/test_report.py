@@ -164,6 +164,7 @@ def grids(section: Element) -> Iterator[tuple[list[str], list[list[str]]]]:
 class TestStructure:
     """What stands where."""
 
+    @pytest.mark.slow
     def test_sections_stand_in_their_order(self, root: Element) -> None:
         """The page has all sections, and the contents lead to each."""
         main = root.one("main")
@@ -215,6 +216,7 @@ class TestStructure:
             assert picture.attributes["alt"].endswith(".")
             assert 300 < int(picture.attributes["width"]) < 1500
 
+    @pytest.mark.slow
     def test_the_same_results_give_the_same_page(self, plain: Combined, monkeypatch: pytest.MonkeyPatch) -> None:
         """Nothing depends on when or where it is made, pictures included."""
         monkeypatch.undo()
@@ -363,6 +365,7 @@ def harmful(root: Element) -> list[str]:
 class TestSafety:
     """Nothing that a case says does anything, and nothing is fetched."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("evil", EVIL)
     def test_texts_are_only_texts(self, evil: str, root: Element) -> None:
         """Title, names of all things, file, and reasons are shown as they are; the page has the elements it would."""
@@ -416,6 +419,7 @@ class TestSafety:
 class TestSize:
     """Reports go by mail."""
 
+    @pytest.mark.slow
     def test_a_long_table_is_folded_with_a_digest(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """On paper a long table of lines leaves its extremes; one that is longer still names its CSV file."""
         combined = solved(described(["part"]), n=24)
@@ -475,6 +479,7 @@ class TestSize:
         assert len(left_out) == 1
         assert len(text) <= 0.85 * len(whole)
 
+    @pytest.mark.slow
     def test_ten_thousand_nodes_stay_small(self) -> None:
         """A tenth of a large raft, with two combinations, stays below a tenth of 20 MB."""
         html = html_of(solved(described(["part"]), n=50))
@@ -666,6 +671,7 @@ class TestFiles:
         assert str(target) in err
         assert page(target.read_text(encoding="utf-8")).one("h1").text == "A slab of formulas"
 
+    @pytest.mark.slow
     def test_the_same_folder_gives_the_same_file(self, folder: Path, tmp_path: Path) -> None:
         """Byte by byte, and it is that of the results in memory; the hash is that of case.toml."""
         for name in ("a.html", "b.html"):
@@ -687,6 +693,7 @@ class TestFiles:
         path.write_bytes(b"\xff\xfe")
         assert report.text_of(folder, model) is None
 
+    @pytest.mark.slow
     def test_only_reports_are_replaced(self, folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """A file of another kind is left as it is; an older report is replaced."""
         target = tmp_path / "mine.html"
@@ -718,6 +725,7 @@ class TestFiles:
         with pytest.raises(InputError, match="no folder"):
             groundslab.write_report(synthetic.results(), tmp_path / "missing" / "x.html")
 
+    @pytest.mark.slow
     def test_refused_combinations_are_told(
         self, plain: Combined, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:

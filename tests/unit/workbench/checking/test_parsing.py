@@ -28,6 +28,8 @@ from groundslab.workbench.server.session import Session
 from groundslab.workbench.solver.thread import Solver
 from helpers import workers
 
+pytestmark = pytest.mark.slow
+
 PATIENCE = 60.0
 
 

@@ -21,6 +21,8 @@ from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.views.scene.binary import unpacked
 
+pytestmark = pytest.mark.slow
+
 pytest.importorskip("fastapi")
 pytest.importorskip("uvicorn")
 

@@ -151,6 +151,7 @@ def bench(tmp_path: Path, static: Path, case: Path) -> Iterator[Bench]:
     made.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("method", "path", "query", "headers"),
     [
@@ -300,6 +301,7 @@ def test_wrong_edits_are_told(bench: Bench) -> None:
     assert bench.get("/api/state")["text"] == CASE
 
 
+@pytest.mark.slow
 def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     """A wrong value, then broken TOML: faults with paths or lines, no plan; the result of before stays."""
     run = bench.hub.wait("solved")["run"]
@@ -317,6 +319,7 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     assert bench.post("/api/undo")["text"] == CASE
 
 
+@pytest.mark.slow
 def test_results_of_a_run(bench: Bench) -> None:
     """Opened, the case is solved; scene and summary can be had; a run that is not kept is not found."""
     run = bench.hub.wait("solved")["run"]
@@ -328,6 +331,7 @@ def test_results_of_a_run(bench: Bench) -> None:
     assert bench.get("/api/results/99/report", 422)["error"]["got"]
 
 
+@pytest.mark.slow
 def test_solving_only_when_asked_to(bench: Bench) -> None:
     """With autosolve off a change is not solved until it is asked for; on again, it is solved at once."""
     bench.hub.wait("solved")

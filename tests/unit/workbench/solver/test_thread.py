@@ -18,6 +18,8 @@ from groundslab.workbench.solver import thread as solvers
 from groundslab.workbench.solver.thread import Solver
 from helpers import workers
 
+pytestmark = pytest.mark.slow
+
 PATIENCE = 60.0
 
 
