@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from helpers.browsing import Bench, Server, free_port
 
 pytestmark = pytest.mark.slow
