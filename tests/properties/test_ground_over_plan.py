@@ -177,11 +177,11 @@ def test_boreholes_anywhere(name: str, places: list[tuple[float, float, float, f
     try:
         results = solve(described)
     except InputError as error:
-        faults = error.faults
+        issues = error.issues
     else:
         assert results.certificate.holds
         return
-    assert {fault.where for fault in faults} == {"boreholes"}
+    assert {issue.location for issue in issues} == {"boreholes"}
 
 
 @settings(max_examples=20, deadline=None, derandomize=True, database=None)
