@@ -278,21 +278,21 @@ def small_jobs(ledger: Ledger, names: Sequence[str], times: int) -> None:
                 every[name] = PEERS[name].environment, PEERS[name].command("6k")
         left = {name: job for name, job in every.items() if not finished(ledger, f"small/{name}")}
         spent: dict[str, list[float]] = {name: [] for name in left}
-        faults: dict[str, str] = {}
+        issues: dict[str, str] = {}
         # one round more than is counted: the first reads every program from the disk
         for turn in range(times + 1):
             for name, (environment, command) in left.items():
-                if name in faults:
+                if name in issues:
                     continue
                 say(f"small job {turn} of {times}, {name}")
                 figures = once(environment, command, CAP)
                 if "error" in figures or "not reached" in figures:
-                    faults[name] = figures.get("error", "not reached")
+                    issues[name] = figures.get("error", "not reached")
                 elif turn:
                     spent[name].append(figures["whole process [s]"])
         for name in left:
-            if name in faults:
-                ledger.add(f"small/{name}", {"error": faults[name]})
+            if name in issues:
+                ledger.add(f"small/{name}", {"error": issues[name]})
             else:
                 ledger.add(f"small/{name}", {"runs": spent[name], "median": statistics.median(spent[name])})
 

@@ -43,6 +43,10 @@ from .model.outputs import Reinforcement as Reinforcement
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
+from .model.settings import Analysis as Analysis
+from .model.settings import Beyond as Beyond
+from .model.settings import Contact as Contact
+from .model.settings import Mesh as Mesh
 from .model.shapes import Circle as Circle
 from .model.shapes import Polygon as Polygon
 from .model.shapes import Rectangle as Rectangle

@@ -12,30 +12,30 @@ class GroundslabError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class Issue:
     """One thing that is wrong with an input: where it stands, what is there, what should be, how to mend it."""
 
-    where: str
-    got: str
+    location: str
+    found: str
     expected: str
-    mend: str = ""
+    hint: str = ""
 
     def __str__(self) -> str:
         """Return the fault on one line."""
-        line = f"{self.where}: got {self.got}, expected {self.expected}"
-        return f"{line}; {self.mend}" if self.mend else line
+        line = f"{self.location}: got {self.found}, expected {self.expected}"
+        return f"{line}; {self.hint}" if self.hint else line
 
 
 class InputError(GroundslabError):
     """The description of a problem is wrong; ``faults`` names everything that is wrong with it."""
 
-    def __init__(self, faults: Sequence[Fault]) -> None:
-        self.faults = tuple(faults)
-        super().__init__(self.faults)
+    def __init__(self, issues: Sequence[Issue]) -> None:
+        self.issues = tuple(issues)
+        super().__init__(self.issues)
 
     def __str__(self) -> str:
         """Return all faults, one a line."""
-        return "\n".join(str(fault) for fault in self.faults)
+        return "\n".join(str(issue) for issue in self.issues)
 
 
 class NoEquilibrium(GroundslabError):

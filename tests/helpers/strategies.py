@@ -27,8 +27,8 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone
-from groundslab.schema.base import Part, key_of
-from groundslab.schema.fields import Choice, Flag, Several, Text
+from groundslab.schema.base import Section, key_of
+from groundslab.schema.fields import Boolean, Choice, ListOf, Text
 
 
 def numbers(low: float, high: float) -> st.SearchStrategy[float]:
@@ -43,12 +43,12 @@ POISSON = st.just(0) | numbers(0.0, 0.45)
 GAMMAS = st.just("iterate") | st.floats(0.3, 5.0)
 
 
-def any_of(part: type[Part], name: str) -> st.SearchStrategy[Any]:
+def any_of(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all values of a key that is a choice, a flag or a text, from what the key says itself."""
     key = key_of(part.model_fields[name])
     if isinstance(key, Choice):
         return st.sampled_from(key.words)
-    if isinstance(key, Flag):
+    if isinstance(key, Boolean):
         return st.booleans()
     assert isinstance(key, Text)
     return st.text(st.characters(exclude_categories=["Cs"]), max_size=12)
@@ -385,10 +385,10 @@ def combines() -> st.SearchStrategy[Combine]:
     return st.builds(Combine, sets=sets, permanent=st.sampled_from([(1.35, 1.0), (1.1, 0.9)]))
 
 
-def any_of_each(part: type[Part], name: str) -> st.SearchStrategy[Any]:
+def any_of_each(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all words of which a key holds a list."""
     key = key_of(part.model_fields[name])
-    assert isinstance(key, Several)
+    assert isinstance(key, ListOf)
     assert isinstance(key.each, Choice)
     return st.sampled_from(key.each.words)
 

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.checking.parsing import Reading
 from groundslab.workbench.editing.document import Document
@@ -32,7 +32,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
     elif word == "leave":
         os._exit(3)
     elif word == "fault":
-        raise InputError([Fault("mesh.size", '"1 mm"', "a larger size")])
+        raise InputError([Issue("mesh.size", '"1 mm"', "a larger size")])
     elif word == "refuse":
         raise GroundslabError("no")
     elif word == "memory":

@@ -20,7 +20,7 @@ def refusal(work: object, model: Model) -> set[str]:
     try:
         work(model)  # type: ignore[operator]
     except InputError as error:
-        return {fault.where for fault in error.faults}
+        return {issue.location for issue in error.issues}
     return set()
 
 

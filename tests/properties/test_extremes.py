@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from groundslab.analysis.driver import check, solve_combinations
 from groundslab.case.casefile import from_table, loads, starter
 from groundslab.design.tables import tables_of
-from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.geometry.plan import MOST_CHORDS
 from groundslab.model.consistency import plate_elements
 from groundslab.model.model import Model
@@ -142,7 +142,7 @@ def test_senseless_numbers_are_faults_where_they_stand(data: Any) -> None:
             other = 10**9 + number if isinstance(value, int) else f"{wrong}{unit}" if unit else float(wrong)
             with pytest.raises(InputError) as error:
                 from_table(changed(data, path, other))
-            named = [fault.where for fault in error.value.faults]
+            named = [issue.location for issue in error.value.issues]
             assert any(str(path[-1]) in where or f"[{path[-1]}" in where or path[0] in where for where in named)
 
 
@@ -283,10 +283,10 @@ LONG = {
 def test_long_lists_are_checked_in_seconds(name: str) -> None:
     """Lists of thousands, on plain plates and round ones: an answer in time that grows with their length."""
     start = time.process_time()
-    faults: tuple[Fault, ...] = ()
+    issues: tuple[Issue, ...] = ()
     try:
         assert loads(LONG[name])
     except InputError as error:
-        faults = error.faults
-    assert len(faults) <= 101
+        issues = error.issues
+    assert len(issues) <= 101
     assert time.process_time() - start < 8

@@ -179,11 +179,11 @@ def test_boreholes_anywhere(name: str, places: list[tuple[float, float, float, f
     try:
         results = solve(described)
     except InputError as error:
-        faults = error.faults
+        issues = error.issues
     else:
         assert results.certificate.holds
         return
-    assert {fault.where for fault in faults} == {"boreholes"}
+    assert {issue.location for issue in issues} == {"boreholes"}
 
 
 @pytest.mark.slow

@@ -146,12 +146,12 @@ def answer(description: Any, **options: Any) -> None:
 
 def check(error: InputError) -> None:
     """Make sure that a refusal has faults that can be printed and pickled."""
-    assert error.faults
-    for fault in error.faults:
-        assert fault.where
-        assert fault.got
-        assert fault.expected
-        assert len(str(fault)) < 1000
+    assert error.issues
+    for issue in error.issues:
+        assert issue.location
+        assert issue.found
+        assert issue.expected
+        assert len(str(issue)) < 1000
     str(error).encode()
     pickle.dumps(error)
 

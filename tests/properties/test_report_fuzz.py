@@ -16,12 +16,12 @@ from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.model.shapes import Circle, Polygon, Rectangle
-from groundslab.schema.base import Part, key_of
+from groundslab.schema.base import Section, key_of
 from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.wording import quote
 from groundslab.units import QuantityError, parse
 from groundslab.views.files import results_folder
-from groundslab.views.report.input_echo import Section, echo
+from groundslab.views.report.input_echo import InputTable, echo
 from groundslab.views.report.plan_drawing import plan_drawing
 from groundslab.views.scene.plan import plan_of
 from helpers import damage, synthetic
@@ -31,11 +31,11 @@ from helpers.strategies import models, rich_models
 pytestmark = pytest.mark.slow
 
 
-def leaves(part: Part) -> Iterator[tuple[Any, Any]]:
+def leaves(part: Section) -> Iterator[tuple[Any, Any]]:
     """Yield the kinds and values of all keys that a case gives; of shapes none, as they are told in words."""
     for name, field in type(part).model_fields.items():
         value, key = getattr(part, name), key_of(field)
-        if isinstance(value, Part):
+        if isinstance(value, Section):
             yield from () if isinstance(value, Rectangle | Circle | Polygon) else leaves(value)
         elif key is None and isinstance(value, tuple):
             for each in value:
@@ -44,7 +44,7 @@ def leaves(part: Part) -> Iterator[tuple[Any, Any]]:
             yield key, value
 
 
-def told(sections: list[Section]) -> tuple[set[str], dict[str, list[float]]]:
+def told(sections: list[InputTable]) -> tuple[set[str], dict[str, list[float]]]:
     """Return all texts of an echo, and its numbers with units in SI by the unit's text."""
     texts: set[str] = set()
     numbers: dict[str, list[float]] = {}

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.base import Part, key_of, nested
+from groundslab.schema.base import Section, key_of, nested
 from groundslab.schema.fields import FROM_FILE, Factors
-from groundslab.schema.issues import Wrong
+from groundslab.schema.issues import FieldError
 from groundslab.study.definition import case_paths
 from groundslab.study.definition.schema import StudyFile
 from helpers.strategies import rich_models
@@ -24,7 +24,7 @@ from helpers.studies import CASE, STUDY
 pytestmark = pytest.mark.slow
 
 
-def all_paths(part: Part, path: str) -> Iterator[tuple[str, Any]]:
+def all_paths(part: Section, path: str) -> Iterator[tuple[str, Any]]:
     """Yield the path of every key below a part with what it holds."""
     for name, field in type(part).model_fields.items():
         below = f"{path}.{name}" if path else name
@@ -66,8 +66,8 @@ def test_paths_are_refused_in_words(path: str) -> None:
     model = casefile.loads(CASE)
     try:
         place = case_paths.place_of(model, path)
-    except Wrong as error:
-        told = error.findings[0].expected
+    except FieldError as error:
+        told = error.relative_issues[0].expected
     else:
         told = str(case_paths.value_at(model, place))
     assert told

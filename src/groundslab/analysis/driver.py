@@ -17,10 +17,10 @@ from groundslab.discretize.discretize import discretise
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import coarsest
 from groundslab.errors import (
-    Fault,
     GroundslabError,
     IllConditioned,
     InputError,
+    Issue,
     NoEquilibrium,
     NotCertified,
     NotConverged,
@@ -92,8 +92,8 @@ def solve(model: Model, on_step: OnStep | None = None) -> Results:
     """
     wanted = combinations_of(model)
     if len(wanted) > 1:
-        mend = "solve_combinations(model) solves them all; or keep one"
-        raise InputError([Fault("combinations", f"{len(wanted)} combinations", "one", mend)])
+        hint = "solve_combinations(model) solves them all; or keep one"
+        raise InputError([Issue("combinations", f"{len(wanted)} combinations", "one", hint)])
     found = next(_each(model, wanted, on_step))
     if isinstance(found, GroundslabError):
         raise found

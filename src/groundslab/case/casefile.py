@@ -8,9 +8,9 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
-from groundslab.schema.base import Part, key_of, nested
+from groundslab.schema.base import Section, key_of, nested
 from groundslab.schema.fields import FROM_FILE
 from groundslab.schema.wording import describe, quote
 
@@ -46,7 +46,7 @@ def read(path: str | Path) -> str:
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         where = f"{path}, line {line}"
-        raise InputError([Fault(where, "bytes that are not UTF-8", "UTF-8 text", "save it as UTF-8")]) from None
+        raise InputError([Issue(where, "bytes that are not UTF-8", "UTF-8 text", "save it as UTF-8")]) from None
 
 
 def loads(text: str, name: str = "the text") -> Model:
@@ -74,8 +74,10 @@ def _require_short_keys(text: str, name: str) -> None:
     for match in _DOTTED.finditer(text):
         if match.end() - match.start() > MOST_KEYS and (parts := match.group().count(".")) > MOST_KEYS:
             line = text.count("\n", 0, match.start()) + 1
-            got = f"{parts + 1} names joined by dots"
-            raise InputError([Fault(f"{name}, line {line}", got, f"at most {MOST_KEYS}, as the tables of a file need")])
+            found = f"{parts + 1} names joined by dots"
+            raise InputError(
+                [Issue(f"{name}, line {line}", found, f"at most {MOST_KEYS}, as the tables of a file need")]
+            )
 
 
 def from_table(data: Mapping[str, Any]) -> Model:
@@ -83,30 +85,30 @@ def from_table(data: Mapping[str, Any]) -> Model:
     return Model.model_validate(data, context=FROM_FILE)
 
 
-def to_toml(part: Part) -> str:
+def to_toml(part: Section) -> str:
     """Return a Model as an input file that ``loads`` turns into an equal Model; defaults are left out."""
     return "\n".join(_lines(part, "")).strip() + "\n"
 
 
-def _unreadable(path: str | Path, got: str, expected: str = "a TOML file") -> InputError:
-    return InputError([Fault(str(path), got, expected)])
+def _unreadable(path: str | Path, found: str, expected: str = "a TOML file") -> InputError:
+    return InputError([Issue(str(path), found, expected)])
 
 
-def _syntax(text: str, name: str, message: str) -> Fault:
+def _syntax(text: str, name: str, message: str) -> Issue:
     """Return what is wrong with the TOML, from tomllib's message, which ends with the place."""
     lines = text.split("\n")
     place = _PLACE.search(message)
     line, column = (int(place[1]), int(place[2])) if place and place[1] else (len(lines), len(lines[-1]) + 1)
     content = lines[line - 1].strip() if line <= len(lines) else ""
-    mend = _PLACE.sub("", message)
+    hint = _PLACE.sub("", message)
     if _BARE_UNIT.search(content):
-        mend = 'number and unit stand in quotes, as in thickness = "200 mm"'
-    return Fault(f"{name}, line {line}, column {column}", describe(content) if content else "nothing", "TOML", mend)
+        hint = 'number and unit stand in quotes, as in thickness = "200 mm"'
+    return Issue(f"{name}, line {line}, column {column}", describe(content) if content else "nothing", "TOML", hint)
 
 
-def _lines(part: Part, path: str) -> Iterator[str]:
+def _lines(part: Section, path: str) -> Iterator[str]:
     """Yield the lines of a part: its values, then the parts in it."""
-    tables: list[tuple[str, Part]] = []
+    tables: list[tuple[str, Section]] = []
     for name, field in type(part).model_fields.items():
         value: Any = getattr(part, name)
         key, inner = key_of(field), nested(field)

@@ -37,9 +37,9 @@ def close_output() -> None:
 
 def in_blocks(error: InputError) -> str:
     """Return the faults of an input as blocks of lines."""
-    count = len(error.faults)
+    count = len(error.issues)
     blocks = [f"error: {count} fault{'s' if count != 1 else ''} in the input"]
-    for fault in error.faults:
-        lines = [("got", fault.got), ("expected", fault.expected), ("mend", fault.mend)]
-        blocks.append("\n".join([f"  {fault.where}", *(f"    {word:<9} {text}" for word, text in lines if text)]))
+    for issue in error.issues:
+        lines = [("got", issue.found), ("expected", issue.expected), ("mend", issue.hint)]
+        blocks.append("\n".join([f"  {issue.location}", *(f"    {word:<9} {text}" for word, text in lines if text)]))
     return "\n\n".join(blocks)

@@ -18,7 +18,7 @@ from groundslab._version import __version__
 from groundslab.cli import plot
 from groundslab.cli import study as command_study
 from groundslab.cli.console import FINE, INTERRUPTED, NO_RESULT, WRONG_INPUT, answer, close_output, in_blocks, say
-from groundslab.errors import Fault, GroundslabError, InputError, NotCertified, NotConverged
+from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -182,7 +182,7 @@ def _solve(options: argparse.Namespace) -> int:
     target = results_folder.check(folder)
     if target in Path(os.path.realpath(case)).parents:
         raise InputError(
-            [Fault("--out", f"{folder}, which holds the case file", "another folder", "it would be replaced")]
+            [Issue("--out", f"{folder}, which holds the case file", "another folder", "it would be replaced")]
         )
     from groundslab.analysis.driver import solve_combinations
     from groundslab.model.combinations import combinations_of
@@ -413,17 +413,17 @@ def _layers(pairs: Sequence[str]) -> Layers:
 
     known = [each.name for each in fields(Layers)]
     names: dict[str, str] = {}
-    faults = []
+    issues = []
     for pair in pairs:
         what, sign, name = pair.partition("=")
         if not sign or what not in known:
             expected = f"WHAT=NAME, WHAT being {listed(known)}"
-            faults.append(Fault("--layers", describe(pair), expected, suggestion(what, known)))
+            issues.append(Issue("--layers", describe(pair), expected, suggestion(what, known)))
         elif what in names:
-            faults.append(Fault("--layers", f"{what} twice", "one layer for it"))
+            issues.append(Issue("--layers", f"{what} twice", "one layer for it"))
         names[what] = name
-    if faults:
-        raise InputError(faults)
+    if issues:
+        raise InputError(issues)
     return Layers(**names)
 
 
@@ -439,7 +439,7 @@ def _hand_over(text: str, file: str | None) -> None:
     try:
         atomic.write(Path(file), text.encode(), new=True)
     except FileExistsError:
-        raise InputError([Fault(file, "a file that exists", "a name that is free", "choose another name")]) from None
+        raise InputError([Issue(file, "a file that exists", "a name that is free", "choose another name")]) from None
 
 
 def _report(options: argparse.Namespace) -> int:
@@ -452,8 +452,8 @@ def _report(options: argparse.Namespace) -> int:
     folder = Path(options.results)
     target = Path(options.out) if options.out is not None else report.default_path(folder)
     if Path(os.path.realpath(folder)) in Path(os.path.realpath(target)).parents:
-        got, mend = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
-        raise InputError([Fault("--out", got, "another folder", mend)])
+        found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
+        raise InputError([Issue("--out", found, "another folder", hint)])
     report.check(target)
     combined = results_folder.load(folder)
     report.write_report(combined, target, text=report.text_of(folder, combined.model))
@@ -472,9 +472,9 @@ def _verify(options: argparse.Namespace) -> int:
         answer("\n".join(known))
         return FINE
     expected = "a case that `groundslab verify --list` names"
-    faults = [Fault("verify", f'"{name}"', expected) for name in options.names if name not in known]
-    if faults:
-        raise InputError(faults)
+    issues = [Issue("verify", f'"{name}"', expected) for name in options.names if name not in known]
+    if issues:
+        raise InputError(issues)
     return FINE if runner.run(options.names or known, _console()) else NO_RESULT
 
 

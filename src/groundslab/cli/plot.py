@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 if TYPE_CHECKING:
     import argparse
@@ -73,8 +73,8 @@ def draw(options: argparse.Namespace) -> str:
     file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
     check(file)
     if folder in Path(os.path.realpath(file)).parents:
-        mend = "solve could not replace the folder any more"
-        raise InputError([Fault("--out", f"{file}, inside the folder of results", "a place outside it", mend)])
+        hint = "solve could not replace the folder any more"
+        raise InputError([Issue("--out", f"{file}, inside the folder of results", "a place outside it", hint)])
     pages = len(plots.write(wish, file))
     return f"wrote {file}" + (f", {pages} pages" if pages > 1 else "")
 
@@ -86,5 +86,5 @@ def _coordinates(text: str) -> list[float]:
     except ValueError:
         values = []
     if len(values) != 4:
-        raise InputError([Fault("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
+        raise InputError([Issue("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
     return values

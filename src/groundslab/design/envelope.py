@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,19 +30,19 @@ def envelope(combinations: Mapping[str, Array]) -> Envelope:
     """
     names = tuple(combinations)
     if not names:
-        raise InputError([Fault("combinations", "none", "at least one combination")])
+        raise InputError([Issue("combinations", "none", "at least one combination")])
     arrays = [np.asarray(values, dtype=float) for values in combinations.values()]
-    faults = [
-        Fault(f"combinations[{name!r}]", f"an array of shape {array.shape}", f"{arrays[0].shape}, as {names[0]!r} has")
+    issues = [
+        Issue(f"combinations[{name!r}]", f"an array of shape {array.shape}", f"{arrays[0].shape}, as {names[0]!r} has")
         for name, array in zip(names, arrays, strict=True)
         if array.shape != arrays[0].shape
     ]
-    faults += [
-        Fault(f"combinations[{name!r}]", "values that are no numbers", "finite numbers")
+    issues += [
+        Issue(f"combinations[{name!r}]", "values that are no numbers", "finite numbers")
         for name, array in zip(names, arrays, strict=True)
         if not np.isfinite(array).all()
     ]
-    if faults:
-        raise InputError(faults)
+    if issues:
+        raise InputError(issues)
     values = np.stack(arrays)
     return Envelope(names, values.max(axis=0), values.min(axis=0), values.argmax(axis=0), values.argmin(axis=0))

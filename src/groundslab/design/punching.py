@@ -14,7 +14,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.section_cuts import turned
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh, sides_on_boundary
@@ -117,13 +117,13 @@ def demand(
     about the plate's thickness. The largest one is that of the mesh, then, and grows as the mesh is refined.
     """
     reach = 2 * d if distance is None else distance
-    faults = []
+    issues = []
     if not d > 0:
-        faults.append(Fault("d", f"{d:g} m", "an effective depth greater than zero"))
+        issues.append(Issue("d", f"{d:g} m", "an effective depth greater than zero"))
     if not reach >= 0:
-        faults.append(Fault("distance", f"{reach:g} m", "a distance that is not negative"))
-    if faults:
-        raise InputError(faults)
+        issues.append(Issue("distance", f"{reach:g} m", "a distance that is not negative"))
+    if issues:
+        raise InputError(issues)
     line = perimeter(plate, column, reach, OPENING_REACH * d)
     mesh = Mesh(plate.nodes, plate.elements)
     shares = load_vectors.over_polygon(mesh, np.arange(len(mesh.elements)), line.inside)
@@ -158,13 +158,13 @@ def perimeter(
     near = SAME_PLACE * max(x1 - x0, y1 - y0)
     where = f"a column at ({column.x:g}, {column.y:g}) m"
     if footprint.area == 0 or not plan.buffer(near).covers(footprint):
-        raise InputError([Fault("column", where, "a footprint that lies on the plate")])
+        raise InputError([Issue("column", where, "a footprint that lies on the plate")])
     found = [_cut_off(plan, swept.buffer(distance, quad_segs=QUARTER_CHORDS), footprint, near)
              for swept in _swept(plan, footprint, distance, near)]  # fmt: skip
     inside, legs = min(found, key=lambda one: float(np.linalg.norm(one[1][:, 1] - one[1][:, 0], axis=1).sum()))
     u = _effective(plan, footprint, legs, opening_reach)
     if not u > near:
-        raise InputError([Fault("column", where, f"some plate at {distance:g} m from it", "take a smaller distance")])
+        raise InputError([Issue("column", where, f"some plate at {distance:g} m from it", "take a smaller distance")])
     return Perimeter(legs, inside, u)
 
 

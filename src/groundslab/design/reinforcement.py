@@ -22,7 +22,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.design.design_moments import DesignMoments
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 _MPA = 1e6
 #: A_s / A_c that no slab may exceed outside laps (EN 1992-1-1 9.2.1.1(3), by 9.3.1.1(1)).
@@ -39,10 +39,10 @@ class Concrete:
 
     def __post_init__(self) -> None:
         """Refuse what the rules are not made for."""
-        faults = _outside("concrete.f_ck", self.f_ck, 12 * _MPA, 90 * _MPA)
-        faults += _not_positive(**{"concrete.gamma_c": self.gamma_c, "concrete.alpha_cc": self.alpha_cc})
-        if faults:
-            raise InputError(faults)
+        issues = _outside("concrete.f_ck", self.f_ck, 12 * _MPA, 90 * _MPA)
+        issues += _not_positive(**{"concrete.gamma_c": self.gamma_c, "concrete.alpha_cc": self.alpha_cc})
+        if issues:
+            raise InputError(issues)
 
     @property
     def f_cd(self) -> float:
@@ -82,10 +82,10 @@ class Steel:
 
     def __post_init__(self) -> None:
         """Refuse what the rules are not made for."""
-        faults = _outside("steel.f_yk", self.f_yk, 400 * _MPA, 600 * _MPA)
-        faults += _not_positive(**{"steel.gamma_s": self.gamma_s, "steel.E_s": self.E_s})
-        if faults:
-            raise InputError(faults)
+        issues = _outside("steel.f_yk", self.f_yk, 400 * _MPA, 600 * _MPA)
+        issues += _not_positive(**{"steel.gamma_s": self.gamma_s, "steel.E_s": self.E_s})
+        if issues:
+            raise InputError(issues)
 
     @property
     def f_yd(self) -> float:
@@ -231,32 +231,32 @@ def _moment(omega: float) -> float:
 
 def _check(m: Array, d: Array, d_2: Array | float | None, xi_lim: float | None) -> None:
     """Refuse moments, depths and limits that mean nothing."""
-    faults: list[Fault] = []
+    issues: list[Issue] = []
     if not (m >= 0).all() or not np.isfinite(m).all():
         bad = m[~((m >= 0) & np.isfinite(m))].flat[0]
-        faults.append(Fault("m", f"{bad:g}", "moments that are not negative, in N m/m"))
+        issues.append(Issue("m", f"{bad:g}", "moments that are not negative, in N m/m"))
     if not (d > 0).all():
-        mend = "the slab is thinner than its bars lie deep"
-        faults.append(Fault("d", f"{d[~(d > 0)].flat[0]:g}", "positive effective depths, in m", mend))
+        hint = "the slab is thinner than its bars lie deep"
+        issues.append(Issue("d", f"{d[~(d > 0)].flat[0]:g}", "positive effective depths, in m", hint))
     elif d_2 is not None:
         depth = np.broadcast_to(d_2, d.shape)
-        faults += [
-            Fault("d_2", f"{bad:g}", "depths of bars in compression between 0 and d, in m")
+        issues += [
+            Issue("d_2", f"{bad:g}", "depths of bars in compression between 0 and d, in m")
             for bad in depth[~((depth > 0) & (depth < d))].flat[:1]
         ]
     if xi_lim is not None and not 0 < xi_lim < 1:
-        faults.append(Fault("xi_lim", f"{xi_lim:g}", "a limit of x / d between 0 and 1"))
-    if faults:
-        raise InputError(faults)
+        issues.append(Issue("xi_lim", f"{xi_lim:g}", "a limit of x / d between 0 and 1"))
+    if issues:
+        raise InputError(issues)
 
 
-def _outside(where: str, value: float, least: float, most: float) -> list[Fault]:
+def _outside(where: str, value: float, least: float, most: float) -> list[Issue]:
     """Return the fault of a strength that does not lie within its limits."""
     if least <= value <= most:
         return []
-    return [Fault(where, f"{value:g} Pa", f"a strength from {least / _MPA:g} to {most / _MPA:g} MPa, in Pa")]
+    return [Issue(where, f"{value:g} Pa", f"a strength from {least / _MPA:g} to {most / _MPA:g} MPa, in Pa")]
 
 
-def _not_positive(**values: float) -> list[Fault]:
+def _not_positive(**values: float) -> list[Issue]:
     """Return the faults of values that are not positive."""
-    return [Fault(where, f"{value:g}", "a positive number") for where, value in values.items() if not value > 0]
+    return [Issue(where, f"{value:g}", "a positive number") for where, value in values.items() if not value > 0]

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.design_moments import wood_armer
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.line_traversal import ON_LINE, Pieces, continues, interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.results.fields import PLATE_FIELDS
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class SectionCut:
     """Nodal fields along a line: samples only where there is plate, in the order of the line.
 
     Samples of one `part` can be joined by a curve. A new part begins behind an opening or a notch, and where the
@@ -93,7 +93,7 @@ class StripResult:
     top_across: Array  # (c,)
 
 
-def along(plate: PlateResult, points: Array, spacing: float | None = None) -> Section:
+def along(plate: PlateResult, points: Array, spacing: float | None = None) -> SectionCut:
     """Return all nodal fields along a polyline (k, 2) [m], by the shape functions of the element that holds a sample.
 
     Samples stand at the polyline's corners, at the ends of each part, and in between every `spacing` [m], or without
@@ -102,7 +102,7 @@ def along(plate: PlateResult, points: Array, spacing: float | None = None) -> Se
     """
     ends = _legs(points)
     if spacing is not None and not spacing > 0:
-        raise InputError([Fault("spacing", f"{spacing:g} m", "a length greater than zero")])
+        raise InputError([Issue("spacing", f"{spacing:g} m", "a length greater than zero")])
     mesh = Mesh(plate.nodes, plate.elements)
     line = _on_plate(mesh, ends, "points")
     goes_on = continues(mesh, line)
@@ -110,7 +110,7 @@ def along(plate: PlateResult, points: Array, spacing: float | None = None) -> Se
     nodes, N = interpolation(mesh, line, piece, s)
     values = {name: np.einsum("pa,pa->p", N, getattr(plate, name)[nodes]) for name in PLATE_FIELDS}
     x, y = line.points(piece, s).T
-    return Section(s, x, y, (np.cumsum(~goes_on) - 1)[piece], values)
+    return SectionCut(s, x, y, (np.cumsum(~goes_on) - 1)[piece], values)
 
 
 def cut(plate: PlateResult, a: tuple[float, float] | Array, b: tuple[float, float] | Array) -> CutForces:
@@ -143,13 +143,13 @@ def strip(
     of m_n are those at the elements' sides, halfway between, and at the Gauss points. Averaging the design moments
     (Wood 1968, Armer 1968) of all points is on the safe side of taking them from averaged moments.
     """
-    faults = []
+    issues = []
     if not width > 0:
-        faults.append(Fault("width", f"{width:g} m", "a width greater than zero"))
+        issues.append(Issue("width", f"{width:g} m", "a width greater than zero"))
     if count < 2:
-        faults.append(Fault("count", f"{count}", "at least 2 stations"))
-    if faults:
-        raise InputError(faults)
+        issues.append(Issue("count", f"{count}", "at least 2 stations"))
+    if issues:
+        raise InputError(issues)
     (origin, final), *_ = _legs(np.array([start, end]))
     s = np.linspace(0, np.linalg.norm(final - origin), count)
     axis = (final - origin) / s[-1]
@@ -190,7 +190,7 @@ class _Cut:
     def of(cls, plate: PlateResult, ends: Array) -> _Cut:
         """Return the points of cuts (l, 2, 2), at least one of which must cross the plate."""
         if not (np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) > 0).all():
-            raise InputError([Fault("cut", "two ends at one place", "two different points")])
+            raise InputError([Issue("cut", "two ends at one place", "two different points")])
         mesh = Mesh(plate.nodes, plate.elements)
         line = _on_plate(mesh, ends, "cut")
         piece, s, ds = line.gauss()
@@ -224,13 +224,13 @@ def _legs(points: Array) -> Array:
     """Return the legs (k - 1, 2, 2) of a polyline; InputError unless it has two different points in a row or more."""
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1:] != (2,) or len(points) < 2 or not np.isfinite(points).all():
-        got = f"an array of shape {points.shape}" if np.isfinite(points).all() else "places that are not finite"
-        raise InputError([Fault("points", got, "two or more places (x, y)")])
+        found = f"an array of shape {points.shape}" if np.isfinite(points).all() else "places that are not finite"
+        raise InputError([Issue("points", found, "two or more places (x, y)")])
     ends = np.stack([points[:-1], points[1:]], axis=1)
     same = np.flatnonzero((ends[:, 0] == ends[:, 1]).all(axis=1))
     if len(same):
         where = [f"points[{i + 2}]" for i in same]
-        raise InputError([Fault(place, "the same place as the point before", "another one") for place in where])
+        raise InputError([Issue(place, "the same place as the point before", "another one") for place in where])
     return ends
 
 
@@ -239,8 +239,8 @@ def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
     line = pieces(mesh, ends)
     if not len(line.low):
         (a, b), (c, d) = ends[0, 0], ends[-1, 1]
-        got = f"a line from ({a:g}, {b:g}) to ({c:g}, {d:g}) m that does not meet the plate"
-        raise InputError([Fault(where, got, "a line that crosses the plate")])
+        found = f"a line from ({a:g}, {b:g}) to ({c:g}, {d:g}) m that does not meet the plate"
+        raise InputError([Issue(where, found, "a line that crosses the plate")])
     return line
 
 

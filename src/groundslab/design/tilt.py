@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
 
@@ -91,23 +91,23 @@ def between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Di
     """Return the settlement differences of all pairs of named points (x, y) [m] of the plate, such as columns."""
     names = tuple(points)
     if len(names) < 2:
-        raise InputError([Fault("points", f"{len(names)}", "at least two points")])
+        raise InputError([Issue("points", f"{len(names)}", "at least two points")])
     places = np.array([points[name] for name in names], dtype=float)
     mesh = Mesh(plate.nodes, plate.elements)
     element, local = locate(mesh, places)
-    faults = [
-        Fault(f"points[{name!r}]", f"({x:g}, {y:g}) m", "a point on the plate")
+    issues = [
+        Issue(f"points[{name!r}]", f"({x:g}, {y:g}) m", "a point on the plate")
         for name, (x, y), where in zip(names, places, element, strict=True)
         if where < 0
     ]
     first, second = np.array(list(combinations(range(len(names)), 2))).T
     distance = np.linalg.norm(places[second] - places[first], axis=1)
-    faults += [
-        Fault(f"points[{names[second[pair]]!r}]", f"the same place as {names[first[pair]]!r}", "another place")
+    issues += [
+        Issue(f"points[{names[second[pair]]!r}]", f"the same place as {names[first[pair]]!r}", "another place")
         for pair in np.flatnonzero(distance == 0)
     ]
-    if faults:
-        raise InputError(faults)
+    if issues:
+        raise InputError(issues)
     w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
     plane = tilt(plate)
     off = w - (places - plane.centre) @ np.array([plane.tilt_x, plane.tilt_y])

@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.plan_layout import Layout
 from groundslab.discretize.voids import bottoms
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem import bearings
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.foundation import Column
@@ -122,7 +122,7 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
     """Return the bearings without the second of two rigid ones at a node; raise InputError if these differ."""
     rigid = np.isinf(b.law.stiffness) & (b.field == W)
     keep, first = np.ones(len(b.law), dtype=bool), dict[int, int]()
-    faults: dict[str, Fault] = {}
+    issues: dict[str, Issue] = {}
     settled = [{(load.case, load.w) for load in model.loads if isinstance(load, SettlementLoad)
                 and load.support == support.name} for support in model.supports]  # fmt: skip
     for i in np.flatnonzero(rigid):
@@ -134,12 +134,12 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
         alike = (mine.acts, mine.gap, mine.limit) == (theirs.acts, theirs.gap, theirs.limit)
         if not alike or settled[b.support[i]] != settled[b.support[other]]:
             where = f"supports[{b.support[i] + 1}]"
-            got = f"a rigid support that meets supports[{b.support[other] + 1}], which acts or settles otherwise"
-            faults[where] = Fault(
-                where, got, "rigid supports that are alike where they meet", "make one of them elastic"
+            found = f"a rigid support that meets supports[{b.support[other] + 1}], which acts or settles otherwise"
+            issues[where] = Issue(
+                where, found, "rigid supports that are alike where they meet", "make one of them elastic"
             )
-    if faults:
-        raise InputError(list(faults.values()))
+    if issues:
+        raise InputError(list(issues.values()))
     names = ("at", "sign", "level", "stiffness", "capacity", "both_ways")
     law = Bearings(*(getattr(b.law, name)[keep] for name in names))
     return Bearing(law, b.node[keep], b.field[keep], b.support[keep], b.length[keep], b.depth[keep])
@@ -163,7 +163,7 @@ def node_at(plan: Layout, x: float, y: float) -> int:
     distance = np.linalg.norm(plan.mesh.nodes[under] - [x, y], axis=1)
     nearest = int(np.argmin(distance))
     if distance[nearest] > 10 * SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max():
-        raise InputError([Fault("supports", f"no node at ({x:g}, {y:g}) m", "a mesh that meets every support")])
+        raise InputError([Issue("supports", f"no node at ({x:g}, {y:g}) m", "a mesh that meets every support")])
     return int(under[nearest])
 
 
@@ -175,7 +175,7 @@ def nodes_along(plan: Layout, support: LineSupport) -> tuple[Integers, Array]:
     np.add.at(lengths, sides, length[:, None] * SIMPSON)
     wanted = sum(math.dist(a, b) for a, b in itertools.pairwise(support.points))
     if abs(length.sum() - wanted) > 1e-6 * wanted:
-        got = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
-        raise InputError([Fault("supports", got, "a mesh that meets every support")])
+        found = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
+        raise InputError([Issue("supports", found, "a mesh that meets every support")])
     nodes = np.flatnonzero(lengths)
     return nodes, lengths[nodes]

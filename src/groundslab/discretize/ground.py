@@ -17,7 +17,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.interpolation import interpolated
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.foundation import Column, Layer, Parts, consistent_stack, interface_stack
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
@@ -191,7 +191,7 @@ def _place_of(name: str, model: Model) -> tuple[int, slice]:
     ):
         return 0, columns[name.removeprefix("ground.")]
     expected = "a constant that the ground of the case has: ground.k, ground.k0, ground.k1, ground.layers[1].E, ..."
-    raise InputError([Fault(name, f"a ground of kind {ground.kind}", expected)])
+    raise InputError([Issue(name, f"a ground of kind {ground.kind}", expected)])
 
 
 def _share(parts: Parts, mesh: Mesh, plate_elements: Integers) -> Array:

@@ -11,7 +11,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.borders import shares, void_rings
 from groundslab.discretize.interpolation import interpolate_smoothly
 from groundslab.discretize.plan_layout import Layout
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import MIDSIDES, Depths, largest_share, nodal_areas
@@ -66,10 +66,10 @@ def depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> D
     there = found.drawn > 0
     lost = there.any(axis=0) & ~(there & (found.share[:, found.of] > 0)).any(axis=0)
     if finest and lost.any():
-        mend = "make the elements smaller than the void"
+        hint = "make the elements smaller than the void"
         raise InputError(
             [
-                Fault(f"contact.voids[{k + 1}]", "a void between the nodes", "one that takes an element", mend)
+                Issue(f"contact.voids[{k + 1}]", "a void between the nodes", "one that takes an element", hint)
                 for k in np.flatnonzero(lost)
             ]
         )

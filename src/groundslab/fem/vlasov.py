@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.foundation import Column, Layer, Parts, Values, interface_stack, single
 from groundslab.fem.shape_functions import lagrange
 
@@ -255,8 +255,8 @@ class Soil:
             worst = np.atleast_2d(right).all(axis=1).argmin()
             k0, k1 = np.atleast_2d(k0)[worst], np.atleast_2d(k1)[worst]
             gamma = float(np.ravel(gammas)[worst if np.ndim(gammas) else 0])
-            got = f'"as printed", which gives k0 = {k0} Pa/m and k1 = {k1} Pa m at gamma = {gamma:.4g}'
-            raise InputError([Fault("ground.formulas", got, "formulas without misprints", 'use formulas = "exact"')])
+            found = f'"as printed", which gives k0 = {k0} Pa/m and k1 = {k1} Pa m at gamma = {gamma:.4g}'
+            raise InputError([Issue("ground.formulas", found, "formulas without misprints", 'use formulas = "exact"')])
         return k0, k1
 
     def mode(self, gamma: float, points: int = 60) -> Mode | None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.errors import Fault
+from groundslab.errors import Issue
 from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, at
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ MOST_MEETINGS = 50_000
 TOO_SHARP = math.radians(5)
 
 
-def faults(plan: Plan) -> list[Fault]:
+def issues(plan: Plan) -> list[Issue]:
     """Return everything that keeps a plan from being meshed, each with its place."""
     found = list(_number_faults(plan))
     if found:
@@ -48,36 +48,36 @@ def faults(plan: Plan) -> list[Fault]:
     return found
 
 
-def _number_faults(plan: Plan) -> Iterator[Fault]:
+def _number_faults(plan: Plan) -> Iterator[Issue]:
     """Yield what is not a number or too few of them: nothing else can be looked at then."""
     for name, ring in plan.rings().items():
         least = 3 if ring.straight else 2
         if len(ring.points) < least:
             wanted = "at least 3, or 2 where an edge is an arc"
-            yield Fault(name, f"{len(ring.points)} points", wanted, "a closed curve needs them")
+            yield Issue(name, f"{len(ring.points)} points", wanted, "a closed curve needs them")
         if len(ring.bulges) > len(ring.points):
-            yield Fault(name, f"{len(ring.bulges)} bulges", "at most one for each point", "leave the rest out")
+            yield Issue(name, f"{len(ring.bulges)} bulges", "at most one for each point", "leave the rest out")
         if not np.isfinite([value for point in ring.points for value in point] + list(ring.bulges)).all():
-            yield Fault(name, "a coordinate or bulge that is not finite", "numbers")
+            yield Issue(name, "a coordinate or bulge that is not finite", "numbers")
     for i, (_, number) in enumerate(plan.zones, start=1):
         if number < 1:
-            yield Fault(f"plate.zones[{i}]", f"section {number}", "a number from 1", "0 is the plate's own section")
+            yield Issue(f"plate.zones[{i}]", f"section {number}", "a number from 1", "0 is the plate's own section")
     for i, point in enumerate(plan.points, start=1):
         if not np.isfinite(point).all():
-            yield Fault(f"plate.points[{i}]", "a coordinate that is not finite", "numbers")
+            yield Issue(f"plate.points[{i}]", "a coordinate that is not finite", "numbers")
     for i, line in enumerate(plan.lines, start=1):
         if len(line) < 2 or not np.isfinite(line).all():
-            yield Fault(f"plate.lines[{i}]", "no line", "at least 2 points with finite coordinates")
+            yield Issue(f"plate.lines[{i}]", "no line", "at least 2 points with finite coordinates")
 
 
-def _ring_faults(name: str, ring: Ring, extent: float) -> Iterator[Fault]:
+def _ring_faults(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
     """Yield what is wrong with one ring by itself."""
     import shapely
 
     edges = ring.segments()
     short = [edge for edge in edges if edge.length <= NO_LENGTH * extent]
     for edge in short:
-        yield Fault(
+        yield Issue(
             name, f"an edge without length at {at(edge.start)}", "points apart from each other", "leave one out"
         )
     if short:
@@ -86,13 +86,13 @@ def _ring_faults(name: str, ring: Ring, extent: float) -> Iterator[Fault]:
     if not polygon.is_valid:
         said = re.search(r"\[(\S+) (\S+)\]", shapely.is_valid_reason(polygon))
         place = f" at {at((float(said[1]), float(said[2])))}" if said else ""
-        yield Fault(name, f"a curve that crosses or touches itself{place}", "one that does not", "move a point")
+        yield Issue(name, f"a curve that crosses or touches itself{place}", "one that does not", "move a point")
         return
     for before, after in zip(edges, edges[1:] + edges[:1], strict=True):
         turn = (after.direction(0.0) - before.direction(1.0)) % (2 * math.pi)
         angle = abs(math.pi - turn)
         if angle < TOO_SHARP:
-            yield Fault(
+            yield Issue(
                 name,
                 f"an angle of {math.degrees(angle):.2g} degrees at {at(after.start)}",
                 f"at least {math.degrees(TOO_SHARP):.0f} degrees",
@@ -100,11 +100,11 @@ def _ring_faults(name: str, ring: Ring, extent: float) -> Iterator[Fault]:
             )
 
 
-def _line_faults(plan: Plan) -> Iterator[Fault]:
+def _line_faults(plan: Plan) -> Iterator[Issue]:
     for i, line in enumerate(plan.lines, start=1):
         for a, b in pairwise(line):
             if math.dist(a, b) <= NO_LENGTH * plan.extent:
-                yield Fault(f"plate.lines[{i}]", f"a piece without length at {at(a)}", "points apart from each other")
+                yield Issue(f"plate.lines[{i}]", f"a piece without length at {at(a)}", "points apart from each other")
 
 
 def _meeting(a: Polygon, b: Polygon) -> str:
@@ -114,13 +114,13 @@ def _meeting(a: Polygon, b: Polygon) -> str:
     return at((point.x, point.y))
 
 
-def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
+def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     import shapely
 
     outline = flat["plate.outline"]
     near = TOO_CLOSE * plan.extent
     names = [name for name in flat if name.startswith("plate.openings")]
-    mend = "to cut into the plate's edge, draw the outline so"
+    hint = "to cut into the plate's edge, draw the outline so"
     polygons = _openings(flat)
     beside: dict[int, list[int]] = {}
     for i, k in shapely.STRtree(polygons).query(polygons, predicate="dwithin", distance=near).T.tolist():
@@ -129,12 +129,12 @@ def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
     for i, name in enumerate(names):
         own = flat[name]
         if not outline.intersects(own) or outline.touches(own):
-            yield Fault(name, "an opening outside the plate", "one inside", "move it or leave it out")
+            yield Issue(name, "an opening outside the plate", "one inside", "move it or leave it out")
         elif outline.boundary.intersects(own.boundary):
-            got = f"an opening that touches or crosses the plate's edge at {_meeting(own, outline)}"
-            yield Fault(name, got, "one inside the plate", mend)
+            found = f"an opening that touches or crosses the plate's edge at {_meeting(own, outline)}"
+            yield Issue(name, found, "one inside the plate", hint)
         elif own.contains(outline):
-            yield Fault(name, "an opening around the plate", "one inside the plate")
+            yield Issue(name, "an opening around the plate", "one inside the plate")
         elif (gap := outline.boundary.distance(own)) < near:
             where = shapely.shortest_line(own, outline.boundary).coords[0]
             yield _strip(name, "plate.outline", where, gap, near)
@@ -142,15 +142,15 @@ def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
             if own.intersects(flat[other]):
                 inside = own.contains(flat[other]) or flat[other].contains(own)
                 place = "inside the other" if inside else f"at {_meeting(own, flat[other])}"
-                got = f"an opening that meets {other}, {place}"
-                yield Fault(name, got, "openings apart from each other", "draw them as one")
+                found = f"an opening that meets {other}, {place}"
+                yield Issue(name, found, "openings apart from each other", "draw them as one")
             elif (gap := own.distance(flat[other])) < near:
                 yield _strip(name, other, shapely.shortest_line(own, flat[other]).coords[0], gap, near)
 
 
-def _strip(name: str, other: str, place: Place, gap: float, near: float) -> Fault:
-    got = f"{gap:.3g} m between it and {other} at {at(place)}"
-    return Fault(name, got, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
+def _strip(name: str, other: str, place: Place, gap: float, near: float) -> Issue:
+    found = f"{gap:.3g} m between it and {other} at {at(place)}"
+    return Issue(name, found, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
 
 
 def _openings(flat: dict[str, Polygon]) -> Any:
@@ -158,7 +158,7 @@ def _openings(flat: dict[str, Polygon]) -> Any:
     return np.array([polygon for name, polygon in flat.items() if name.startswith("plate.openings")], dtype=object)
 
 
-def _zone_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
+def _zone_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     """Yield zones off the plate, and ground that does not reach all round it."""
     import shapely
 
@@ -166,16 +166,16 @@ def _zone_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
     plate = outline.difference(shapely.union_all(_openings(flat)))
     for name, polygon in flat.items():
         if name.startswith("plate.zones") and plate.intersection(polygon).area <= (SAME_PLACE * plan.extent) ** 2:
-            yield Fault(name, "a zone that covers nothing of the plate", "one on the plate", "move it or leave it out")
+            yield Issue(name, "a zone that covers nothing of the plate", "one on the plate", "move it or leave it out")
     if "beyond" in flat:
         left = outline.difference(flat["beyond"].buffer(2 * FLAT * plan.extent))
         if not left.is_empty:
             place = left.representative_point()
-            got = f"an edge that leaves out the plate at {at((place.x, place.y))}"
-            yield Fault("beyond", got, "one around the plate", "the ground must lie under all of the plate")
+            found = f"an edge that leaves out the plate at {at((place.x, place.y))}"
+            yield Issue("beyond", found, "one around the plate", "the ground must lie under all of the plate")
 
 
-def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
+def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     """Yield points and lines that are not on the plate."""
     import shapely
 
@@ -186,16 +186,16 @@ def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Fault]:
     shapely.prepare(plate)
     for i, point in enumerate(plan.points, start=1):
         if not plate.covers(shapely.Point(point)):
-            yield Fault(f"plate.points[{i}]", f"a point off the plate at {at(point)}", "one on the plate")
+            yield Issue(f"plate.points[{i}]", f"a point off the plate at {at(point)}", "one on the plate")
     for i, line in enumerate(plan.lines, start=1):
         left = shapely.LineString(line).difference(plate)
         if not left.is_empty:
             place = left.representative_point()
-            got = f"a line that leaves the plate at {at((place.x, place.y))}"
-            yield Fault(f"plate.lines[{i}]", got, "one on the plate", "end it at the edge")
+            found = f"a line that leaves the plate at {at((place.x, place.y))}"
+            yield Issue(f"plate.lines[{i}]", found, "one on the plate", "end it at the edge")
 
 
-def _near_misses(plan: Plan) -> Iterator[Fault]:
+def _near_misses(plan: Plan) -> Iterator[Issue]:
     """Yield points, and corners of zones and lines, that lie beside an edge or point, neither on it nor clear of it."""
     import shapely
 
@@ -242,7 +242,7 @@ def _places_near(plan: Plan, edges: list[Segment], places: Array, near: float) -
         yield int(one), many
 
 
-def _grazes(plan: Plan) -> Iterator[Fault]:
+def _grazes(plan: Plan) -> Iterator[Issue]:
     """Yield edges of different curves that part so slowly from where they meet that nothing fits between them."""
     import shapely
 
@@ -260,8 +260,8 @@ def _grazes(plan: Plan) -> Iterator[Fault]:
     if meetings.shape[1] <= MOST_MEETINGS:
         meetings = meetings[:, shapely.dwithin(np.array(flat)[meetings[0]], np.array(flat)[meetings[1]], same)]
     else:
-        got = f"{meetings.shape[1]:,} places where edges of openings, zones and supports come together"
-        yield Fault("plate.outline", got, f"at most {MOST_MEETINGS:,}", "draw what overlaps as one")
+        found = f"{meetings.shape[1]:,} places where edges of openings, zones and supports come together"
+        yield Issue("plate.outline", found, f"at most {MOST_MEETINGS:,}", "draw what overlaps as one")
         return
     meetings = np.hstack([meetings, meetings[::-1]])
     for i, j in meetings.T.tolist():
@@ -274,5 +274,5 @@ def _grazes(plan: Plan) -> Iterator[Fault]:
         away = two.distance(one.at(parts[(parts >= 0) & (parts <= 1)]))
         if ((away > same) & (away < step * math.sin(TOO_SHARP))).any():
             seen.add(pair)
-            got = f"an edge that parts from {other} at {at(place)} at less than {math.degrees(TOO_SHARP):.0f} degrees"
-            yield Fault(name, got, "a larger angle, or the same edge", "so narrow a wedge cannot be meshed")
+            found = f"an edge that parts from {other} at {at(place)} at less than {math.degrees(TOO_SHARP):.0f} degrees"
+            yield Issue(name, found, "a larger angle, or the same edge", "so narrow a wedge cannot be meshed")

@@ -6,7 +6,7 @@ quadrilaterals here. Nodes on arcs, midside nodes too, are put exactly on them.
 
 from __future__ import annotations
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Plan, sections
 from groundslab.meshing.backends import Maker, available, choose, with_gmsh, with_netgen
 from groundslab.meshing.cells import Cells
@@ -67,7 +67,7 @@ def unstructured(
     scale = doubling(plan, beyond_growth)
     make = choose() if maker is None else maker
     best = None
-    refused = InputError([Fault("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
+    refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
     smaller = sources(plan, size)
     if edge_size is not None and edge_size < size * (1 - 1e-9):
         smaller = both(smaller, along_edges(plan, edge_size))

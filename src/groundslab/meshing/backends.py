@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Plan
 from groundslab.meshing import gmsh_door, gmsh_drawing
 from groundslab.meshing import netgen as front
@@ -45,7 +45,7 @@ def choose() -> Maker:
     got = " and ".join(["a plan with oblique edges or arcs", *broken])
     system = f" (on Debian and Ubuntu with apt-get install {gmsh_door.SYSTEM_LIBRARIES})"
     mend = f"pip install groundslab[mesh]{system}, or pip install groundslab[netgen]"
-    raise InputError([Fault("mesh", got, "Gmsh or Netgen to mesh it", mend)])
+    raise InputError([Issue("mesh", got, "Gmsh or Netgen to mesh it", mend)])
 
 
 def available() -> bool:

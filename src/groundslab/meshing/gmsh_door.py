@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 #: What Gmsh's wheel wants to find on a bare Debian or Ubuntu.
 SYSTEM_LIBRARIES = "libglu1-mesa libopengl0 libgl1 libxrender1 libxcursor1 libxft2 libxinerama1 libgomp1"
@@ -52,7 +52,7 @@ def session() -> Iterator[Any]:
         raise
     except Exception as refused:
         # Gmsh knows no other exception; what it says is for people
-        raise InputError([Fault("plan", f"a plan that Gmsh refuses ({refused})", "one that can be meshed")]) from None
+        raise InputError([Issue("plan", f"a plan that Gmsh refuses ({refused})", "one that can be meshed")]) from None
     finally:
         if ours:
             gmsh.finalize()

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING, graded, graded_towards, grid, intervals
 from groundslab.geometry.plan import NOTHING, Plan, sections
 from groundslab.meshing.plan_mesh import MOST_ELEMENTS, PlanMesh, check, finished, too_many
@@ -25,7 +25,7 @@ def rectilinear(
     """Return a grid with lines through all corners and points of a plan in which everything runs along x or y."""
     check(plan, size)
     if not plan.rectilinear:
-        raise InputError([Fault("plan", "an oblique edge or an arc", "edges along x and y", "mesh it unstructured")])
+        raise InputError([Issue("plan", "an oblique edge or an arc", "edges along x and y", "mesh it unstructured")])
     scale = doubling(plan, beyond_growth)
     corners = np.array([point for ring in plan.rings().values() for point in ring.points])
     others = np.array([*plan.points, *(point for line in plan.lines for point in line)]).reshape(-1, 2)

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import FLAT, Place, Plan, Segment
 from groundslab.meshing.arrangement import Piece, pieces
 from groundslab.meshing.cells import Cells, Drawn, keys_of, onto, sides_of
@@ -94,7 +94,7 @@ def _cells(plan: Plan, parts: list[Piece], chords: Chords, made: Made) -> Cells:
 
 
 def _refused(said: object) -> InputError:
-    return InputError([Fault("plan", f"a plan that Netgen refuses ({said})", "one that can be meshed")])
+    return InputError([Issue("plan", f"a plan that Netgen refuses ({said})", "one that can be meshed")])
 
 
 def _chords(parts: list[Piece], points: list[Place], wanted: Callable[[Array], Array]) -> Chords:

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import gauss, jacobian, q9
 from groundslab.geometry.plan import NOTHING, Plan, at
-from groundslab.geometry.validity import faults
+from groundslab.geometry.validity import issues
 from groundslab.meshing.quality import Quality, quality
 
 #: Largest number of elements: more is nearly always a slip in the size.
@@ -36,18 +36,18 @@ class PlanMesh:
 
 def check(plan: Plan, size: float) -> None:
     """Raise what is wrong with a plan and a size."""
-    found = faults(plan)
+    found = issues(plan)
     if not (math.isfinite(size) and size > 0):
-        found.append(Fault("mesh.size", f"{size!r}", "a length greater than 0"))
+        found.append(Issue("mesh.size", f"{size!r}", "a length greater than 0"))
     elif not found and plan.area / size**2 > MOST_ELEMENTS:
         found.append(too_many())
     if found:
         raise InputError(found)
 
 
-def too_many() -> Fault:
+def too_many() -> Issue:
     """Return what is said of a size that makes more elements than a computer can hold."""
-    return Fault("mesh.size", f"more than {MOST_ELEMENTS} elements", "fewer", "make the elements larger")
+    return Issue("mesh.size", f"more than {MOST_ELEMENTS} elements", "fewer", "make the elements larger")
 
 
 def finished(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
@@ -58,7 +58,7 @@ def finished(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
     found = quality(nodes[elements])
     if not found.worst > 0:
         got = f"a mesh with an element turned inside out at {at(found.worst_place)}"
-        raise InputError([Fault("plan", got, "elements that can be used", "simplify the plan there or mesh it finer")])
+        raise InputError([Issue("plan", got, "elements that can be used", "simplify the plan there or mesh it finer")])
     return PlanMesh(nodes[used], number.reshape(elements.shape).astype(np.int64), section, found)
 
 
@@ -72,4 +72,4 @@ def check_area(plan: Plan, result: PlanMesh) -> None:
     ):
         if abs(got - wanted) > 1e-3 * wanted or (result.section == NOTHING).any():
             said = f"a mesh of {what} with an area of {got:.6g} m2 instead of {wanted:.6g} m2"
-            raise InputError([Fault("plan", said, "one that covers it", "simplify the plan or mesh it finer")])
+            raise InputError([Issue("plan", said, "one that covers it", "simplify the plan or mesh it finer")])

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING
 from groundslab.geometry.plan import FLAT, Plan, Ring, Segment
 
@@ -74,7 +74,7 @@ def along(ring: Ring, spacing: float) -> Array:
 def doubling(plan: Plan, given: float | None) -> float:
     """Return the distance from the plate at which elements are twice as large [m]."""
     if given is not None and not given > 0:
-        raise InputError([Fault("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
+        raise InputError([Issue("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
     outline = np.array(plan.outline.flat(FLAT * plan.extent))
     return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
 

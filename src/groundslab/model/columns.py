@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.model.ground import POSITIVE
-from groundslab.schema.base import Check, Part
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Quantity, Text
-from groundslab.schema.issues import Finding
+from groundslab.schema.issues import RelativeIssue
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from groundslab.geometry.plan import Ring
 
 
-def one_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[Finding]:
+def one_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
     """Find a footprint that is neither nothing, nor a rectangle, nor a circle."""
     if diameter is not None and (width_x is not None or width_y is not None):
-        yield Finding(("diameter",), "a diameter beside a width", "width_x and width_y, or diameter")
+        yield RelativeIssue(("diameter",), "a diameter beside a width", "width_x and width_y, or diameter")
     if (width_x is None) != (width_y is None):
         missing = "width_x" if width_x is None else "width_y"
-        yield Finding((missing,), "nothing", "width_x and width_y, both of them")
+        yield RelativeIssue((missing,), "nothing", "width_x and width_y, both of them")
 
 
 def footprint(x: float, y: float, width_x: float | None, width_y: float | None, diameter: float | None) -> Ring | None:
@@ -36,12 +36,12 @@ def footprint(x: float, y: float, width_x: float | None, width_y: float | None, 
     return None
 
 
-def _has_a_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[Finding]:
+def _has_a_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
     if width_x is None and width_y is None and diameter is None:
-        yield Finding(("width_x",), "nothing", "width_x and width_y, or diameter")
+        yield RelativeIssue(("width_x",), "nothing", "width_x and width_y, or diameter")
 
 
-class Column(Part):
+class Column(Section):
     """A column that stands on the plate."""
 
     checks: ClassVar[tuple[Check, ...]] = (one_footprint, _has_a_footprint)

@@ -39,7 +39,7 @@ from groundslab.model.supports import (
 from groundslab.model.varying_ground import (
     SoilZone,
 )
-from groundslab.schema.issues import Finding
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
@@ -63,24 +63,24 @@ def plate_elements(plate: Plate, mesh: Mesh) -> float:
     return max(1.0, x / size) * max(1.0, y / size)
 
 
-def few_elements(plate: Plate, mesh: Mesh) -> Iterator[Finding]:
+def few_elements(plate: Plate, mesh: Mesh) -> Iterator[RelativeIssue]:
     """Find meshes with too many elements on the plate."""
     total = plate_elements(plate, mesh)
     if total > MOST_ELEMENTS:
         key = ("counts",) if mesh.counts is not None else ("size",) if mesh.size is not None else ()
-        yield Finding(("mesh", *key), f"about {total:.3g} elements", f"at most {MOST_ELEMENTS:,} elements")
+        yield RelativeIssue(("mesh", *key), f"about {total:.3g} elements", f"at most {MOST_ELEMENTS:,} elements")
 
 
-def few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator[Finding]:
+def few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator[RelativeIssue]:
     """Find layers that have too many elements in all their surfaces."""
     if isinstance(ground, Layered):
         surfaces = sum(layer.sublayers if isinstance(layer, SoilLayer) else 1 for layer in ground.layers)
         on_plate = plate_elements(plate, mesh)
         if surfaces > MOST_SURFACES:
-            yield Finding(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
+            yield RelativeIssue(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
         elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
-            got = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
-            yield Finding(("ground", "layers"), got, f"at most {MOST_ELEMENTS:,} for the product of both")
+            found = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
+            yield RelativeIssue(("ground", "layers"), found, f"at most {MOST_ELEMENTS:,} for the product of both")
 
 
 def layers_shear(ground: AnyGround) -> list[bool]:
@@ -92,7 +92,7 @@ def layers_shear(ground: AnyGround) -> list[bool]:
     return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
 
-def all_shear_or_none(ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[Finding]:
+def all_shear_or_none(ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[RelativeIssue]:
     """Find layers without shear beside others with it, where the ground beyond is infinite.
 
     Ground without any shear is the limit in which it ends with the plate; of such layers beneath or beside others no
@@ -105,37 +105,39 @@ def all_shear_or_none(ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyon
     for place, layers in shears.items():
         for number in (number for number, shear in enumerate(layers) if not shear):
             key = ("layers", number, "k1") if isinstance(grounds[place], Layered) else ("k1",)
-            mend = 'beyond.kind = "margin" needs no shear'
+            hint = 'beyond.kind = "margin" needs no shear'
             if isinstance(grounds[place], Winkler):
                 continue  # of another kind than the rest, which is told elsewhere
-            yield Finding((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", mend)
+            yield RelativeIssue((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", hint)
 
 
-def voids_lie_on_plate(plate: Plate, contact: Contact) -> Iterator[Finding]:
+def voids_lie_on_plate(plate: Plate, contact: Contact) -> Iterator[RelativeIssue]:
     """Find voids that do not lie on the plate."""
     return voids_on_plate(plate, contact.voids)
 
 
-def counts_fit(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+def counts_fit(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find counts of elements on a plate that is not a plain rectangle."""
     if mesh.counts is not None and (supports or not plate.plain):
-        mend = "counts are for a rectangle without openings, zones and supports"
-        yield Finding(("mesh", "counts"), "counts", "a size", mend)
+        hint = "counts are for a rectangle without openings, zones and supports"
+        yield RelativeIssue(("mesh", "counts"), "counts", "a size", hint)
 
 
-def loads_have_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+def loads_have_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
     """Find load cases without a name of their own, and loads whose case is not there."""
     yield from named_once("cases", [case.name for case in cases], needed=True)
     yield from known_cases("loads", "case", [load.case for load in loads], cases)
 
 
-def combinations_have_cases(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+def combinations_have_cases(
+    combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]
+) -> Iterator[RelativeIssue]:
     """Find combinations without a name of their own, and factors of cases that are not there."""
     yield from named_once("combinations", [each.name for each in combinations], needed=True)
     yield from known_factors(combinations, cases)
 
 
-def columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[Finding]:
+def columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
     """Find columns without a name of their own or beside the plate."""
     yield from named_once("columns", [column.name for column in columns], needed=True)
     covered = Covered(plate)
@@ -143,7 +145,7 @@ def columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[Find
         yield from on_plate(covered, column, ("columns", position))
 
 
-def supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+def supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find supports that cannot be met by a mesh."""
     yield from lines_run(supports)
     yield from named_once("supports", [support.name for support in supports], needed=False)
@@ -151,24 +153,24 @@ def supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterato
     yield from far
     if not supports or far or any(lines_run(supports)):
         return
-    from groundslab.geometry.validity import faults
+    from groundslab.geometry.validity import issues
 
     points = [n for n, support in enumerate(supports) if isinstance(support, PointSupport)]
     lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
     called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}
     called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}
-    for fault in faults(plan_of_plate(plate, supports)):
-        met = next((name for name in called if name in fault.got), None)
-        got = fault.got if met is None else fault.got.replace(met, f"supports[{called[met] + 1}]")
-        if fault.where in called:
-            yield Finding(("supports", called[fault.where]), got, fault.expected, fault.mend)
+    for issue in issues(plan_of_plate(plate, supports)):
+        met = next((name for name in called if name in issue.found), None)
+        found = issue.found if met is None else issue.found.replace(met, f"supports[{called[met] + 1}]")
+        if issue.location in called:
+            yield RelativeIssue(("supports", called[issue.location]), found, issue.expected, issue.hint)
         elif met is not None:
             # what comes near or grazes another is told of the one or of the other; a zone meets a support, too
-            got = fault.got.replace(met, fault.where)
-            yield Finding(("supports", called[met]), got, fault.expected, fault.mend)
+            found = issue.found.replace(met, issue.location)
+            yield RelativeIssue(("supports", called[met]), found, issue.expected, issue.hint)
 
 
-def settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+def settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find forced settlements whose support is not there."""
     names = [support.name for support in supports if support.name]
     known = set(names)
@@ -176,15 +178,17 @@ def settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySu
         if isinstance(load, SettlementLoad) and load.support not in known:
             expected = one_of(names) if names else "a support, and [[supports]] that says where it is"
             place = ("loads", position, "support")
-            yield Finding(place, describe(load.support), expected, suggestion(load.support, names))
+            yield RelativeIssue(place, describe(load.support), expected, suggestion(load.support, names))
 
 
 #: What a load may have that makes something act.
 _ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "w", "slope", "bend")
 
 
-def something_acts(loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+def something_acts(loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
     """Find loads that are all zero."""
     given = (getattr(load, name, None) for load in loads for name in _ACTING)
     if not any(any(value) if isinstance(value, tuple) else value for value in given):
-        yield Finding(("loads",), "loads that are all zero", "at least one load that is not", "nothing would settle")
+        yield RelativeIssue(
+            ("loads",), "loads that are all zero", "at least one load that is not", "nothing would settle"
+        )

@@ -7,9 +7,9 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from groundslab.schema.base import Check, Part, Table, kind_of
-from groundslab.schema.fields import Choice, Number, Quantity, Whole
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.fields import Choice, Integer, Number, Quantity
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, quote
 
@@ -34,20 +34,20 @@ FormulasKey = Annotated[
 ]
 
 
-class Selvadurai(Part):
+class Selvadurai(Section):
     """Soil from which Selvadurai's formula finds the modulus of subgrade reaction."""
 
     E: Annotated[float, Quantity("pressure", "E_s", "Young's modulus of the soil", POSITIVE)]
     depth: Annotated[float, Quantity("length", "H", "depth of the soil over the rigid base", POSITIVE)]
 
 
-def _one_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[Finding]:
+def _one_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[RelativeIssue]:
     if (k is None) == (selvadurai is None):
-        got = "neither k nor selvadurai" if k is None else "both k and selvadurai"
-        yield Finding((), got, "exactly one of k and selvadurai")
+        found = "neither k nor selvadurai" if k is None else "both k and selvadurai"
+        yield RelativeIssue((), found, "exactly one of k and selvadurai")
 
 
-class Winkler(Part):
+class Winkler(Section):
     """Independent springs."""
 
     checks: ClassVar[tuple[Check, ...]] = (_one_stiffness,)
@@ -57,7 +57,7 @@ class Winkler(Part):
     selvadurai: Annotated[Selvadurai | None, Table("soil that gives k, instead of k")] = None
 
 
-class Pasternak(Part):
+class Pasternak(Section):
     """Springs under a layer that carries shear only."""
 
     kind: Annotated[Literal["pasternak"], Table("springs under a shear layer, both given")] = "pasternak"
@@ -65,12 +65,12 @@ class Pasternak(Part):
     k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", SHEAR)]
 
 
-def _variation_has_an_end(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[Finding]:
+def _variation_has_an_end(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[RelativeIssue]:
     if "variation" in given and E_bottom is None:
-        yield Finding(("variation",), quote(variation), "no variation without E_bottom", "give E_bottom as well")
+        yield RelativeIssue(("variation",), quote(variation), "no variation without E_bottom", "give E_bottom as well")
 
 
-class SoilLayer(Part):
+class SoilLayer(Section):
     """A layer of soil given by its elastic constants."""
 
     checks: ClassVar[tuple[Check, ...]] = (_variation_has_an_end,)
@@ -84,31 +84,33 @@ class SoilLayer(Part):
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
     thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000))]
     sublayers: Annotated[
-        int, Whole("equal parts to divide the layer into, for consistent coupling only", at_most=100)
+        int, Integer("equal parts to divide the layer into, for consistent coupling only", at_most=100)
     ] = 1
 
 
-class InterfaceLayer(Part):
+class InterfaceLayer(Section):
     """A layer given by the two stiffnesses between its top and its bottom."""
 
     k0: Annotated[float, Quantity("pressure per length", "k_0", "stiffness against compression", POSITIVE)]
     k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness against shear", SHEAR)]
 
 
-def _no_sublayers(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str = "interface") -> Iterator[Finding]:
+def _no_sublayers(
+    layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str = "interface"
+) -> Iterator[RelativeIssue]:
     for position, layer in enumerate(layers):
         if coupling != "consistent" and isinstance(layer, SoilLayer) and layer.sublayers != 1:
             expected = 'no sublayers, which only a layered ground with coupling = "consistent" has'
-            yield Finding(("layers", position, "sublayers"), str(layer.sublayers), expected)
+            yield RelativeIssue(("layers", position, "sublayers"), str(layer.sublayers), expected)
 
 
-def _vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[Finding]:
+def _vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeIssue]:
     return _no_sublayers(layers)
 
 
-def _one_layer_only(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[Finding]:
+def _one_layer_only(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[RelativeIssue]:
     if mode == "sinh" and len(layers) > 1:
-        yield Finding(
+        yield RelativeIssue(
             ("mode",),
             f'"sinh" with {len(layers)} layers',
             'one layer, or mode = "profile"',
@@ -116,12 +118,14 @@ def _one_layer_only(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[Findin
         )
 
 
-def _printed_for_one_layer(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[Finding]:
+def _printed_for_one_layer(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[RelativeIssue]:
     if formulas == "as printed" and len(layers) > 1:
-        yield Finding(("formulas",), f'"as printed" with {len(layers)} layers', 'one layer, or formulas = "exact"')
+        yield RelativeIssue(
+            ("formulas",), f'"as printed" with {len(layers)} layers', 'one layer, or formulas = "exact"'
+        )
 
 
-class Vlasov(Part):
+class Vlasov(Section):
     """Soil layers whose settlement follows one mode over the whole depth."""
 
     checks: ClassVar[tuple[Check, ...]] = (_vlasov_sublayers, _one_layer_only, _printed_for_one_layer)
@@ -152,14 +156,14 @@ AnyLayer = Annotated[
 ]
 
 
-def _layers_fit(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -> Iterator[Finding]:
+def _layers_fit(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -> Iterator[RelativeIssue]:
     given = [isinstance(layer, InterfaceLayer) for layer in layers]
     if coupling == "consistent":
         for position in (position for position, by_k in enumerate(given) if by_k):
-            yield Finding(("layers", position), "k0 and k1", 'E, nu and thickness, as coupling is "consistent"')
+            yield RelativeIssue(("layers", position), "k0 and k1", 'E, nu and thickness, as coupling is "consistent"')
     elif any(given) and not all(given):
         expected = "all layers given by k0 and k1, or all by E, nu and thickness"
-        yield Finding(("layers",), "layers of both kinds", expected)
+        yield RelativeIssue(("layers",), "layers of both kinds", expected)
 
 
 def _gamma_fits(
@@ -168,15 +172,15 @@ def _gamma_fits(
     gamma: float | str,
     formulas: str,
     given: set[str],
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     if coupling == "interface" and any(isinstance(layer, SoilLayer) for layer in layers):
         return
     for key, value in (("gamma", gamma), ("formulas", formulas)):
         if key in given:
-            yield Finding((key,), describe(value), f"no {key}, which only interface layers given by E use")
+            yield RelativeIssue((key,), describe(value), f"no {key}, which only interface layers given by E use")
 
 
-class Layered(Part):
+class Layered(Section):
     """A stack of layers with an unknown settlement at each surface between them."""
 
     checks: ClassVar[tuple[Check, ...]] = (_layers_fit, _no_sublayers, _gamma_fits)

@@ -61,14 +61,14 @@ from groundslab.model.varying_ground import (
     zones_near,
 )
 from groundslab.schema import reference
-from groundslab.schema.base import Check, Part, Table
+from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Text
 
 if TYPE_CHECKING:
     pass
 
 
-class Model(Part):
+class Model(Section):
     """The whole description of a problem."""
 
     checks: ClassVar[tuple[Check, ...]] = (

@@ -10,9 +10,9 @@ from groundslab.model.loads.placement import Covered, on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
 from groundslab.model.supports import named_once
-from groundslab.schema.base import Check, Part, Table
-from groundslab.schema.fields import Number, Quantity, Several, Text, Whole
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_m
 PARTIAL = Range(at_least=0.1, at_most=10)
 
 
-class OutputPoint(Part):
+class OutputPoint(Section):
     """A point at which all fields are listed."""
 
     name: Annotated[str, Text("name of the point")]
@@ -37,12 +37,12 @@ class OutputPoint(Part):
         return Point(self.x, self.y)
 
 
-def _no_standstill(start: tuple[float, float], end: tuple[float, float]) -> Iterator[Finding]:
+def _no_standstill(start: tuple[float, float], end: tuple[float, float]) -> Iterator[RelativeIssue]:
     if start == end:
-        yield Finding(("end",), "the place where it starts", "another place")
+        yield RelativeIssue(("end",), "the place where it starts", "another place")
 
 
-class OutputLine(Part):
+class OutputLine(Section):
     """A straight section line along which all fields are listed."""
 
     checks: ClassVar[tuple[Check, ...]] = (_no_standstill,)
@@ -52,7 +52,7 @@ class OutputLine(Part):
     end: Annotated[tuple[float, float], Place]
 
 
-class OutputStrip(Part):
+class OutputStrip(Section):
     """A design strip: moments across it, as integrals over its width and per metre."""
 
     checks: ClassVar[tuple[Check, ...]] = (_no_standstill,)
@@ -62,23 +62,23 @@ class OutputStrip(Part):
     end: Annotated[tuple[float, float], Place]
     width: Annotated[float, Quantity("length", "b", "its width, half of it on each side of the axis", POSITIVE)]
     stations: Annotated[
-        int, Whole("number of cuts across it, evenly spaced from start to end", at_least=2, at_most=1000)
+        int, Integer("number of cuts across it, evenly spaced from start to end", at_least=2, at_most=1000)
     ] = 21
 
 
-def _points_named(points: tuple[OutputPoint, ...]) -> Iterator[Finding]:
+def _points_named(points: tuple[OutputPoint, ...]) -> Iterator[RelativeIssue]:
     yield from named_once("points", [point.name for point in points], needed=True)
 
 
-def _lines_named(lines: tuple[OutputLine, ...]) -> Iterator[Finding]:
+def _lines_named(lines: tuple[OutputLine, ...]) -> Iterator[RelativeIssue]:
     yield from named_once("lines", [line.name for line in lines], needed=True)
 
 
-def _strips_named(strips: tuple[OutputStrip, ...]) -> Iterator[Finding]:
+def _strips_named(strips: tuple[OutputStrip, ...]) -> Iterator[RelativeIssue]:
     yield from named_once("strips", [strip.name for strip in strips], needed=True)
 
 
-class Output(Part):
+class Output(Section):
     """Where values are listed."""
 
     checks: ClassVar[tuple[Check, ...]] = (_points_named, _lines_named, _strips_named)
@@ -88,7 +88,7 @@ class Output(Part):
     strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
 
 
-class Reinforcement(Part):
+class Reinforcement(Section):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1."""
 
     f_ck: Annotated[float, Quantity("pressure", "f_ck", "characteristic strength of the concrete", CONCRETE)]
@@ -100,15 +100,15 @@ class Reinforcement(Part):
     ] = 1.0
     bottom: Annotated[
         tuple[float, float],
-        Several(Quantity("length", "d_1", "", POSITIVE), "d_1", "bottom face to the axis of bars along x, along y", 2),
+        ListOf(Quantity("length", "d_1", "", POSITIVE), "d_1", "bottom face to the axis of bars along x, along y", 2),
     ]
     top: Annotated[
         tuple[float, float],
-        Several(Quantity("length", "d_1", "", POSITIVE), "d_1", "top face to the axis of bars along x, along y", 2),
+        ListOf(Quantity("length", "d_1", "", POSITIVE), "d_1", "top face to the axis of bars along x, along y", 2),
     ]
 
 
-def output_on_plate(plate: Plate, output: Output) -> Iterator[Finding]:
+def output_on_plate(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
     from shapely import LineString
 
@@ -122,10 +122,10 @@ def output_on_plate(plate: Plate, output: Output) -> Iterator[Finding]:
     for part, lines in wanted.items():
         for position, line in enumerate(lines):
             if not outline.intersects(LineString([line.start, line.end])):
-                yield Finding(("output", part, position), "a line beside the plate", "one that crosses it")
+                yield RelativeIssue(("output", part, position), "a line beside the plate", "one that crosses it")
 
 
-def bars_within(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[Finding]:
+def bars_within(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
     """Find bars that do not fit into the thinnest part of the plate."""
     if reinforcement is None:
         return
@@ -134,4 +134,4 @@ def bars_within(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[F
         for position, distance in enumerate(getattr(reinforcement, face)):
             if distance >= thinnest / 2:
                 expected = f"less than half of the least thickness, {thinnest / 2!r} m"
-                yield Finding(("reinforcement", face, position), f"{distance!r} m", expected)
+                yield RelativeIssue(("reinforcement", face, position), f"{distance!r} m", expected)

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape, Rectangle, Shape, box_of
-from groundslab.schema.base import Check, Part, Table
+from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Choice, Number, Quantity
-from groundslab.schema.issues import Finding
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import quote
 
@@ -20,12 +20,12 @@ Element = Literal["mitc9", "q9", "heterosis"]
 Support = Literal["free", "hinged", "soft", "clamped"]
 
 
-def _differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[Finding]:
+def _differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[RelativeIssue]:
     if thickness is None and E is None and nu is None:
-        yield Finding((), "a zone like the rest of the plate", "a thickness, E or nu of its own")
+        yield RelativeIssue((), "a zone like the rest of the plate", "a thickness, E or nu of its own")
 
 
-class Zone(Part):
+class Zone(Section):
     """A part of the plate with another thickness or material; the last zone that covers a place counts."""
 
     checks: ClassVar[tuple[Check, ...]] = (_differs,)
@@ -36,7 +36,7 @@ class Zone(Part):
     nu: Annotated[float | None, Number("nu", "Poisson's ratio there; else the plate's", POISSON)] = None
 
 
-class Edges(Part):
+class Edges(Section):
     """How the edges on the four sides of the rectangle around the plate are supported."""
 
     left: Annotated[Support, Choice(Support, "support of the edge on the left, where x is least")] = "free"
@@ -47,32 +47,34 @@ class Edges(Part):
 
 def _one_outline(
     length_x: float | None, length_y: float | None, outline: AnyShape | None, given: set[str]
-) -> Iterator[Finding]:
-    mend = "length_x and length_y make a rectangle about the origin, outline any shape where it is drawn"
+) -> Iterator[RelativeIssue]:
+    hint = "length_x and length_y make a rectangle about the origin, outline any shape where it is drawn"
     if outline is None:
         for name, value in (("length_x", length_x), ("length_y", length_y)):
             if value is None:
-                yield Finding((name,), "nothing", 'a length such as "6 m", or an outline', mend)
+                yield RelativeIssue((name,), "nothing", 'a length such as "6 m", or an outline', hint)
     else:
         for name in ("length_x", "length_y"):
             if name in given:
-                yield Finding((name,), "a length beside an outline", "one of them", mend)
+                yield RelativeIssue((name,), "a length beside an outline", "one of them", hint)
 
 
-def _edges_or_support(support: str, edges: Edges) -> Iterator[Finding]:
+def _edges_or_support(support: str, edges: Edges) -> Iterator[RelativeIssue]:
     if support != "free" and edges != Edges():
-        yield Finding(("support",), quote(support), "either support or edges", "edges = {...} holds sides one by one")
+        yield RelativeIssue(
+            ("support",), quote(support), "either support or edges", "edges = {...} holds sides one by one"
+        )
 
 
-def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[Finding]:
+def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[RelativeIssue]:
     """Find a hinged edge along which it cannot be said which rotation is held."""
     if support != "hinged" or outline is None:
         return
     for edge in outline.ring().segments():
         (x0, y0), (x1, y1) = edge.start, edge.end
         if not edge.straight or (x0 != x1 and y0 != y1):
-            got = f'"hinged" on the edge from ({x0:g}, {y0:g}) to ({x1:g}, {y1:g}) m'
-            yield Finding(("support",), got, 'edges along x or y, or support = "soft" (w = 0) or "clamped"')
+            found = f'"hinged" on the edge from ({x0:g}, {y0:g}) to ({x1:g}, {y1:g}) m'
+            yield RelativeIssue(("support",), found, 'edges along x or y, or support = "soft" (w = 0) or "clamped"')
             return
 
 
@@ -82,7 +84,7 @@ def _can_be_meshed(
     outline: AnyShape | None,
     openings: tuple[AnyShape, ...],
     zones: tuple[Zone, ...],
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     """Find what keeps a drawn plate from being meshed: crossings, parts outside, strips too narrow, sharp corners."""
     if outline is None and not openings and not zones:
         return
@@ -91,16 +93,16 @@ def _can_be_meshed(
             return
         outline = Rectangle(x=(-length_x / 2, length_x / 2), y=(-length_y / 2, length_y / 2))
     from groundslab.geometry.plan import Plan
-    from groundslab.geometry.validity import faults
+    from groundslab.geometry.validity import issues
 
     rings = tuple(opening.ring() for opening in openings)
     plan = Plan(outline.ring(), rings, tuple((zone.shape.ring(), n) for n, zone in enumerate(zones, start=1)))
-    for fault in faults(plan):
-        name, _, number = fault.where.removeprefix("plate.").rstrip("]").partition("[")
-        yield Finding((name, int(number) - 1) if number else (name,), fault.got, fault.expected, fault.mend)
+    for issue in issues(plan):
+        name, _, number = issue.location.removeprefix("plate.").rstrip("]").partition("[")
+        yield RelativeIssue((name, int(number) - 1) if number else (name,), issue.found, issue.expected, issue.hint)
 
 
-class Plate(Part):
+class Plate(Section):
     """The plate: a rectangle about the origin, or any outline."""
 
     checks: ClassVar[tuple[Check, ...]] = (

@@ -15,9 +15,9 @@ from groundslab.model.varying_ground import (
     GapPoint,
     gaps_apart,
 )
-from groundslab.schema.base import Check, Part, Table
-from groundslab.schema.fields import Choice, Flag, Quantity, Several, Whole
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, quote
 
@@ -42,19 +42,21 @@ Solver = Literal["auto", "pardiso", "superlu", "mumps"]
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
 
-def _width_fits(kind: str, width: float | None) -> Iterator[Finding]:
+def _width_fits(kind: str, width: float | None) -> Iterator[RelativeIssue]:
     if kind == "margin" and width is None:
-        yield Finding(("width",), "nothing", 'a length such as "5 m", as kind is "margin"')
+        yield RelativeIssue(("width",), "nothing", 'a length such as "5 m", as kind is "margin"')
     if kind == "none" and width is not None:
-        yield Finding(("width",), f"{width!r} m", 'no width, as kind is "none"', 'kind = "margin" has a width')
+        yield RelativeIssue(("width",), f"{width!r} m", 'no width, as kind is "none"', 'kind = "margin" has a width')
 
 
-def _edge_fits(kind: str, edge: str, given: set[str]) -> Iterator[Finding]:
+def _edge_fits(kind: str, edge: str, given: set[str]) -> Iterator[RelativeIssue]:
     if kind != "margin" and "edge" in given:
-        yield Finding(("edge",), quote(edge), f'no edge, as kind is "{kind}"', 'kind = "margin" has an outer edge')
+        yield RelativeIssue(
+            ("edge",), quote(edge), f'no edge, as kind is "{kind}"', 'kind = "margin" has an outer edge'
+        )
 
 
-class Beyond(Part):
+class Beyond(Section):
     """The ground beyond the plate; without effect where the ground carries no shear, as springs do not reach there."""
 
     checks: ClassVar[tuple[Check, ...]] = (_width_fits, _edge_fits)
@@ -76,31 +78,31 @@ class Beyond(Part):
     edge: Annotated[OuterEdge, Choice(OuterEdge, "outer edge of a margin")] = "free"
     sides: Annotated[
         tuple[Side, ...],
-        Several(Choice(Side, ""), "", "sides of the plate with ground beyond them", unique=True),
+        ListOf(Choice(Side, ""), "", "sides of the plate with ground beyond them", unique=True),
     ] = SIDES
 
 
-def _gap_may_open(tensionless: bool, gap: float) -> Iterator[Finding]:
+def _gap_may_open(tensionless: bool, gap: float) -> Iterator[RelativeIssue]:
     if not tensionless and gap > 0:
-        yield Finding(("gap",), f"{gap!r} m", "no gap, as tensionless is false")
+        yield RelativeIssue(("gap",), f"{gap!r} m", "no gap, as tensionless is false")
 
 
-def _void_may_open(tensionless: bool, voids: tuple[Void, ...]) -> Iterator[Finding]:
+def _void_may_open(tensionless: bool, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
     if not tensionless and voids:
-        yield Finding(("voids",), describe(voids), "no voids, as tensionless is false")
+        yield RelativeIssue(("voids",), describe(voids), "no voids, as tensionless is false")
 
 
-def _gaps_may_open(tensionless: bool, gaps: tuple[GapPoint, ...]) -> Iterator[Finding]:
+def _gaps_may_open(tensionless: bool, gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
     if not tensionless and gaps:
-        yield Finding(("gaps",), describe(gaps), "no gaps, as tensionless is false")
+        yield RelativeIssue(("gaps",), describe(gaps), "no gaps, as tensionless is false")
 
 
-def _ground_may_yield(tensionless: bool, limit_pressure: float | None) -> Iterator[Finding]:
+def _ground_may_yield(tensionless: bool, limit_pressure: float | None) -> Iterator[RelativeIssue]:
     if not tensionless and limit_pressure is not None:
-        yield Finding(("limit_pressure",), f"{limit_pressure!r} Pa", "no limit, as tensionless is false")
+        yield RelativeIssue(("limit_pressure",), f"{limit_pressure!r} Pa", "no limit, as tensionless is false")
 
 
-class Contact(Part):
+class Contact(Section):
     """Contact between plate and ground."""
 
     checks: ClassVar[tuple[Check, ...]] = (
@@ -111,7 +113,7 @@ class Contact(Part):
         _ground_may_yield,
     )
 
-    tensionless: Annotated[bool, Flag("whether the plate may lift off")] = True
+    tensionless: Annotated[bool, Boolean("whether the plate may lift off")] = True
     gap: Annotated[float, Quantity("length", "g_0", "initial gap everywhere under the plate", Range(at_least=0))] = 0.0
     voids: Annotated[
         tuple[Void, ...], Table("parts with a further gap, or none to reach; the deeper counts where they overlap")
@@ -132,12 +134,12 @@ class Contact(Part):
     ] = None
 
 
-def _one_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[Finding]:
+def _one_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[RelativeIssue]:
     if size is not None and counts is not None:
-        yield Finding((), "both size and counts", "at most one of size and counts")
+        yield RelativeIssue((), "both size and counts", "at most one of size and counts")
 
 
-class Mesh(Part):
+class Mesh(Section):
     """The mesh of the plate; without size and counts the shorter side has 24 elements."""
 
     checks: ClassVar[tuple[Check, ...]] = (_one_size,)
@@ -147,21 +149,21 @@ class Mesh(Part):
         Quantity("length", "h", "largest side of an element; smaller at edges where needed", POSITIVE),
     ] = None
     counts: Annotated[
-        tuple[int, int] | None, Several(Whole("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
+        tuple[int, int] | None, ListOf(Integer("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
     ] = None
     symmetry: Annotated[
         Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")
     ] = "auto"
 
 
-class Analysis(Part):
+class Analysis(Section):
     """How the equations are solved."""
 
     increments: Annotated[
-        int, Whole("steps in which the load is applied; the result does not depend on it", at_most=1000)
+        int, Integer("steps in which the load is applied; the result does not depend on it", at_most=1000)
     ] = 1
     solver: Annotated[
         Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed, mumps is for many processes")
     ] = "auto"
-    nested: Annotated[bool, Flag("start the contact zone from coarser meshes")] = True
-    max_iterations: Annotated[int, Whole("most contact steps on one mesh", at_most=10_000)] = 200
+    nested: Annotated[bool, Boolean("start the contact zone from coarser meshes")] = True
+    max_iterations: Annotated[int, Integer("most contact steps on one mesh", at_most=10_000)] = 200

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import Discriminator, Tag
 
 from groundslab.model.ground import POSITIVE
-from groundslab.schema.base import Check, Part, Table, kind_of
-from groundslab.schema.fields import Number, Quantity, Several
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.fields import ListOf, Number, Quantity
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
@@ -22,12 +22,12 @@ FLATTEST = 1e-3
 #: Arcs are judged by chords that are at most this far off, relative to the size of the curve.
 CHORD = 1e-4
 
-AcrossX = Annotated[tuple[float, float], Several(Quantity("length", "x", ""), "x", "extent along x", 2, rising=True)]
-AcrossY = Annotated[tuple[float, float], Several(Quantity("length", "y", ""), "y", "extent along y", 2, rising=True)]
-Place = Several(Quantity("length", "x, y", ""), "x, y", "a place in plan", 2)
+AcrossX = Annotated[tuple[float, float], ListOf(Quantity("length", "x", ""), "x", "extent along x", 2, rising=True)]
+AcrossY = Annotated[tuple[float, float], ListOf(Quantity("length", "y", ""), "y", "extent along y", 2, rising=True)]
+Place = ListOf(Quantity("length", "x, y", ""), "x, y", "a place in plan", 2)
 
 
-class Rectangle(Part):
+class Rectangle(Section):
     """A rectangle along x and y."""
 
     kind: Annotated[Literal["rectangle"], Table("a rectangle along x and y")] = "rectangle"
@@ -41,15 +41,15 @@ class Rectangle(Part):
         return rectangle(*self.x, *self.y)
 
 
-def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[Finding]:
+def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
     least = 2 if any(abs(bulge) >= FLATTEST for bulge in bulges) else 3
     if len(points) < least:
-        yield Finding(("points",), f"{len(points)} points", f"at least {least}")
+        yield RelativeIssue(("points",), f"{len(points)} points", f"at least {least}")
     if len(bulges) > len(points):
-        yield Finding(("bulges",), f"{len(bulges)} bulges", f"at most one for each of the {len(points)} points")
+        yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", f"at most one for each of the {len(points)} points")
 
 
-def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[Finding]:
+def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
     from shapely.validation import explain_validity
 
     from groundslab.geometry.plan import Ring
@@ -63,11 +63,11 @@ def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float
     if size > 0:
         reason = explain_validity(ring.polygon(CHORD * size))
     if reason != "Valid Geometry":
-        got = reason.replace("[", " at (").replace("]", ") m").lower()
-        yield Finding(("points",), got, "a curve that neither crosses nor touches itself")
+        found = reason.replace("[", " at (").replace("]", ") m").lower()
+        yield RelativeIssue(("points",), found, "a curve that neither crosses nor touches itself")
 
 
-class Polygon(Part):
+class Polygon(Section):
     """A closed curve through points, its edges straight or arcs."""
 
     checks: ClassVar[tuple[Check, ...]] = (_few_points, _crosses_itself)
@@ -75,11 +75,11 @@ class Polygon(Part):
     kind: Annotated[Literal["polygon"], Table("a closed curve through points")] = "polygon"
     points: Annotated[
         tuple[tuple[float, float], ...],
-        Several(Place, "x, y", "the corners in order; the last is joined to the first"),
+        ListOf(Place, "x, y", "the corners in order; the last is joined to the first"),
     ]
     bulges: Annotated[
         tuple[float, ...],
-        Several(
+        ListOf(
             Number("b", "", Range(at_least=-100.0, at_most=100.0)),
             "b",
             "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
@@ -94,11 +94,11 @@ class Polygon(Part):
         return Ring(self.points, self.bulges)
 
 
-class Circle(Part):
+class Circle(Section):
     """A circle."""
 
     kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
-    centre: Annotated[tuple[float, float], Several(Quantity("length", "x, y", ""), "x, y", "its centre", 2)] = (
+    centre: Annotated[tuple[float, float], ListOf(Quantity("length", "x, y", ""), "x, y", "its centre", 2)] = (
         0.0,
         0.0,
     )

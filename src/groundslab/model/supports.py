@@ -12,9 +12,9 @@ from groundslab.model.ground import (
 )
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
-from groundslab.schema.base import Check, Part, Table, kind_of
-from groundslab.schema.fields import Choice, Quantity, Several, Text
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.fields import Choice, ListOf, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe
 
@@ -31,20 +31,20 @@ GapKey = Annotated[
 ]
 
 
-def _one_sided_only(acts: str, gap: float, limit: float | None) -> Iterator[Finding]:
-    mend = 'acts = "in compression" or "in tension"'
+def _one_sided_only(acts: str, gap: float, limit: float | None) -> Iterator[RelativeIssue]:
+    hint = 'acts = "in compression" or "in tension"'
     if acts == "both ways" and gap > 0:
-        yield Finding(("gap",), f"{gap!r} m", "no gap for a support that acts both ways", mend)
+        yield RelativeIssue(("gap",), f"{gap!r} m", "no gap for a support that acts both ways", hint)
     if acts == "both ways" and limit is not None:
-        yield Finding(("limit",), "a limit", "no limit for a support that acts both ways", mend)
+        yield RelativeIssue(("limit",), "a limit", "no limit for a support that acts both ways", hint)
 
 
-def _one_way_to_turn(rotation: str, rotational_stiffness: float | None) -> Iterator[Finding]:
+def _one_way_to_turn(rotation: str, rotational_stiffness: float | None) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and rotational_stiffness is not None:
-        yield Finding(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"')
+        yield RelativeIssue(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"')
 
 
-class PointSupport(Part):
+class PointSupport(Section):
     """A support at a point, such as a column below or a pile."""
 
     checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _one_way_to_turn)
@@ -68,13 +68,13 @@ class PointSupport(Part):
     ] = None
 
 
-def _turning_needs_rigid(rotation: str, stiffness: float | None, acts: str) -> Iterator[Finding]:
+def _turning_needs_rigid(rotation: str, stiffness: float | None, acts: str) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and (stiffness is not None or acts != "both ways"):
         expected = '"free", or a rigid support that acts both ways: along the line w = 0 then says how it turns'
-        yield Finding(("rotation",), '"fixed"', expected)
+        yield RelativeIssue(("rotation",), '"fixed"', expected)
 
 
-class LineSupport(Part):
+class LineSupport(Section):
     """A support along straight lines, such as a wall or a beam below; rigid lines hinge or clamp the plate."""
 
     checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _turning_needs_rigid)
@@ -82,7 +82,7 @@ class LineSupport(Part):
     kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
     name: SupportName = ""
     points: Annotated[
-        tuple[tuple[float, float], ...], Several(Place, "x, y", "the line's points, joined one after the other")
+        tuple[tuple[float, float], ...], ListOf(Place, "x, y", "the line's points, joined one after the other")
     ]
     stiffness: Annotated[
         float | None,
@@ -100,14 +100,14 @@ AnySupport = PointSupport | LineSupport
 Support = Annotated[Annotated[PointSupport, Tag("point")] | Annotated[LineSupport, Tag("line")], Discriminator(kind_of)]
 
 
-def lines_run(supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+def lines_run(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find lines that go nowhere."""
     for position, support in enumerate(supports):
         if isinstance(support, LineSupport) and len(support.points) < 2:
-            yield Finding(("supports", position, "points"), f"{len(support.points)} point", "at least two")
+            yield RelativeIssue(("supports", position, "points"), f"{len(support.points)} point", "at least two")
 
 
-def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[Finding]:
+def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find supports further off the plate than it is long, which no drawing of a plan need hold."""
     x0, x1, y0, y1 = plate.bounds
     far = max(plate.sides)
@@ -115,18 +115,20 @@ def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator
         places = support.points if isinstance(support, LineSupport) else ((support.x, support.y),)
         for x, y in places:
             if not (x0 - far <= x <= x1 + far and y0 - far <= y <= y1 + far):
-                yield Finding(("supports", position), f"a place far off the plate, ({x:.6g}, {y:.6g}) m", "one on it")
+                yield RelativeIssue(
+                    ("supports", position), f"a place far off the plate, ({x:.6g}, {y:.6g}) m", "one on it"
+                )
                 break
 
 
-def named_once(part: str, names: list[str], needed: bool) -> Iterator[Finding]:
+def named_once(part: str, names: list[str], needed: bool) -> Iterator[RelativeIssue]:
     """Find names that are empty though needed, or given twice, among the parts of a list."""
     seen = set[str]()
     for position, name in enumerate(names):
         if not name and needed:
-            yield Finding((part, position, "name"), "no name", "a name")
+            yield RelativeIssue((part, position, "name"), "no name", "a name")
         if name in seen:
-            yield Finding((part, position, "name"), f"{describe(name)} again", "a name of its own")
+            yield RelativeIssue((part, position, "name"), f"{describe(name)} again", "a name of its own")
         seen |= {name} - {""}
 
 

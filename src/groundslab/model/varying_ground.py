@@ -10,9 +10,9 @@ from pydantic import Field
 from groundslab.model.ground import AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Shape, box_of
-from groundslab.schema.base import Part, Table
+from groundslab.schema.base import Section, Table
 from groundslab.schema.fields import Quantity, Text
-from groundslab.schema.issues import Finding
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 
 #: Zones of soil reach no further from the plate, in lengths of its longer side.
@@ -21,14 +21,14 @@ FARTHEST = 1000
 DEEPEST = 2000
 
 
-class SoilZone(Part):
+class SoilZone(Section):
     """A part of the plan with ground of its own; the last zone that covers a place counts."""
 
     shape: Annotated[Shape, Table("where, under the plate or beyond it")]
     ground: Annotated[Ground, Table("the ground there, of the same kind and with as many layers")]
 
 
-class Borehole(Part):
+class Borehole(Section):
     """A place where the layers are known; between boreholes they are interpolated."""
 
     name: Annotated[str, Text("name of the borehole, for people")] = ""
@@ -53,15 +53,15 @@ def _described(ground: AnyGround) -> tuple[object, ...]:
     return (ground.kind,)
 
 
-def zones_match(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[Finding]:
+def zones_match(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
     """Find zones of soil that cannot be joined to the rest of the ground."""
     for position, zone in enumerate(soil_zones):
         if _described(zone.ground) != _described(ground):
             expected = f"ground like the rest: {quote(ground.kind)} with the same rules and as many layers"
-            yield Finding(("soil_zones", position, "ground"), "ground of another kind", expected)
+            yield RelativeIssue(("soil_zones", position, "ground"), "ground of another kind", expected)
 
 
-def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Finding]:
+def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
     """Find zones of soil that reach so far off the plate that their edge near it could not be told to its digits."""
     p0, p1, r0, r1 = plate.bounds
     far = FARTHEST * max(p1 - p0, r1 - r0)
@@ -70,13 +70,13 @@ def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Findi
         reach = max(p0 - x0, x1 - p1, r0 - y0, y1 - r1)
         if reach > far:
             expected = f"at most {far:g} m, {FARTHEST} times the plate's longer side"
-            mend = "end it where the ground beyond the plate has no effect any more"
-            yield Finding(
-                ("soil_zones", position, "shape"), f"a zone that reaches {reach:g} m from the plate", expected, mend
+            hint = "end it where the ground beyond the plate has no effect any more"
+            yield RelativeIssue(
+                ("soil_zones", position, "shape"), f"a zone that reaches {reach:g} m from the plate", expected, hint
             )
 
 
-def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[Finding]:
+def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[RelativeIssue]:
     """Find soil so deep beside the plate that what the plate does to it is over far above the base."""
     most = DEEPEST * max(plate.sides)
     described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
@@ -88,55 +88,57 @@ def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...])
         depth = sum(layer.thickness for layer in layers if isinstance(layer, SoilLayer))
         if depth > most:
             expected = f"at most {most:g} m, {DEEPEST} times the plate's longer side"
-            yield Finding(place, f"layers of {depth:g} m", expected, "leave out what lies too deep to matter")
+            yield RelativeIssue(place, f"layers of {depth:g} m", expected, "leave out what lies too deep to matter")
 
 
 def boreholes_match(
     ground: AnyGround, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     """Find boreholes that do not go with the ground, or with each other."""
     if not boreholes:
         return
     if not isinstance(ground, Vlasov | Layered) or any(isinstance(each, InterfaceLayer) for each in ground.layers):
         expected = "ground of layers given by E, nu and thickness"
-        yield Finding(("boreholes",), f"boreholes in {quote(ground.kind)} ground without soil layers", expected)
+        yield RelativeIssue(("boreholes",), f"boreholes in {quote(ground.kind)} ground without soil layers", expected)
         return
     if soil_zones:
-        yield Finding(
+        yield RelativeIssue(
             ("soil_zones",), "zones beside boreholes", "one of them", "a borehole says what the soil is there"
         )
     if isinstance(ground, Vlasov) and ground.formulas == "as printed":
-        yield Finding(("ground", "formulas"), '"as printed" with boreholes', '"exact"')
+        yield RelativeIssue(("ground", "formulas"), '"as printed" with boreholes', '"exact"')
     seen: dict[tuple[float, float], int] = {}
     for position, hole in enumerate(boreholes):
         if len(hole.layers) != len(ground.layers):
-            got = f"{len(hole.layers)} layers"
+            found = f"{len(hole.layers)} layers"
             expected = f"{len(ground.layers)}, as many as the ground has"
-            mend = "a layer that is missing there has a small thickness"
-            yield Finding(("boreholes", position, "layers"), got, expected, mend)
+            hint = "a layer that is missing there has a small thickness"
+            yield RelativeIssue(("boreholes", position, "layers"), found, expected, hint)
         for number, (layer, wanted) in enumerate(zip(hole.layers, ground.layers, strict=False)):
             assert isinstance(wanted, SoilLayer)
             if layer.sublayers not in (1, wanted.sublayers):
                 place = ("boreholes", position, "layers", number, "sublayers")
-                yield Finding(place, str(layer.sublayers), "none, as those of the ground's layer count")
+                yield RelativeIssue(place, str(layer.sublayers), "none, as those of the ground's layer count")
             if layer.variation != wanted.variation:
                 place = ("boreholes", position, "layers", number, "variation")
-                yield Finding(place, quote(layer.variation), f"{quote(wanted.variation)}, as the ground's layer has")
+                yield RelativeIssue(
+                    place, quote(layer.variation), f"{quote(wanted.variation)}, as the ground's layer has"
+                )
         first = seen.setdefault((hole.x, hole.y), position)
         if first != position:
-            yield Finding(("boreholes", position), f"the place of boreholes[{first + 1}]", "a place of its own")
+            yield RelativeIssue(("boreholes", position), f"the place of boreholes[{first + 1}]", "a place of its own")
 
 
-def gaps_apart(gaps: tuple[GapPoint, ...]) -> Iterator[Finding]:
+def gaps_apart(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
     """Find gaps that are given twice at one place."""
     seen: dict[tuple[float, float], int] = {}
     for position, point in enumerate(gaps):
         first = seen.setdefault((point.x, point.y), position)
         if first != position:
-            yield Finding(("gaps", position), f"the place of gaps[{first + 1}]", "a place of its own")
+            yield RelativeIssue(("gaps", position), f"the place of gaps[{first + 1}]", "a place of its own")
 
 
-class GapPoint(Part):
+class GapPoint(Section):
     """A place where the gap under the plate has been measured; between such places it is interpolated."""
 
     x: Annotated[float, Quantity("length", "x", "position")]

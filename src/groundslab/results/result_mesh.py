@@ -31,7 +31,7 @@ XI_TURNED = np.array([2, 3, 0, 1])
 
 
 @dataclass(frozen=True, slots=True)
-class Whole:
+class MirroredMesh:
     """The whole of a mesh of which a half or a quarter was computed: nodes and elements row by row."""
 
     mesh: Mesh
@@ -79,8 +79,8 @@ class Frame:
     smooth: Integers  # (mp, 9): elements of the parts; their nodes come first in the patches
     images: tuple[tuple[int, Flags], ...]  # axes of symmetry, and the elements whose images beyond it have patches too
     patches: Patches
-    plate: Whole
-    ground: Whole
+    plate: MirroredMesh
+    ground: MirroredMesh
 
     def at_nodes(self, values: Array, names: Sequence[str], sizes: Sequence[Array]) -> Array:
         """Return values at the nodes of the plate's elements (mp, 9, k) from those at their 2 x 2 Gauss points.
@@ -129,7 +129,7 @@ def frame(model: Model, problem: Problem) -> Frame:
     )
 
 
-def whole(mesh: Mesh, symmetry: tuple[bool, bool]) -> Whole:
+def whole(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
     """Return the whole of a mesh of which a part was computed."""
     node, element = np.arange(len(mesh.nodes)), np.arange(len(mesh.elements))
     odd, odd_elements = [np.ones(len(node))] * 2, [np.ones(len(element))] * 2
@@ -148,7 +148,7 @@ def whole(mesh: Mesh, symmetry: tuple[bool, bool]) -> Whole:
     mesh, old, order = row_by_row(mesh)
     x, y = (each[old] for each in odd)
     in_x, in_y = (each[order] for each in odd_elements)
-    return Whole(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
+    return MirroredMesh(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
 
 
 def by_section(problem: Problem, creases: Integers, depth: Integers | None = None) -> tuple[Mesh, Integers]:

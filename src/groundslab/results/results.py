@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from groundslab.arrays import Memo
-from groundslab.errors import Fault, GroundslabError, InputError, NotCertified
+from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
 from groundslab.fem.mesh import Mesh, Whereabouts, bounding_boxes, interpolated, locate
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
@@ -90,7 +90,7 @@ class PlateResult:
         """
         if field not in PLATE_FIELDS:
             names = tuple(PLATE_FIELDS)
-            raise InputError([Fault("field", describe(field), one_of(names), suggestion(field, names))])
+            raise InputError([Issue("field", describe(field), one_of(names), suggestion(field, names))])
         return _values_at(Mesh(self.nodes, self.elements), getattr(self, field), x, y, "the plate")
 
     @overload
@@ -176,7 +176,7 @@ class GroundResult:
         """
         if surface not in range(len(self.settlement)):
             expected = f"a whole number from 0 to {len(self.settlement) - 1}"
-            raise InputError([Fault("surface", describe(surface), expected)])
+            raise InputError([Issue("surface", describe(surface), expected)])
         return _values_at(Mesh(self.nodes, self.elements), self.settlement[surface], x, y, "the meshed ground")
 
 
@@ -192,8 +192,8 @@ def _places(x: ArrayLike, y: ArrayLike) -> Array:
     try:
         places: Array = np.stack(np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float)), axis=-1)
     except (TypeError, ValueError):
-        got = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in (x, y))
-        raise InputError([Fault("x, y", got, "numbers in metres, in shapes that broadcast")]) from None
+        found = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in (x, y))
+        raise InputError([Issue("x, y", found, "numbers in metres, in shapes that broadcast")]) from None
     return places
 
 
@@ -202,15 +202,15 @@ def _located(mesh: Mesh, places: Array, region: str) -> Whereabouts:
     boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
     where = locate(mesh, places.reshape(-1, 2), boxes=boxes)
     outside = np.argwhere(where[0].reshape(places.shape[:-1]) < 0)
-    faults = []
+    issues = []
     for index in outside[:MOST_NAMED]:
         x, y = places[tuple(index)]
-        faults.append(Fault(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
+        issues.append(Issue(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
     if len(outside) > MOST_NAMED:
-        got = f"{len(outside) - MOST_NAMED} more points outside"
-        faults.append(Fault("points", got, f"points on {region}"))
-    if faults:
-        raise InputError(faults)
+        found = f"{len(outside) - MOST_NAMED} more points outside"
+        issues.append(Issue("points", found, f"points on {region}"))
+    if issues:
+        raise InputError(issues)
     return where
 
 

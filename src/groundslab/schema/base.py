@@ -20,8 +20,8 @@ from pydantic.fields import FieldInfo
 from pydantic.functional_validators import ModelWrapValidatorHandler
 
 from groundslab.errors import InputError
-from groundslab.schema.fields import MOST_FAULTS, Key, is_from_file
-from groundslab.schema.issues import Finding, Wrong
+from groundslab.schema.fields import MOST_FAULTS, FieldType, is_from_file
+from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, listed, quote, suggestion
 
 MOST_KEYS = 1000  # of one table; those that are too many are not named one by one
@@ -42,19 +42,19 @@ class Table:
 class Nested:
     """Which parts a field may hold, one or a list of them; empty ``parts`` for a field that holds a value."""
 
-    parts: tuple[type[Part], ...]
+    parts: tuple[type[Section], ...]
     many: bool
 
 
 def nested(field: FieldInfo) -> Nested:
     """Return the parts that a field may hold."""
-    found: list[type[Part]] = []
+    found: list[type[Section]] = []
     many = False
 
     def walk(annotation: Any) -> None:
         nonlocal many
         many = many or get_origin(annotation) is tuple
-        if isinstance(annotation, type) and issubclass(annotation, Part):
+        if isinstance(annotation, type) and issubclass(annotation, Section):
             found.append(annotation)
         elif get_origin(annotation) is Annotated:
             walk(get_args(annotation)[0])
@@ -66,9 +66,9 @@ def nested(field: FieldInfo) -> Nested:
     return Nested(tuple(found), many and bool(found))
 
 
-def key_of(field: FieldInfo) -> Key | None:
+def key_of(field: FieldInfo) -> FieldType | None:
     """Return the kind of key that a field states, None for one that holds parts or a tag."""
-    return next((item for item in field.metadata if isinstance(item, Key)), None)
+    return next((item for item in field.metadata if isinstance(item, FieldType)), None)
 
 
 def most_of(field: FieldInfo) -> int | None:
@@ -78,14 +78,14 @@ def most_of(field: FieldInfo) -> int | None:
 
 def meaning_of(field: FieldInfo) -> str:
     """Return what a field means."""
-    return next((item.meaning for item in field.metadata if isinstance(item, Key | Table)), "")
+    return next((item.meaning for item in field.metadata if isinstance(item, FieldType | Table)), "")
 
 
 #: A check names in its parameters the fields that it needs, and yields findings; ``given`` are the keys set.
-Check = Callable[..., Iterator[Finding]]
+Check = Callable[..., Iterator[RelativeIssue]]
 
 
-class Part(BaseModel):
+class Section(BaseModel):
     """The base of all parts of a description: frozen, no unknown keys, all faults at once as InputError."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=False)
@@ -126,8 +126,8 @@ class Part(BaseModel):
 
     @classmethod
     def _input_error(cls, error: ValidationError) -> InputError:
-        findings = _translate(cls, error)
-        return InputError([finding.fault(cls.root()) for finding in findings])
+        relative_issues = _translate(cls, error)
+        return InputError([relative.issue(cls.root()) for relative in relative_issues])
 
     @model_validator(mode="wrap")
     @classmethod
@@ -137,14 +137,14 @@ class Part(BaseModel):
             return handler(data)
         # of a list far too long nothing else is said, as all that could be takes long to find
         if too_long := _too_long(cls, data):
-            raise Wrong(*too_long)
-        made, findings = None, []
+            raise FieldError(*too_long)
+        made, relative_issues = None, []
         try:
             made = handler(data)
         except ValidationError as error:
-            findings = _translate(cls, error)
+            relative_issues = _translate(cls, error)
             if not isinstance(data, Mapping):
-                raise Wrong(*findings) from None
+                raise FieldError(*relative_issues) from None
             sound = _sound(cls, data, {str(line["loc"][0]) for line in _lines(error) if line["loc"]}, info.context)
         else:
             sound = dict(made)
@@ -158,9 +158,9 @@ class Part(BaseModel):
         for check in cls.checks:
             needs = _needs(check)
             if sound.keys() >= needs:
-                findings += check(**{name: sound[name] for name in needs})
-        if made is None or findings:
-            raise Wrong(*_first(findings))
+                relative_issues += check(**{name: sound[name] for name in needs})
+        if made is None or relative_issues:
+            raise FieldError(*_first(relative_issues))
         return made
 
 
@@ -177,22 +177,22 @@ def _needs(check: Check) -> frozenset[str]:
     return frozenset(inspect.signature(check).parameters)
 
 
-def _too_long(cls: type[Part], data: Any) -> list[Finding]:
+def _too_long(cls: type[Section], data: Any) -> list[RelativeIssue]:
     """Return which lists of parts hold too many of them, or that there are too many keys."""
     if not isinstance(data, Mapping):
         return []
     if len(data) > MOST_KEYS:
-        return [Finding((), f"a table of {len(data)} keys", f"some of {', '.join(cls.model_fields)}")]
+        return [RelativeIssue((), f"a table of {len(data)} keys", f"some of {', '.join(cls.model_fields)}")]
     given = {name: data[name] for name in _most_of_lists(cls) if isinstance(data.get(name), list | tuple)}
     most = _most_of_lists(cls)
     return [
-        Finding((name,), describe(value), f"at most {most[name]}") for name, value in given.items()
+        RelativeIssue((name,), describe(value), f"at most {most[name]}") for name, value in given.items()
         if len(value) > most[name]
     ]  # fmt: skip
 
 
 @cache
-def _most_of_lists(cls: type[Part]) -> dict[str, int]:
+def _most_of_lists(cls: type[Section]) -> dict[str, int]:
     """Return how many parts each list of a part may hold."""
     return {name: most for name, field in cls.model_fields.items() if (most := most_of(field)) is not None}
 
@@ -201,7 +201,7 @@ def _lines(error: ValidationError) -> list[Any]:
     return error.errors(include_url=False)
 
 
-def _sound(cls: type[Part], data: Mapping[Any, Any], broken: set[str], context: Any) -> dict[str, Any]:
+def _sound(cls: type[Section], data: Mapping[Any, Any], broken: set[str], context: Any) -> dict[str, Any]:
     """Return the fields that are right although others of the same part are wrong."""
     sound = {}
     for name, field in cls.model_fields.items():
@@ -218,15 +218,15 @@ def _sound(cls: type[Part], data: Mapping[Any, Any], broken: set[str], context: 
 
 
 @lru_cache(maxsize=512)
-def _adapter(cls: type[Part], name: str) -> TypeAdapter[Any]:
+def _adapter(cls: type[Section], name: str) -> TypeAdapter[Any]:
     field = cls.model_fields[name]
     annotation: Any = Annotated[field.annotation, field]
     return TypeAdapter(annotation)
 
 
-def _translate(cls: type[Part], error: ValidationError) -> list[Finding]:
+def _translate(cls: type[Section], error: ValidationError) -> list[RelativeIssue]:
     """Return pydantic's errors of one part as findings."""
-    findings: list[Finding] = []
+    relative_issues: list[RelativeIssue] = []
     # pydantic calls a list too short as well when none of its entries is right
     lines = [line for line in _lines(error) if line["type"] != "too_short" or not line["input"]]
     for line in lines[:MOST_FAULTS]:
@@ -234,35 +234,37 @@ def _translate(cls: type[Part], error: ValidationError) -> list[Finding]:
         head, tail = line["loc"][:1], line["loc"][1:]
         place = (*head, *(step for step in tail if isinstance(step, int)))
         cause = line.get("ctx", {}).get("error")
-        if isinstance(cause, Wrong):
-            findings += [finding.below(place) for finding in cause.findings]
+        if isinstance(cause, FieldError):
+            relative_issues += [relative.below(place) for relative in cause.relative_issues]
         else:
-            findings.append(_finding(cls, place, line))
+            relative_issues.append(_finding(cls, place, line))
     if len(lines) > MOST_FAULTS:
-        findings.append(Finding((), f"{len(lines)} faults", f"at most {MOST_FAULTS} of them to be told"))
-    return findings
+        relative_issues.append(RelativeIssue((), f"{len(lines)} faults", f"at most {MOST_FAULTS} of them to be told"))
+    return relative_issues
 
 
-def _first(findings: list[Finding]) -> list[Finding]:
+def _first(relative_issues: list[RelativeIssue]) -> list[RelativeIssue]:
     """Return as many findings as can be told of one part, and that there are more."""
-    if len(findings) <= MOST_FAULTS + 1:  # of what it holds, so many have been told already
-        return findings
-    more = Finding((), f"{len(findings)} faults", f"at most {MOST_FAULTS} of them to be told")
-    return [*findings[:MOST_FAULTS], more]
+    if len(relative_issues) <= MOST_FAULTS + 1:  # of what it holds, so many have been told already
+        return relative_issues
+    more = RelativeIssue((), f"{len(relative_issues)} faults", f"at most {MOST_FAULTS} of them to be told")
+    return [*relative_issues[:MOST_FAULTS], more]
 
 
-def _no_table(place: tuple[str | int, ...], value: object) -> Finding:
+def _no_table(place: tuple[str | int, ...], value: object) -> RelativeIssue:
     listed_once = isinstance(value, list) and not (place and isinstance(place[-1], int))
-    return Finding(place, describe(value), "a table of keys", "write single brackets: [...]" if listed_once else "")
+    return RelativeIssue(
+        place, describe(value), "a table of keys", "write single brackets: [...]" if listed_once else ""
+    )
 
 
-def _finding(cls: type[Part], place: tuple[str | int, ...], line: Any) -> Finding:
+def _finding(cls: type[Section], place: tuple[str | int, ...], line: Any) -> RelativeIssue:
     """Return one of pydantic's own errors as a finding."""
     kind, value = line["type"], line["input"]
     if kind in ("extra_forbidden", "invalid_key"):
         known = list(cls.model_fields)
         meant = suggestion(place[0], known)
-        return Finding(tuple(map(str, place)), "an unknown key", f"one of {', '.join(known)}", meant)
+        return RelativeIssue(tuple(map(str, place)), "an unknown key", f"one of {', '.join(known)}", meant)
     field = cls.model_fields.get(str(place[0])) if place else None
     if field is None:
         return _no_table(place, value)
@@ -272,16 +274,16 @@ def _finding(cls: type[Part], place: tuple[str | int, ...], line: Any) -> Findin
         table = "at least one table" if inner.many else "a table"
         if not cls.root():
             table += f" [[{place[0]}]]" if inner.many else f" [{place[0]}]"
-        return Finding(place, describe(None if kind == "missing" else value), key.expected() if key else table)
+        return RelativeIssue(place, describe(None if kind == "missing" else value), key.expected() if key else table)
     if kind in ("union_tag_invalid", "union_tag_not_found") and isinstance(value, Mapping):
         tags = [str(part.model_fields["kind"].default) for part in inner.parts if "kind" in part.model_fields]
         given = value.get("kind")
-        return Finding((*place, "kind"), describe(given), listed(map(quote, tags)), suggestion(given, tags))
+        return RelativeIssue((*place, "kind"), describe(given), listed(map(quote, tags)), suggestion(given, tags))
     if inner.many and len(place) == 1:
-        mend = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
-        return Finding(place, describe(value), "a list of tables", mend)
+        hint = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
+        return RelativeIssue(place, describe(value), "a list of tables", hint)
     if inner.parts:
         return _no_table(place, value)
     if kind == "literal_error":
-        return Finding(place, describe(value), line["ctx"]["expected"].replace("'", '"'))
-    return Finding(place, describe(value), line["msg"])
+        return RelativeIssue(place, describe(value), line["ctx"]["expected"].replace("'", '"'))
+    return RelativeIssue(place, describe(value), line["msg"])

@@ -17,7 +17,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from groundslab import units
 from groundslab.schema import ranges
-from groundslab.schema.issues import Finding, Wrong, wrong
+from groundslab.schema.issues import FieldError, RelativeIssue, field_error
 from groundslab.schema.ranges import ANY, Range
 from groundslab.schema.wording import describe, listed, quote, suggestion
 
@@ -28,7 +28,7 @@ MOST_VALUES = 10_000  # of a list, unless its key says otherwise
 LARGEST_WHOLE = 2**31 - 1
 
 
-class Key:
+class FieldType:
     """The kind of a key that holds a value: how it is read, checked, written and described.
 
     Stands in the ``Annotated`` of a field. Subclasses are frozen dataclasses with ``symbol`` and ``meaning``.
@@ -82,21 +82,21 @@ def _looks_like_number(text: str) -> bool:
         return False
 
 
-def _number(value: Any, expected: str, mend: str = "") -> float:
+def _number(value: Any, expected: str, hint: str = "") -> float:
     """Return a finite number as float; raises Wrong."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise wrong(value, expected, mend)
+        raise field_error(value, expected, hint)
     try:
         number = float(value)
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
-        raise wrong(value, expected, mend or "the number must be finite")
+        raise field_error(value, expected, hint or "the number must be finite")
     return number
 
 
 @dataclass(frozen=True)
-class Quantity(Key):
+class Quantity(FieldType):
     """A number with a unit: text in files, text or a float in SI units in Python."""
 
     dimension: str
@@ -110,15 +110,15 @@ class Quantity(Key):
             try:
                 number = units.parse(value, self.dimension)
             except units.QuantityError as error:
-                raise wrong(value, self.expected(), error.reason) from None
+                raise field_error(value, self.expected(), error.reason) from None
         elif from_file:
-            mend = "write number and unit in quotes" if isinstance(value, int | float) else ""
-            raise wrong(value, self.expected(), "" if isinstance(value, bool) else mend)
+            hint = "write number and unit in quotes" if isinstance(value, int | float) else ""
+            raise field_error(value, self.expected(), "" if isinstance(value, bool) else hint)
         else:
             number = _number(value, f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si}")
         limits = ranges.of_quantity(self.range, self.dimension)
         if not limits.holds(number):
-            raise wrong(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
+            raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
         return number
 
     def _limit(self, value: float) -> str:
@@ -159,7 +159,7 @@ class Quantity(Key):
 
 
 @dataclass(frozen=True)
-class Number(Key):
+class Number(FieldType):
     """A pure number, or one of some words that stand for a rule to find it."""
 
     symbol: str
@@ -171,12 +171,12 @@ class Number(Key):
         """Return the number as float, or the word."""
         if isinstance(value, str) and value in self.words:
             return value
-        mend = "write it without quotes" if isinstance(value, str) and _looks_like_number(value) else ""
-        number = _number(value, self.expected(), mend)
+        hint = "write it without quotes" if isinstance(value, str) and _looks_like_number(value) else ""
+        number = _number(value, self.expected(), hint)
         limits = ranges.of_number(self.range)
         if not limits.holds(number):
             own = replace(self.range, smallest=0.0).holds(number)
-            raise wrong(value, f"a number {limits.wanted(number)}" if own else self.expected())
+            raise field_error(value, f"a number {limits.wanted(number)}" if own else self.expected())
         return number
 
     def expected(self) -> str:
@@ -202,7 +202,7 @@ class Number(Key):
 
 
 @dataclass(frozen=True)
-class Whole(Key):
+class Integer(FieldType):
     """A whole number from ``at_least`` to ``at_most``."""
 
     meaning: str
@@ -212,10 +212,10 @@ class Whole(Key):
     def read(self, value: Any, from_file: bool) -> int:  # noqa: ARG002
         """Return the number as int."""
         if isinstance(value, bool) or not isinstance(value, numbers.Integral):
-            raise wrong(value, self.expected())
+            raise field_error(value, self.expected())
         number = int(value)
         if not self.at_least <= number <= self.at_most:
-            raise wrong(value, self.expected())
+            raise field_error(value, self.expected())
         return number
 
     def expected(self) -> str:
@@ -240,7 +240,7 @@ class Whole(Key):
 
 
 @dataclass(frozen=True)
-class Choice(Key):
+class Choice(FieldType):
     """One word out of the words of a ``Literal``."""
 
     words_of: Any
@@ -254,7 +254,7 @@ class Choice(Key):
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise wrong(value, self.expected(), suggestion(value, self.words))
+            raise field_error(value, self.expected(), suggestion(value, self.words))
         return value
 
     def expected(self) -> str:
@@ -275,7 +275,7 @@ class Choice(Key):
 
 
 @dataclass(frozen=True)
-class Flag(Key):
+class Boolean(FieldType):
     """Yes or no."""
 
     meaning: str
@@ -283,7 +283,7 @@ class Flag(Key):
     def read(self, value: Any, from_file: bool) -> bool:  # noqa: ARG002
         """Return the flag."""
         if not isinstance(value, bool):
-            raise wrong(value, self.expected(), "write it without quotes" if value in ("true", "false") else "")
+            raise field_error(value, self.expected(), "write it without quotes" if value in ("true", "false") else "")
         return value
 
     def expected(self) -> str:
@@ -304,7 +304,7 @@ class Flag(Key):
 
 
 @dataclass(frozen=True)
-class Text(Key):
+class Text(FieldType):
     """Free text."""
 
     meaning: str
@@ -312,9 +312,9 @@ class Text(Key):
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the text."""
         if not isinstance(value, str):
-            raise wrong(value, self.expected())
+            raise field_error(value, self.expected())
         if any("\ud800" <= letter <= "\udfff" for letter in value):
-            raise wrong(value, "text without lone surrogates")
+            raise field_error(value, "text without lone surrogates")
         return value
 
     def expected(self) -> str:
@@ -335,10 +335,10 @@ class Text(Key):
 
 
 @dataclass(frozen=True)
-class Several(Key):
+class ListOf(FieldType):
     """A list of values of one kind, kept as a tuple: of a fixed ``length``, ``rising``, or ``unique``."""
 
-    each: Key
+    each: FieldType
     symbol: str
     meaning: str
     length: int | None = None
@@ -354,22 +354,22 @@ class Several(Key):
     def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
         """Return the values as a tuple."""
         if not isinstance(value, list | tuple) or not (self.length or self.least) <= len(value):
-            raise wrong(value, self.expected())
+            raise field_error(value, self.expected())
         if len(value) > self._most:
-            raise wrong(value, f"at most {self._most} values" if self.length is None else self.expected())
-        kept, findings = [], []
+            raise field_error(value, f"at most {self._most} values" if self.length is None else self.expected())
+        kept, relative_issues = [], []
         for position, item in enumerate(value):
             try:
                 kept.append(self.each.read(item, from_file))
-            except Wrong as error:
-                findings += [finding.below((position,)) for finding in error.findings]
-        if findings:
-            raise Wrong(*findings[:MOST_FAULTS])
+            except FieldError as error:
+                relative_issues += [relative.below((position,)) for relative in error.relative_issues]
+        if relative_issues:
+            raise FieldError(*relative_issues[:MOST_FAULTS])
         pair = f"[{', '.join(describe(item) for item in value[:8])}]"
         if self.rising and not all(a < b for a, b in itertools.pairwise(kept)):
-            raise Wrong(Finding((), pair, "the smaller value first and no empty range"))
+            raise FieldError(RelativeIssue((), pair, "the smaller value first and no empty range"))
         if self.unique and len(set(kept)) < len(kept):
-            raise Wrong(Finding((), pair, "each value at most once"))
+            raise FieldError(RelativeIssue((), pair, "each value at most once"))
         return tuple(kept)
 
     def expected(self) -> str:
@@ -404,7 +404,7 @@ class Several(Key):
 
 
 @dataclass(frozen=True)
-class Factors(Key):
+class Factors(FieldType):
     """A table of numbers by names that the file is free to choose, kept as pairs in the order of the file."""
 
     EACH: ClassVar = Number("", "")
@@ -418,18 +418,18 @@ class Factors(Key):
         sound = isinstance(pairs, tuple) and bool(pairs)
         if not sound or not all(isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str)
                                 for pair in pairs):  # fmt: skip
-            raise wrong(value, self.expected())
-        kept, findings, seen = [], [], set[str]()
+            raise field_error(value, self.expected())
+        kept, relative_issues, seen = [], [], set[str]()
         for name, number in pairs:
             if name in seen:
-                findings.append(Finding((name,), "a second factor", "one factor for each name"))
+                relative_issues.append(RelativeIssue((name,), "a second factor", "one factor for each name"))
             seen.add(name)
             try:
                 kept.append((name, float(self.EACH.read(number, from_file))))
-            except Wrong as error:
-                findings += [finding.below((name,)) for finding in error.findings]
-        if findings:
-            raise Wrong(*findings[:MOST_FAULTS])
+            except FieldError as error:
+                relative_issues += [relative.below((name,)) for relative in error.relative_issues]
+        if relative_issues:
+            raise FieldError(*relative_issues[:MOST_FAULTS])
         return tuple(kept)
 
     def expected(self) -> str:

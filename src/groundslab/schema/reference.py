@@ -7,11 +7,11 @@ from typing import Any
 
 from pydantic.fields import FieldInfo
 
-from groundslab.schema.base import Part, key_of, meaning_of, most_of, nested
-from groundslab.schema.fields import Key
+from groundslab.schema.base import Section, key_of, meaning_of, most_of, nested
+from groundslab.schema.fields import FieldType
 
 
-def json_schema(root: type[Part], title: str) -> dict[str, Any]:
+def json_schema(root: type[Section], title: str) -> dict[str, Any]:
     """Return the JSON schema (draft 7) of a file that describes ``root``."""
     definitions: dict[str, Any] = {}
     top = _part_schema(root, definitions)
@@ -23,7 +23,7 @@ def json_schema(root: type[Part], title: str) -> dict[str, Any]:
     }
 
 
-def docs_table(root: type[Part]) -> str:
+def docs_table(root: type[Section]) -> str:
     """Return all keys below ``root`` as Markdown, one table per section and kind."""
     return "\n".join(_tables(root, "", "", "")).strip() + "\n"
 
@@ -33,7 +33,7 @@ def default_of(field: FieldInfo) -> Any:
     return None if field.is_required() else field.get_default(call_default_factory=True)
 
 
-def _part_schema(part: type[Part], definitions: dict[str, Any]) -> dict[str, Any]:
+def _part_schema(part: type[Section], definitions: dict[str, Any]) -> dict[str, Any]:
     properties = {name: _field_schema(field, definitions) for name, field in part.model_fields.items()}
     # what tells one kind from another is needed in a file, although Python knows it from the class
     required = [name for name, field in part.model_fields.items() if field.is_required() or _is_tag(field)]
@@ -67,7 +67,7 @@ def _field_schema(field: FieldInfo, definitions: dict[str, Any]) -> dict[str, An
     return {"description": about, "allOf": [one]} if len(references) == 1 else {"description": about, **one}
 
 
-def _default_schema(field: FieldInfo, key: Key) -> dict[str, Any]:
+def _default_schema(field: FieldInfo, key: FieldType) -> dict[str, Any]:
     default = default_of(field)
     if default is None:
         return {}
@@ -81,7 +81,7 @@ def _is_tag(field: FieldInfo) -> bool:
     return key_of(field) is None and not nested(field).parts
 
 
-def _tables(part: type[Part], path: str, kind: str, about: str) -> Iterator[str]:
+def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[str]:
     """Yield the lines of the table of a part's keys, then those of the parts in it."""
     fields = part.model_fields
     rows = [(name, field) for name, field in fields.items() if not nested(field).parts]
@@ -103,7 +103,7 @@ def _tables(part: type[Part], path: str, kind: str, about: str) -> Iterator[str]
             yield from _tables(each, below, ", ".join(filter(None, names)), told)
 
 
-def _needed(part: type[Part]) -> list[str]:
+def _needed(part: type[Section]) -> list[str]:
     return [name for name, field in part.model_fields.items() if field.is_required()]
 
 
@@ -133,7 +133,7 @@ def _row(path: str, field: FieldInfo) -> str:
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 
-def _short(key: Key, default: Any) -> str:
+def _short(key: FieldType, default: Any) -> str:
     return (
         f"{default:.4g}"
         if isinstance(default, float) and not key.write(default).startswith('"')

@@ -13,7 +13,7 @@ from importlib.util import find_spec
 import numpy as np
 
 from groundslab.arrays import Array, Indices
-from groundslab.errors import Fault, InputError, SingularMatrix
+from groundslab.errors import InputError, Issue, SingularMatrix
 from groundslab.solvers.pardiso import Pardiso, pardiso_wrapper, without_pardiso
 from groundslab.solvers.protocols import Factor, Solver, Symbolic
 
@@ -100,13 +100,13 @@ def choose(name: str) -> tuple[str, Solver]:
     solvers: dict[str, Solver] = {"pardiso": pardiso, "superlu": superlu, "mumps": mumps}
     if name != "auto":
         if name == "pardiso" and without_pardiso():
-            mend = 'solver = "auto" takes it where it is there'
-            got = f'"pardiso", which cannot be loaded ({without_pardiso()})'
-            raise InputError([Fault("analysis.solver", got, '"superlu" or "auto"', mend)])
+            hint = 'solver = "auto" takes it where it is there'
+            found = f'"pardiso", which cannot be loaded ({without_pardiso()})'
+            raise InputError([Issue("analysis.solver", found, '"superlu" or "auto"', hint)])
         if name == "mumps" and find_spec("petsc4py") is None:
-            got = '"mumps", which needs petsc4py, and that is not there'
-            mend = "docs/large.md tells how to install it"
-            raise InputError([Fault("analysis.solver", got, '"auto"', mend)])
+            found = '"mumps", which needs petsc4py, and that is not there'
+            hint = "docs/large.md tells how to install it"
+            raise InputError([Issue("analysis.solver", found, '"auto"', hint)])
         return name, solvers[name]
     if platform.machine().lower() in ("x86_64", "amd64") and not without_pardiso():
         return "pardiso", pardiso

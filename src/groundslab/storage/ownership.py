@@ -9,7 +9,7 @@ import tomllib
 from collections.abc import Callable, Collection, Iterator
 from pathlib import Path, PurePosixPath
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.storage.atomic import LITTER, require_possible
 
 #: Bytes of a file's beginning that are looked at.
@@ -71,19 +71,19 @@ def require_replaceable(path: str | Path, ours: Callable[[Path], bool], what: st
             if ours(target):
                 return _require_folder(path, target)
             expected = f"{what}, or a name that is free"
-            raise InputError([Fault(str(path), "a file that groundslab did not write", expected, hint)])
-        got = "a folder" if stat.S_ISDIR(mode) else "something that is neither a file nor a folder"
+            raise InputError([Issue(str(path), "a file that groundslab did not write", expected, hint)])
+        found = "a folder" if stat.S_ISDIR(mode) else "something that is neither a file nor a folder"
     except OSError as error:
-        got = error.strerror or str(error)
-    raise InputError([Fault(str(path), got, "a file, or a name that is free", hint)])
+        found = error.strerror or str(error)
+    raise InputError([Issue(str(path), found, "a file, or a name that is free", hint)])
 
 
 def _require_folder(path: str | Path, target: Path) -> Path:
     """Return the target if its folder can be written to; else raise InputError."""
     if not target.parent.is_dir():
-        raise InputError([Fault(str(path), f"no folder {target.parent}", "a name in a folder that is there")])
+        raise InputError([Issue(str(path), f"no folder {target.parent}", "a name in a folder that is there")])
     if not os.access(target.parent, os.W_OK | os.X_OK):
-        raise InputError([Fault(str(target.parent), "a folder without leave to write", "one that can be written to")])
+        raise InputError([Issue(str(target.parent), "a folder without leave to write", "one that can be written to")])
     return target
 
 

@@ -59,13 +59,13 @@ def run(
 
     Where rows cannot be written, or the scheduler is lost, GroundslabError is raised; rows that were there are kept.
     """
-    from groundslab.errors import Fault, InputError
+    from groundslab.errors import InputError, Issue
     from groundslab.study.definition import files
     from groundslab.study.evaluation import study as opened
     from groundslab.study.execution import progress, runner
 
     if workers is not None and scheduler is not None:
-        raise InputError([Fault("workers", "workers and a scheduler", "one of them", "a cluster has its own workers")])
+        raise InputError([Issue("workers", "workers and a scheduler", "one of them", "a cluster has its own workers")])
     read = files.read(study, case) if isinstance(study, str | Path) else files.made(study, case)
     folder = folder_of(study, out)
     where = runner.Where(workers, scheduler, dashboard)

@@ -53,17 +53,17 @@ ACROSS = {"kind": "line", "points": [(1, -2), (1, 2)]}
          "ground.formulas", '"as printed"'),
     ],
 )  # fmt: skip
-def test_refused_by_check_and_by_solve(changes: dict[str, Any], where: str, got: str) -> None:
+def test_refused_by_check_and_by_solve(changes: dict[str, Any], where: str, found: str) -> None:
     """What the arrays of the problem cannot be made of is refused in the same words before and in solving."""
     model = Model(**case(**changes))
     told = []
     for work in (check, solve):
         with pytest.raises(InputError) as error:
             work(model)
-        told.append(error.value.faults)
+        told.append(error.value.issues)
     assert told[0] == told[1]
-    assert told[0][0].where == where
-    assert got in told[0][0].got
+    assert told[0][0].location == where
+    assert found in told[0][0].found
 
 
 @pytest.mark.parametrize(
@@ -86,7 +86,7 @@ def test_refused_by_the_model(changes: dict[str, Any], where: str) -> None:
     """What a description alone says cannot be solved or designed is a fault of the description."""
     with pytest.raises(InputError) as error:
         Model(**case(**changes))
-    assert [fault.where for fault in error.value.faults] == [where]
+    assert [issue.location for issue in error.value.issues] == [where]
 
 
 def test_moduli_between_boreholes_stay_positive() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from groundslab.case.casefile import LARGEST, load, loads, starter, to_toml
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import combinations_of
 from groundslab.model.ground import Layered, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
@@ -19,19 +19,19 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from helpers.paths import EXAMPLES
 
 
-def fault(text: str) -> Fault:
+def issue(text: str) -> Issue:
     """Return the only fault of a text."""
     with pytest.raises(InputError) as error:
         loads(text, "case.toml")
-    (only,) = error.value.faults
+    (only,) = error.value.issues
     return only
 
 
-def unreadable(path: Path) -> Fault:
+def unreadable(path: Path) -> Issue:
     """Return the only fault of a file."""
     with pytest.raises(InputError) as error:
         load(path)
-    (only,) = error.value.faults
+    (only,) = error.value.issues
     return only
 
 
@@ -213,16 +213,16 @@ def test_file_as_path_or_text(tmp_path: Path) -> None:
         ("[plate]\nE = 30GPa\n", "case.toml, line 2, column 7", "number and unit stand in quotes"),
     ],
 )
-def test_syntax_errors(text: str, where: str, mend: str) -> None:
+def test_syntax_errors(text: str, where: str, hint: str) -> None:
     """What is not TOML is told with line and column, the line itself, and tomllib's reason or a better one."""
-    told = fault(text)
+    told = issue(text)
     line = int(where.split("line ")[1].split(",")[0])
-    assert told.where.split(", column")[0] == where.split(", column")[0]
+    assert told.location.split(", column")[0] == where.split(", column")[0]
     # the column just behind the end of a line differs between versions of tomllib
-    assert abs(int(told.where.rsplit(" ", 1)[1]) - int(where.rsplit(" ", 1)[1])) <= 1
-    assert told.got.strip('"').replace("\\", "") in text.split("\n")[line - 1]
+    assert abs(int(told.location.rsplit(" ", 1)[1]) - int(where.rsplit(" ", 1)[1])) <= 1
+    assert told.found.strip('"').replace("\\", "") in text.split("\n")[line - 1]
     assert told.expected == "TOML"
-    assert mend in told.mend
+    assert hint in told.hint
 
 
 @pytest.mark.parametrize(
@@ -233,34 +233,34 @@ def test_syntax_errors(text: str, where: str, mend: str) -> None:
         ("#" * (LARGEST + 1), "a longer text"),
     ],
 )
-def test_hostile_texts(text: str, got: str) -> None:
+def test_hostile_texts(text: str, found: str) -> None:
     """Texts made to break a reader are refused."""
-    told = fault(text)
-    assert told.where == "case.toml"
-    assert told.got.startswith(got)
+    told = issue(text)
+    assert told.location == "case.toml"
+    assert told.found.startswith(found)
 
 
 def test_huge_number() -> None:
     """A number too long to be printed is still a fault that can be."""
-    told = fault(starter() + "[analysis]\nincrements = 0x" + "f" * 10_000)
+    told = issue(starter() + "[analysis]\nincrements = 0x" + "f" * 10_000)
     assert str(told) == "analysis.increments: got a huge number, expected a whole number from 1 to 1000"
 
 
 def test_missing_file(tmp_path: Path) -> None:
     """A file that is not there is an InputError that names it."""
     path = tmp_path / "none.toml"
-    assert unreadable(path) == Fault(str(path), "no file of that name", "a TOML file")
+    assert unreadable(path) == Issue(str(path), "no file of that name", "a TOML file")
 
 
 def test_directory(tmp_path: Path) -> None:
     """A directory is an InputError."""
-    assert unreadable(tmp_path).got == "a directory"
+    assert unreadable(tmp_path).found == "a directory"
 
 
 def test_strange_paths(tmp_path: Path) -> None:
     """Paths that no system accepts are InputErrors."""
-    assert unreadable(tmp_path / "a\0b").got.startswith("a file that cannot be read")
-    assert unreadable(tmp_path / ("x" * 5000)).got.startswith("a file that cannot be read")
+    assert unreadable(tmp_path / "a\0b").found.startswith("a file that cannot be read")
+    assert unreadable(tmp_path / ("x" * 5000)).found.startswith("a file that cannot be read")
 
 
 def test_not_utf8(tmp_path: Path) -> None:
@@ -268,8 +268,8 @@ def test_not_utf8(tmp_path: Path) -> None:
     path = tmp_path / "case.toml"
     path.write_bytes('title = "a"\n# Gr\N{LATIN SMALL LETTER O WITH DIAERESIS}\xdfe\n'.encode("latin-1"))
     told = unreadable(path)
-    assert told.where == f"{path}, line 2"
-    assert told.got == "bytes that are not UTF-8"
+    assert told.location == f"{path}, line 2"
+    assert told.found == "bytes that are not UTF-8"
 
 
 def test_too_large(tmp_path: Path) -> None:
@@ -283,7 +283,7 @@ def test_too_large(tmp_path: Path) -> None:
 
 def test_units_are_mandatory_in_files() -> None:
     """A bare number for a dimensional key is an error in a file, with its place and how to mend it."""
-    told = fault(starter().replace('"60 MPa"', "60"))
+    told = issue(starter().replace('"60 MPa"', "60"))
     expected = 'ground.layers[2].E: got 60, expected a pressure such as "30 MPa"; write number and unit in quotes'
     assert str(told) == expected
 
@@ -293,7 +293,7 @@ def test_all_faults_of_a_file() -> None:
     text = starter().replace("thickness =", "thicknes =", 1).replace('"200 kPa"', '"200"').replace("-0.5 m", "9 m")
     with pytest.raises(InputError) as error:
         loads(text)
-    assert [each.where for each in error.value.faults] == [
+    assert [each.location for each in error.value.issues] == [
         "plate.thickness", "plate.thicknes", "loads[2].q", "loads[2].y",
     ]  # fmt: skip
     assert len(str(error.value).splitlines()) == 4

@@ -19,7 +19,7 @@ import pytest
 import groundslab
 from groundslab.case import casefile
 from groundslab.cli import console, main
-from groundslab.errors import Fault, GroundslabError, InputError, NoEquilibrium, NotConverged
+from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 from groundslab.model.columns import Column
 from groundslab.model.combinations import combinations_of
 from groundslab.model.settings import Mesh
@@ -142,7 +142,7 @@ class TestSolve:
             (NotConverged("contact", list(synthetic.results().steps), {}), 1, "Convergence history"),
             (NotConverged("gamma", [1.1, 1.2], {}), 1, "gamma did not converge in 2 steps"),
             (NotConverged("contact", [{"iteration": 1, "changed": 61}], {}), 1, "  iteration 1, changed 61"),
-            (InputError([Fault("mesh", "a", "b")]), 2, "mesh"),
+            (InputError([Issue("mesh", "a", "b")]), 2, "mesh"),
             (MemoryError(), 1, "memory"),
             (KeyboardInterrupt(), 130, "interrupted"),
         ],
@@ -184,7 +184,7 @@ class TestSolve:
         """If the results cannot be written they are at least shown."""
 
         def full(*_: Any, **__: Any) -> None:
-            raise InputError([Fault("disk", "no room", "room")])
+            raise InputError([Issue("disk", "no room", "room")])
 
         monkeypatch.setattr(results_folder, "write", full)
         assert main.main(["solve", str(case)]) == 2
@@ -216,11 +216,11 @@ class TestSolve:
 
     def test_progress_is_for_terminals(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
-        got = []
+        found = []
 
         def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
             assert (on_step is None) == (on_combination is None)
-            got.append(on_step)
+            found.append(on_step)
             return results_folder.alone(replace(synthetic.results(), model=model))
 
         fake(monkeypatch, "analysis.driver", solve_combinations=solve)
@@ -228,7 +228,7 @@ class TestSolve:
         monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
         main.main(["solve", str(case)])
         main.main(["solve", str(case), "--quiet"])
-        assert [callback is not None for callback in got] == [False, True, False]
+        assert [callback is not None for callback in found] == [False, True, False]
 
 
 @pytest.fixture
@@ -315,7 +315,7 @@ class TestInput:
     def test_faults_are_blocks(self) -> None:
         """Each fault shows where, got, expected and how to mend, one below the other."""
         text = console.in_blocks(
-            InputError([Fault("plate.E", "30", "a pressure", 'say "30 GPa"'), Fault("a", "b", "c")])
+            InputError([Issue("plate.E", "30", "a pressure", 'say "30 GPa"'), Issue("a", "b", "c")])
         )
         assert text.splitlines() == [
             "error: 2 faults in the input",

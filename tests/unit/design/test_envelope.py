@@ -52,4 +52,4 @@ def test_faults(combinations: dict, places: list[str]) -> None:
     """No combination, other shapes, and values that are no numbers are refused."""
     with pytest.raises(InputError) as caught:
         envelope(combinations)
-    assert [fault.where for fault in caught.value.faults] == places
+    assert [issue.location for issue in caught.value.issues] == places

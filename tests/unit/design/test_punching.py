@@ -140,7 +140,7 @@ def test_faults(column: RectangularColumn | RoundColumn, d: float, distance: flo
     """A column off the plate, or a perimeter of which nothing is on the plate, is refused with its place."""
     with pytest.raises(InputError) as caught:
         demand(SLAB, column, d, 1e5, distance=distance)
-    assert [fault.where for fault in caught.value.faults] == [place]
+    assert [issue.location for issue in caught.value.issues] == [place]
 
 
 def test_length_at_the_face_by_hand() -> None:

@@ -230,4 +230,4 @@ def test_faults(call, place: str) -> None:
     """What cannot be a section, cut or strip of this plate is refused with its place."""
     with pytest.raises(InputError) as caught:
         call()
-    assert [fault.where for fault in caught.value.faults] == [place]
+    assert [issue.location for issue in caught.value.issues] == [place]

@@ -82,4 +82,4 @@ def test_faults(points: dict, places: list[str]) -> None:
     """Too few points, points off the plate, and two points at one place are refused, all at once."""
     with pytest.raises(InputError) as caught:
         between(plate_of(straight()), points)
-    assert [fault.where for fault in caught.value.faults] == places
+    assert [issue.location for issue in caught.value.issues] == places

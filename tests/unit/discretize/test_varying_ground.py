@@ -140,13 +140,13 @@ def test_layers_between_boreholes() -> None:
     np.testing.assert_array_equal(found.parts.share, 1.0)
     (layer,) = found.layers
     part = (np.arange(6) + 0.5) / 6
-    for got, a, b in (
+    for given, a, b in (
         (layer.thickness, 3.0, 4.0),
         (layer.moduli[0], 30e6, 90e6),
         (layer.moduli[0] + layer.moduli[1] + layer.moduli[2], 50e6, 90e6),
         (layer.nu, 0.4, 0.25),
     ):
-        np.testing.assert_allclose(np.asarray(got)[found.parts.column], a + part * (b - a), rtol=1e-9)
+        np.testing.assert_allclose(np.asarray(given)[found.parts.column], a + part * (b - a), rtol=1e-9)
     np.testing.assert_allclose(found.share, 1 / 6)
 
 
@@ -245,7 +245,7 @@ def test_zones_that_cannot_be_joined() -> None:
     ):
         with pytest.raises(InputError) as told:
             model(ground=base, soil_zones=[SoilZone(shape=box(0, 1), ground=other)], beyond=Beyond(kind=beyond))
-        assert [fault.where for fault in told.value.faults] == [f"soil_zones[1].ground{where}"]
+        assert [issue.location for issue in told.value.issues] == [f"soil_zones[1].ground{where}"]
 
 
 def test_boreholes_that_do_not_match() -> None:
@@ -259,7 +259,7 @@ def test_boreholes_that_do_not_match() -> None:
     ):
         with pytest.raises(InputError) as told:
             model(ground=base, boreholes=holes)
-        assert [fault.where for fault in told.value.faults] == where
+        assert [issue.location for issue in told.value.issues] == where
 
 
 def test_ground_under_follows_the_mesh() -> None:

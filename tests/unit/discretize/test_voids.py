@@ -151,5 +151,5 @@ def test_a_void_that_no_element_takes_is_refused_on_ground_with_shear() -> None:
     """A void much smaller than the elements of a grid that is asked for would be lost: it is an error."""
     with pytest.raises(InputError) as raised:
         solved({"x": (0.1, 0.3), "y": (0.1, 0.3)}, {"counts": (12, 8)}, SHEAR)
-    assert [fault.where for fault in raised.value.faults] == ["contact.voids[1]"]
+    assert [issue.location for issue in raised.value.issues] == ["contact.voids[1]"]
     assert contact_share(solved({"x": (0.1, 0.3), "y": (0.1, 0.3)}, {"counts": (12, 8)}, SPRINGS).plate) < 1

@@ -18,8 +18,8 @@ from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad,
 from groundslab.model.model import Model, docs_table, json_schema
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
-from groundslab.schema.base import Part, key_of, meaning_of, nested
-from groundslab.schema.fields import FROM_FILE, Key
+from groundslab.schema.base import Section, key_of, meaning_of, nested
+from groundslab.schema.fields import FROM_FILE, FieldType
 from helpers.paths import ROOT
 
 PLATE = {"length_x": "6 m", "length_y": "4 m", "thickness": "0.25 m", "E": "30 GPa", "nu": 0.2}
@@ -54,11 +54,11 @@ def from_file(data: object) -> Model:
     return Model.model_validate(data, context=FROM_FILE)
 
 
-def faults(data: object) -> list[tuple[str, str, str, str]]:
+def issues(data: object) -> list[tuple[str, str, str, str]]:
     """Return all faults of what a file holds."""
     with pytest.raises(InputError) as error:
         from_file(data)
-    return [(fault.where, fault.got, fault.expected, fault.mend) for fault in error.value.faults]
+    return [(issue.location, issue.found, issue.expected, issue.hint) for issue in error.value.issues]
 
 
 ONE_FAULT = [
@@ -288,10 +288,10 @@ ONE_FAULT = [
 
 
 @pytest.mark.parametrize(("data", "where", "got", "expected"), ONE_FAULT)
-def test_one_fault(data: object, where: str, got: str, expected: str) -> None:
+def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
     """Each rule, broken alone, gives exactly one fault with the exact place, what is there, and what should be."""
-    (fault,) = faults(data)
-    assert fault[:3] == (where, got, expected)
+    (issue,) = issues(data)
+    assert issue[:3] == (where, found, expected)
 
 
 @pytest.mark.parametrize("name", ["length_x", "length_y", "thickness", "E", "nu"])
@@ -299,8 +299,8 @@ def test_missing_key(name: str) -> None:
     """A key that is needed and missing is named with an example of what it should hold."""
     data = case()
     del data["plate"][name]
-    ((where, got, _, _),) = faults(data)
-    assert (where, got) == (f"plate.{name}", "nothing")
+    ((where, found, _, _),) = issues(data)
+    assert (where, found) == (f"plate.{name}", "nothing")
 
 
 @pytest.mark.parametrize(
@@ -311,7 +311,7 @@ def test_missing_section(section: str, expected: str) -> None:
     """A section that is needed and missing is named as it would be written."""
     data = case()
     del data[section]
-    assert faults(data) == [(section, "nothing", expected, "")]
+    assert issues(data) == [(section, "nothing", expected, "")]
 
 
 @pytest.mark.parametrize(
@@ -329,26 +329,26 @@ def test_missing_section(section: str, expected: str) -> None:
         (case(**{"plate__" + "x" * 200: 1}), f'plate."{"x" * 37}..."', ""),
     ],
 )  # fmt: skip
-def test_unknown_key(data: object, where: str, mend: str) -> None:
+def test_unknown_key(data: object, where: str, fix: str) -> None:
     """An unknown key is named, made harmless for a terminal, with the known ones and the one that was meant."""
-    ((place, got, expected, hint),) = faults(data)
-    assert (place, got, hint) == (where, "an unknown key", mend)
+    ((place, found, expected, hint),) = issues(data)
+    assert (place, found, hint) == (where, "an unknown key", fix)
     assert expected.startswith("one of ")
 
 
 def test_suggestion_for_words() -> None:
     """A mistyped word or kind is answered with the one that was meant."""
-    assert faults(case(plate__element="mitc"))[0][3] == 'did you mean "mitc9"?'
-    assert faults(case(ground__kind="Winkler"))[0][3] == 'did you mean "winkler"?'
+    assert issues(case(plate__element="mitc"))[0][3] == 'did you mean "mitc9"?'
+    assert issues(case(ground__kind="Winkler"))[0][3] == 'did you mean "winkler"?'
 
 
 def test_hints() -> None:
     """The commonest slips are told how to mend."""
-    assert faults(case(plate__E=30))[0][3] == "write number and unit in quotes"
-    assert faults(case(plate__nu="0.2"))[0][3] == "write it without quotes"
-    assert faults(case(contact__tensionless="true"))[0][3] == "write it without quotes"
-    assert faults(case(loads=UNIFORM))[0][3] == "write double brackets: [[...]]"
-    assert faults(case(plate=[PLATE]))[0][3] == "write single brackets: [...]"
+    assert issues(case(plate__E=30))[0][3] == "write number and unit in quotes"
+    assert issues(case(plate__nu="0.2"))[0][3] == "write it without quotes"
+    assert issues(case(contact__tensionless="true"))[0][3] == "write it without quotes"
+    assert issues(case(loads=UNIFORM))[0][3] == "write double brackets: [[...]]"
+    assert issues(case(plate=[PLATE]))[0][3] == "write single brackets: [...]"
 
 
 def test_all_at_once() -> None:
@@ -362,7 +362,7 @@ def test_all_at_once() -> None:
         analysis={"increments": 0},
         extra=1,
     )
-    assert [where for where, *_ in faults(data)] == [
+    assert [where for where, *_ in issues(data)] == [
         "plate.E",
         "ground.layers[2].nu",
         "ground.layers[3]",
@@ -387,14 +387,14 @@ def test_checks_between_fields_run_beside_faults() -> None:
         loads=[{**POINT, "x": "9 m"}],
         mesh={"size": "1 mm", "counts": [2, 2], "symmetry": "no"},
     )
-    assert [where for where, *_ in faults(data)] == [
+    assert [where for where, *_ in issues(data)] == [
         "ground.gamma", "ground.mode", "beyond.edge", "beyond.width", "mesh.symmetry", "mesh", "loads[1].x",
     ]  # fmt: skip
 
 
 def test_broken_section_is_not_checked_against_others() -> None:
     """Nothing is said about positions on a plate whose size is unknown."""
-    assert [where for where, *_ in faults(case(plate__length_x="x", loads=[{**POINT, "x": "9 m"}]))] == [
+    assert [where for where, *_ in issues(case(plate__length_x="x", loads=[{**POINT, "x": "9 m"}]))] == [
         "plate.length_x"
     ]
 
@@ -402,16 +402,16 @@ def test_broken_section_is_not_checked_against_others() -> None:
 def test_flood_of_faults_is_bounded() -> None:
     """A file of nothing but mistakes gives a report that can be read."""
     data = case() | {f"key{i}": i for i in range(900)}
-    assert 100 <= len(faults(data)) <= 102
+    assert 100 <= len(issues(data)) <= 102
     data = case() | {f"key{i}": i for i in range(100_000)}
-    (fault,) = faults(data)
-    assert fault[:2] == ("the description", "a table of 100003 keys")
+    (issue,) = issues(data)
+    assert issue[:2] == ("the description", "a table of 100003 keys")
 
 
 @pytest.mark.parametrize("data", [None, 3, "text", [], [1], object(), {1: 2}, {"plate": {1: 2}}, b"x"])
 def test_no_table_at_all(data: object) -> None:
     """What is no table of named keys is an InputError too."""
-    assert faults(data)
+    assert issues(data)
 
 
 def test_python_takes_si_numbers_and_text() -> None:
@@ -484,7 +484,7 @@ def test_parts_raise_on_their_own() -> None:
     """A part built alone raises InputError with all its faults, named from the class; never pydantic's error."""
     with pytest.raises(InputError) as error:
         Plate(length_x=-1, length_y="4", thickness=float("nan"), E=30e9, nu=0.5, colour="red")
-    assert [fault.where for fault in error.value.faults] == [
+    assert [issue.location for issue in error.value.issues] == [
         "Plate.length_x", "Plate.length_y", "Plate.thickness", "Plate.nu", "Plate.colour",
     ]  # fmt: skip
     with pytest.raises(InputError, match=r"Void\.x: got \[1, 0\]"):
@@ -523,7 +523,7 @@ def test_replace_checks_anew() -> None:
         model.replace(plate=model.plate.replace(length_x=1))
 
 
-def parts(part: type[Part] = Model) -> Iterator[type[Part]]:
+def parts(part: type[Section] = Model) -> Iterator[type[Section]]:
     """Yield a part's class and all those within it."""
     yield part
     for field in part.model_fields.values():
@@ -532,11 +532,11 @@ def parts(part: type[Part] = Model) -> Iterator[type[Part]]:
 
 
 @pytest.mark.parametrize("part", sorted(set(parts()), key=lambda part: part.__name__))
-def test_every_field_says_what_it_is(part: type[Part]) -> None:
+def test_every_field_says_what_it_is(part: type[Section]) -> None:
     """Each field states its meaning, and its kind of key unless it holds parts or a tag."""
     for name, field in part.model_fields.items():
         assert meaning_of(field), name
-        assert isinstance(key_of(field), Key) or nested(field).parts or name == "kind"
+        assert isinstance(key_of(field), FieldType) or nested(field).parts or name == "kind"
 
 
 def test_schema_covers_all_keys() -> None:

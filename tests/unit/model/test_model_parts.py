@@ -65,11 +65,11 @@ def designed(bars: dict[str, Any], **parts: Any) -> dict[str, Any]:
 UNDESIGNED = "no ultimate combination of loads", "at least one to design for"
 
 
-def faults(data: object) -> list[tuple[str, str, str, str]]:
+def issues(data: object) -> list[tuple[str, str, str, str]]:
     """Return all faults of what a file holds."""
     with pytest.raises(InputError) as error:
         Model.model_validate(data, context=FROM_FILE)
-    return [(fault.where, fault.got, fault.expected, fault.mend) for fault in error.value.faults]
+    return [(issue.location, issue.found, issue.expected, issue.hint) for issue in error.value.issues]
 
 
 TABLE = "a table of numbers such as {dead = 1.35, live = 1.5}"
@@ -256,10 +256,10 @@ ONE_FAULT = [
 
 
 @pytest.mark.parametrize(("data", "where", "got", "expected"), ONE_FAULT)
-def test_one_fault(data: object, where: str, got: str, expected: str) -> None:
+def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
     """Each rule, broken alone, gives exactly one fault with the exact place, what is there, and what should be."""
-    (fault,) = faults(data)
-    assert fault[:3] == (where, got, expected)
+    (issue,) = issues(data)
+    assert issue[:3] == (where, found, expected)
 
 
 @pytest.mark.parametrize(
@@ -275,9 +275,9 @@ def test_one_fault(data: object, where: str, got: str, expected: str) -> None:
 )
 def test_parts_partly_off_the_plate(part: dict[str, Any], where: str) -> None:
     """What leaves the plate, or reaches into an opening, is told once, with a place that is off it."""
-    ((place, got, _, _),) = faults(case() | part)
+    ((place, found, _, _),) = issues(case() | part)
     assert place == where
-    assert "off the plate" in got or "leaves the plate" in got
+    assert "off the plate" in found or "leaves the plate" in found
 
 
 @pytest.mark.parametrize("distance", [1e-12, 1e-10, 1e-9])
@@ -301,9 +301,9 @@ def test_supports_at_a_hair(distance: float, place: str) -> None:
 )
 def test_supports_too_close(distance: float, support: Any, other: str) -> None:
     """A support beside an edge or a corner, too close to be meshed, is told with its distance and its neighbour."""
-    ((where, got, expected, _),) = faults(case({"zones": [ZONE]}, supports=[support(distance)]))
+    ((where, found, expected, _),) = issues(case({"zones": [ZONE]}, supports=[support(distance)]))
     assert where == "supports[1]"
-    assert got.startswith(f"{distance:.3g} m between it and {other} at ")
+    assert found.startswith(f"{distance:.3g} m between it and {other} at ")
     assert expected == STRIP
 
 
@@ -332,10 +332,10 @@ def test_supports_may_cross_and_lie_on_edges() -> None:
         (case(loads=[{"kind": "self-weight", "unit_weight": "25 kN/m^3"}]), 'did you mean "self weight"?'),
     ],
 )  # fmt: skip
-def test_suggestions(data: object, mend: str) -> None:
+def test_suggestions(data: object, fix: str) -> None:
     """A mistyped name of a case, column, support, key or kind is answered with the one that was meant."""
-    ((_, _, _, hint),) = faults(data)
-    assert hint == mend
+    ((_, _, _, hint),) = issues(data)
+    assert hint == fix
 
 
 def test_many_faults_at_once() -> None:
@@ -351,7 +351,7 @@ def test_many_faults_at_once() -> None:
         output={"points": [OUT, OUT], "lines": [{**CUT, "end": ["-3 m", "0 m"]}]},
         reinforcement={**BARS, "top": ["1 m"]},
     )
-    assert [where for where, *_ in faults(data)] == [
+    assert [where for where, *_ in issues(data)] == [
         "contact.voids[1].depth", "contact.voids[2].y", "contact.limit_pressure", "supports[1].gap", "supports[2].acts",
         "columns[1].diameter", "cases[1].psi_0", "loads[1].points", "loads[2].x", "loads[2].y", "loads[3].difference",
         "combinations[1].factors.dead", "combinations[1].factors.live", "combine.sets", "combine.permanent",
@@ -362,10 +362,10 @@ def test_many_faults_at_once() -> None:
 def test_design_without_ultimate_combinations_says_which_keys_to_add() -> None:
     """The hint names [[cases]] only where there are none, and always what makes an ultimate combination."""
     both = 'add [[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
-    ((*_, mend),) = faults(cases(reinforcement=BARS))
-    assert mend.startswith(both)
-    ((*_, mend),) = faults(case(reinforcement=BARS))
-    assert mend.startswith("add [[cases]], the case of each load, and then [[combinations]] with limit_state =")
+    ((*_, hint),) = issues(cases(reinforcement=BARS))
+    assert hint.startswith(both)
+    ((*_, hint),) = issues(case(reinforcement=BARS))
+    assert hint.startswith("add [[cases]], the case of each load, and then [[combinations]] with limit_state =")
     for sound in (designed(BARS), cases(reinforcement=BARS, combinations=[MIX])):
         Model.model_validate(sound, context=FROM_FILE)
 
@@ -385,8 +385,8 @@ def test_names_of_the_file_are_made_harmless_and_short() -> None:
         cases(cases=[{"name": "\x1b[31m"}] * 2, loads=[{**UNIFORM, "case": "\x1b"}]),
         case(columns=[{**COLUMN, **each} for each in long], loads=[{**LOAD, "x": None, "y": None, "column": "y"}]),
     ):
-        for fault in faults(data):
-            line = ": ".join(fault)
+        for issue in issues(data):
+            line = ": ".join(issue)
             assert len(line) < 800
             assert "\x1b" not in line
 

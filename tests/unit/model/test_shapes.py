@@ -58,7 +58,7 @@ def test_what_does_not_fit_is_refused_by_its_place(changes: dict[str, Any], wher
     """Lengths beside an outline, counts on a drawn plan, loads in openings or beside the plate: each by name."""
     with pytest.raises(InputError) as error:
         model(**changes)
-    assert where in [fault.where for fault in error.value.faults]
+    assert where in [issue.location for issue in error.value.issues]
 
 
 def test_shapes_are_refused_where_they_make_no_sense() -> None:

@@ -78,8 +78,8 @@ def test_linear_moments_are_exact_at_centres(tmp_path: Path) -> None:
         "moment m_xy": -D * (1 - NU) / 2 * 2e-3 * y,
     }
     for name, values in wanted.items():
-        got = data[f"{name} [kNm/m] (centre, not averaged)"]
-        np.testing.assert_allclose(got, values, atol=1e-9 * np.abs(values).max())
+        given = data[f"{name} [kNm/m] (centre, not averaged)"]
+        np.testing.assert_allclose(given, values, atol=1e-9 * np.abs(values).max())
     np.testing.assert_allclose(data["pressure p [kPa] (centre, mean over the element)"], 10 + 2 * x, rtol=1e-12)
 
 

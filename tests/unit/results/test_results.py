@@ -84,7 +84,7 @@ def test_points_outside_are_all_named() -> None:
     plate = corner_loaded().plate
     with pytest.raises(InputError) as error:
         plate.value_at("settlement", [[0, 3.2], [4, 1]], [[0, 1], [1, np.nan]])
-    assert [(fault.where, fault.got) for fault in error.value.faults] == [
+    assert [(issue.location, issue.found) for issue in error.value.issues] == [
         ("point[0, 1]", "(3.2, 1) m"),
         ("point[1, 0]", "(4, 1) m"),
         ("point[1, 1]", "(1, nan) m"),
@@ -95,7 +95,7 @@ def test_points_outside_are_all_named() -> None:
         corner_loaded().ground.value_at(7, 0)
     with pytest.raises(InputError) as error:
         plate.value_at("settlement", np.full(MOST_NAMED + 50, 9.0), 0)
-    assert len(error.value.faults) == MOST_NAMED + 1
+    assert len(error.value.issues) == MOST_NAMED + 1
     assert "50 more points outside" in str(error.value)
 
 

@@ -11,14 +11,14 @@ import pytest
 from groundslab.case.casefile import loads, starter
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.base import Part, key_of, most_of, nested
-from groundslab.schema.fields import LARGEST_WHOLE, Key, Number, Quantity, Several, Whole
-from groundslab.schema.issues import Wrong
+from groundslab.schema.base import Section, key_of, most_of, nested
+from groundslab.schema.fields import LARGEST_WHOLE, FieldType, Integer, ListOf, Number, Quantity
+from groundslab.schema.issues import FieldError
 from groundslab.schema.ranges import Range, of_quantity
 from groundslab.units import DIMENSIONS
 
 
-def keys(part: type[Part], seen: set[type[Part]]) -> Iterator[tuple[str, Key]]:
+def keys(part: type[Section], seen: set[type[Section]]) -> Iterator[tuple[str, FieldType]]:
     """Yield all keys of a part and of those in it, and the keys of what lists hold."""
     if part in seen:
         return
@@ -27,7 +27,7 @@ def keys(part: type[Part], seen: set[type[Part]]) -> Iterator[tuple[str, Key]]:
         key = key_of(field)
         while key is not None:
             yield f"{part.__name__}.{name}", key
-            key = key.each if isinstance(key, Several) else None
+            key = key.each if isinstance(key, ListOf) else None
         for inner in nested(field).parts:
             yield from keys(inner, seen)
 
@@ -35,12 +35,12 @@ def keys(part: type[Part], seen: set[type[Part]]) -> Iterator[tuple[str, Key]]:
 KEYS = list(keys(Model, set()))
 
 
-def refused(key: Key, value: Any) -> bool:
+def refused(key: FieldType, value: Any) -> bool:
     """Return whether a key refuses a value with something to say."""
     try:
         key.read(value, from_file=False)
-    except Wrong as error:
-        return all(len(finding.expected) > 3 for finding in error.findings)
+    except FieldError as error:
+        return all(len(relative.expected) > 3 for relative in error.relative_issues)
     return False
 
 
@@ -51,8 +51,8 @@ def test_sizes_without_sense_are_refused(name: str, key: Quantity | Number) -> N
         assert refused(key, value), f"{name} takes {value}"
 
 
-@pytest.mark.parametrize(("name", "key"), [(n, k) for n, k in KEYS if isinstance(k, Whole)])
-def test_counts_are_bounded(name: str, key: Whole) -> None:
+@pytest.mark.parametrize(("name", "key"), [(n, k) for n, k in KEYS if isinstance(k, Integer)])
+def test_counts_are_bounded(name: str, key: Integer) -> None:
     """No count of a case may be so large that nobody could wait for what it counts."""
     assert key.at_most <= 100_000 < LARGEST_WHOLE, name
     assert refused(key, 600_000)
@@ -111,6 +111,6 @@ def test_every_list_has_an_end() -> None:
             continue
         with pytest.raises(InputError) as error:
             Model.model_validate({name: [0] * (most + 1)})
-        assert [str(fault) for fault in error.value.faults] == [
+        assert [str(issue) for issue in error.value.issues] == [
             f"{name}: got a list of {most + 1}, expected at most {most}"
         ]

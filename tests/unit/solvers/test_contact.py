@@ -27,7 +27,7 @@ NODES = np.arange(9)
 @pytest.fixture(autouse=True, params=[0, factor_reuse.FEW], ids=["factors", "bordered"])
 def few(request: pytest.FixtureRequest) -> Iterator[int]:
     """Let every test pass with a factor for each set of states, and with one factor for near ones."""
-    with patch.object(factorization, "FEW", request.param):
+    with patch.object(factor_reuse, "FEW", request.param):
         yield request.param
 
 

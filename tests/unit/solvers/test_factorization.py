@@ -12,8 +12,7 @@ from scipy.sparse import csr_array, triu
 
 from groundslab.errors import InputError, SingularMatrix
 from groundslab.fem.sparse import Symmetric
-from groundslab.solvers import factor_reuse, factorization, protocols
-from groundslab.solvers import pardiso as factorization_pardiso
+from groundslab.solvers import factor_reuse, factorization, pardiso, protocols
 
 SOLVERS = ["pardiso", "superlu"]
 
@@ -138,13 +137,13 @@ def test_a_zero_on_the_diagonal_is_refused(name: str) -> None:
 def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """PARDISO is called with analysis for the first matrix (phase 12) and without for the next ones (phase 22)."""
     phases: list[int] = []
-    original = factorization_pardiso._Pardiso._call
+    original = pardiso.Pardiso._call
 
     def spy(self: Any, phase: int, b: np.ndarray) -> np.ndarray:
         phases.append(phase)
         return original(self, phase, b)
 
-    monkeypatch.setattr(factorization_pardiso._Pardiso, "_call", spy)
+    monkeypatch.setattr(pardiso.Pardiso, "_call", spy)
     indptr, indices, data = upper_half(random_positive(20, seed=3))
     symbolic = solver("pardiso")(indptr, indices)
     for factor in (1.0, 2.0, 3.0):
@@ -155,9 +154,9 @@ def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def asked_anew() -> Iterator[None]:
     """Let it be asked anew whether PARDISO can be loaded, in this test and after it."""
-    factorization_pardiso.without_pardiso.cache_clear()
+    pardiso.without_pardiso.cache_clear()
     yield
-    factorization_pardiso.without_pardiso.cache_clear()
+    pardiso.without_pardiso.cache_clear()
 
 
 @pytest.mark.usefixtures("asked_anew")
@@ -173,7 +172,7 @@ def test_without_pypardiso_superlu_takes_its_place(monkeypatch: pytest.MonkeyPat
 def test_on_other_processors_auto_is_superlu(monkeypatch: pytest.MonkeyPatch) -> None:
     """MKL exists for x86-64 alone, so elsewhere its import is not even tried."""
     monkeypatch.setattr(factorization.platform, "machine", lambda: "arm64")
-    monkeypatch.setattr(factorization, "_pardiso_wrapper", lambda: pytest.fail("tried to import pypardiso"))
+    monkeypatch.setattr(factorization, "pardiso_wrapper", lambda: pytest.fail("tried to import pypardiso"))
     assert factorization.choose("auto")[0] == "superlu"
 
 

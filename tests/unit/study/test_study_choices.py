@@ -76,7 +76,7 @@ def test_what_does_not_go_together_is_a_fault(kind: str, vary: Any, more: Any, w
     """Choices and one-at-a-time variants where they mean nothing, and targets that are no probability, are refused."""
     with pytest.raises(InputError) as caught:
         described(kind, vary, **more)
-    assert any(where in fault.where for fault in caught.value.faults)
+    assert any(where in issue.location for issue in caught.value.issues)
 
 
 def test_a_count_for_a_tornado_is_a_fault() -> None:

@@ -42,17 +42,17 @@ class TestSummary:
 
     def test_extremes_are_those_of_the_formulas(self) -> None:
         """Values and places are those that the made-up fields have by construction."""
-        got = rows(synthetic.results(4))
-        assert got["settlement.largest"].value == pytest.approx(0.028)
-        assert got["settlement.largest"].place == (0.0, 0.0)
-        assert got["settlement.largest_uplift"].value == pytest.approx(0.028)
-        assert got["contact.largest_gap"].value == pytest.approx(0.028)
-        assert got["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
-        assert got["section_forces.largest_moment_x"].value == pytest.approx(1e5)
-        assert got["section_forces.smallest_moment_y"].value == pytest.approx(-1e4)
-        assert got["section_forces.smallest_moment_y"].place == (0.0, 3.6)
-        assert got["section_forces.largest_moment_xy"].value == pytest.approx(2e3 * 4.8 * 3.6)
-        assert got["section_forces.largest_shear_x"].value == pytest.approx(3e4 * 4.8)
+        found = rows(synthetic.results(4))
+        assert found["settlement.largest"].value == pytest.approx(0.028)
+        assert found["settlement.largest"].place == (0.0, 0.0)
+        assert found["settlement.largest_uplift"].value == pytest.approx(0.028)
+        assert found["contact.largest_gap"].value == pytest.approx(0.028)
+        assert found["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
+        assert found["section_forces.largest_moment_x"].value == pytest.approx(1e5)
+        assert found["section_forces.smallest_moment_y"].value == pytest.approx(-1e4)
+        assert found["section_forces.smallest_moment_y"].place == (0.0, 3.6)
+        assert found["section_forces.largest_moment_xy"].value == pytest.approx(2e3 * 4.8 * 3.6)
+        assert found["section_forces.largest_shear_x"].value == pytest.approx(3e4 * 4.8)
 
     def test_of_equal_places_always_the_same_one_is_named(self) -> None:
         """Rounding on a symmetric plate does not decide which of four corners is named."""
@@ -72,9 +72,9 @@ class TestSummary:
     def test_the_edge_line_force_is_a_figure_of_its_own(self) -> None:
         """Line forces at the edge are no pressure; they stand beside it in kN/m, where the ground has them."""
         results = synthetic.results(4, shear=True)
-        got = rows(results)
-        assert got["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
-        line = got["contact.largest_line_force"]
+        found = rows(results)
+        assert found["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
+        line = found["contact.largest_line_force"]
         assert (line.value, line.unit, line.symbol) == (5e5, single.Unit("kN/m", "N/m", 1e-3), "f")
         (note,) = next(section for section in single.summary(results) if section.key == "contact").notes
         assert "line force" in note
@@ -84,19 +84,19 @@ class TestSummary:
 
     def test_without_uplift_the_smallest_settlement_is_shown(self) -> None:
         """A plate that rests everywhere has no uplift, and no place for a gap of zero."""
-        got = rows(synthetic.results(lifts=False))
-        assert got["settlement.smallest"].value == pytest.approx(0.014)
-        assert "settlement.largest_uplift" not in got
-        assert got["contact.largest_gap"].place is None
+        found = rows(synthetic.results(lifts=False))
+        assert found["settlement.smallest"].value == pytest.approx(0.014)
+        assert "settlement.largest_uplift" not in found
+        assert found["contact.largest_gap"].place is None
 
     def test_rounding_is_neither_uplift_nor_tension(self) -> None:
         """Negative values in the last digits, as at a held edge, are not called by those names."""
         results = synthetic.results(lifts=False)
         fields = {"settlement": results.plate.settlement, "pressure": results.plate.pressure}
         noisy = {name: np.where(results.plate.nodes[:, 0] < 0, -1e-15, values) for name, values in fields.items()}
-        got = rows(replace(results, plate=replace(results.plate, **noisy)))
-        assert "settlement.smallest" in got
-        assert not any("tension" in key for key in got)
+        found = rows(replace(results, plate=replace(results.plate, **noisy)))
+        assert "settlement.smallest" in found
+        assert not any("tension" in key for key in found)
 
     def test_ground_that_pulls_is_reported(self) -> None:
         """Without tensionless contact a negative pressure shows up as tension."""

@@ -50,17 +50,17 @@ def give_texts(marks: Sequence[Mark], texts: Sequence[Label], role: str, sheet: 
     expected = units.expectation(DIMENSION[role])
     for t, text in enumerate(texts):
         if isinstance(text.value, str):
-            sheet.fault([text.source], text.start, named(text.words), expected, text.value)
+            sheet.issue([text.source], text.start, named(text.words), expected, text.value)
         elif t in given:
             continue
         elif text.value is None:
             sheet.tell(text.source, False, f"{named(text.words)}, which stands beside no {what}")
         elif t in near:
-            mend = "write the sum, or move the text nearer to its own load"
-            sheet.fault([text.source], text.start, f"{named(text.words)}, a second value", "one value a load", mend)
+            hint = "write the sum, or move the text nearer to its own load"
+            sheet.issue([text.source], text.start, f"{named(text.words)}, a second value", "one value a load", hint)
         else:
-            mend = f"draw the load, at most {NEAR} heights of the text away, or move the text to another layer"
-            sheet.fault([text.source], text.start, named(text.words), f"a {what} beside the value", mend)
+            hint = f"draw the load, at most {NEAR} heights of the text away, or move the text to another layer"
+            sheet.issue([text.source], text.start, named(text.words), f"a {what} beside the value", hint)
 
 
 def value_of(mark: Mark, role: str, sheet: Sheet) -> float | None:
@@ -68,9 +68,9 @@ def value_of(mark: Mark, role: str, sheet: Sheet) -> float | None:
     dimension = DIMENSION[role]
     if len(mark.values) > 1:
         shown = " and ".join(units.show(value, dimension) for value in mark.values)
-        sheet.fault([mark.source], mark.point, shown, "one value a load", "write the sum")
+        sheet.issue([mark.source], mark.point, shown, "one value a load", "write the sum")
     if mark.unclear and not mark.values:
-        sheet.fault([mark.source], mark.point, ", ".join(mark.unclear), units.expectation(dimension), "add the unit")
+        sheet.issue([mark.source], mark.point, ", ".join(mark.unclear), units.expectation(dimension), "add the unit")
     return mark.values[0] if mark.values else None
 
 

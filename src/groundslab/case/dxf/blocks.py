@@ -171,7 +171,7 @@ def _within(
     if insert.block() is None or insert.is_xref() or not blocks.holds(name, roles.get(source.layer.lower())):
         return
     if len(outer) >= DEEPEST:
-        sheet.fault([own], None, "too many blocks in blocks", f"at most {DEEPEST} blocks in each other", FEWER)
+        sheet.issue([own], None, "too many blocks in blocks", f"at most {DEEPEST} blocks in each other", FEWER)
         return
     inner = (*outer, own)
     skipped: list[tuple[DXFGraphic, str]] = []
@@ -179,7 +179,7 @@ def _within(
     try:
         parts = list(insert.virtual_entities(skipped_entity_callback=callback))
     except (DXFError, ArithmeticError, ValueError) as error:
-        sheet.fault([own], None, f"a block that cannot be placed ({error})", "a block with sound scales")
+        sheet.issue([own], None, f"a block that cannot be placed ({error})", "a block with sound scales")
         return
     for part, why in skipped:
         its = _source(part, inner)

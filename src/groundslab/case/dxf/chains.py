@@ -144,18 +144,18 @@ def _ends_fit(loose: list[_Link], at: dict[int, list[int]], nodes: Nodes, sheet:
         if not {a, b} & paired:
             paired |= {a, b}
             a, b = (b, a) if at[b] < at[a] else (a, b)
-            got = f"a gap of {sheet.shown(gap)}, to {sheet.place(nodes.points[b])}"
-            mend = "join the ends, or move what is no edge to another layer"
-            sheet.fault([loose[at[end][0]].source for end in (a, b)], nodes.points[a], got, expected, mend)
+            found = f"a gap of {sheet.shown(gap)}, to {sheet.place(nodes.points[b])}"
+            hint = "join the ends, or move what is no edge to another layer"
+            sheet.issue([loose[at[end][0]].source for end in (a, b)], nodes.points[a], found, expected, hint)
     for node in some:
         if node not in paired:
-            sheet.fault([loose[at[node][0]].source], nodes.points[node], "an open end", expected)
+            sheet.issue([loose[at[node][0]].source], nodes.points[node], "an open end", expected)
     if len(ends) > len(some):
         node = ends[len(some)]
-        got = f"{len(ends) - len(some)} more open ends, this being the next"
-        sheet.fault([loose[at[node][0]].source], nodes.points[node], got, expected)
+        found = f"{len(ends) - len(some)} more open ends, this being the next"
+        sheet.issue([loose[at[node][0]].source], nodes.points[node], found, expected)
     for node, links in at.items():
         if len(links) > 2:
-            mend = "leave one closed curve, and move the other lines to another layer"
+            hint = "leave one closed curve, and move the other lines to another layer"
             sources = [loose[number].source for number in links]
-            sheet.fault(sources, nodes.points[node], f"{len(links)} lines that meet in one point", expected, mend)
+            sheet.issue(sources, nodes.points[node], f"{len(links)} lines that meet in one point", expected, hint)

@@ -10,7 +10,7 @@ from groundslab.case.dxf.chains import Found
 from groundslab.case.dxf.nodes import Nodes
 from groundslab.case.dxf.sheet import DOUBLE, Sheet, Source
 from groundslab.case.dxf.words import named
-from groundslab.errors import Fault
+from groundslab.errors import Issue
 from groundslab.geometry.bulges import Curve, Point, Region
 from groundslab.geometry.intersections import meeting_of
 
@@ -36,11 +36,11 @@ def choose(
     """Return the outline, the greatest curve of its layer, and the openings that others of that layer are."""
     if not curves:
         where = f"{sheet.path}, layer {named(entities[0][0].layer)}" if entities else ""
-        if entities and not any(fault.where.startswith(where) for fault in sheet.faults):
+        if entities and not any(issue.location.startswith(where) for issue in sheet.issues):
             kinds = Counter(entity.dxftype() for _, entity in entities).items()
-            got = "only what cannot be taken: " + ", ".join(f"{count} {kind}" for kind, count in kinds)
+            found = "only what cannot be taken: " + ", ".join(f"{count} {kind}" for kind, count in kinds)
             why = "; ".join(dict.fromkeys(line.why for line in sheet.report if line.layer == entities[0][0].layer))
-            sheet.faults.append(Fault(where, got, "a closed curve", why))
+            sheet.issues.append(Issue(where, found, "a closed curve", why))
         return None, []
     outline = max(curves, key=lambda each: each.curve.area)
     tell_taken(outline, "the outline", sheet)
@@ -50,11 +50,11 @@ def choose(
         start = each.curve.points[0]
         meeting = meeting_of(around, each.edges(), tolerance, sheet.near)
         if meeting is not None:
-            got = "a second curve that crosses or touches the outline"
-            sheet.fault(each.sources, meeting, got, "one outline")
+            found = "a second curve that crosses or touches the outline"
+            sheet.issue(each.sources, meeting, found, "one outline")
         elif not around.holds(start, sheet.beside):
-            got, mend = "a second curve beside the outline", "a file describes one plate: move the others elsewhere"
-            sheet.fault(each.sources, start, got, "one outline", mend)
+            found, hint = "a second curve beside the outline", "a file describes one plate: move the others elsewhere"
+            sheet.issue(each.sources, start, found, "one outline", hint)
         elif has_openings:
             _tell_ignored(each, "it lies inside the outline, but openings have a layer of their own", sheet)
         elif inner.first(start) is not None:

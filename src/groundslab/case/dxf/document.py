@@ -13,7 +13,7 @@ from groundslab import units
 from groundslab.case.dxf.drawing import ReportLine
 from groundslab.case.dxf.sheet import Sheet
 from groundslab.case.dxf.words import named
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -36,34 +36,34 @@ def open_drawing(path: str) -> Document:
     try:
         from ezdxf.filemanagement import readfile
     except ImportError:
-        mend = "pip install groundslab[dxf]"
-        raise InputError([Fault(path, "a DXF drawing", "ezdxf to read it", mend)]) from None
+        hint = "pip install groundslab[dxf]"
+        raise InputError([Issue(path, "a DXF drawing", "ezdxf to read it", hint)]) from None
     try:
         if Path(path).exists() and not (Path(path).is_file() or Path(path).is_dir()):
-            raise InputError([Fault(path, "a device or a pipe", "a DXF drawing, which is a file")])
+            raise InputError([Issue(path, "a device or a pipe", "a DXF drawing, which is a file")])
         with Path(path).open("rb") as file:
             start, size = file.read(6), os.fstat(file.fileno()).st_size
     except FileNotFoundError:
-        raise InputError([Fault(path, "no file of that name", expected)]) from None
+        raise InputError([Issue(path, "no file of that name", expected)]) from None
     except IsADirectoryError:
-        raise InputError([Fault(path, "a directory", expected)]) from None
+        raise InputError([Issue(path, "a directory", expected)]) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise InputError([Fault(path, f"a file that cannot be read ({reason})", expected)]) from None
+        raise InputError([Issue(path, f"a file that cannot be read ({reason})", expected)]) from None
     if re.match(rb"AC10\d\d", start):
-        raise InputError([Fault(path, "a DWG drawing", expected, "save it as DXF in the CAD program")])
+        raise InputError([Issue(path, "a DWG drawing", expected, "save it as DXF in the CAD program")])
     if size > LARGEST_FILE:
-        mend = "save only the layers that are needed in a file of their own"
-        got = f"a file of {size / 1e6:,.0f} MB"
-        raise InputError([Fault(path, got, f"at most {LARGEST_FILE / 1e6:.0f} MB", mend)])
+        hint = "save only the layers that are needed in a file of their own"
+        found = f"a file of {size / 1e6:,.0f} MB"
+        raise InputError([Issue(path, found, f"at most {LARGEST_FILE / 1e6:.0f} MB", hint)])
     try:
         document = readfile(path)
         document.modelspace()  # which a damaged file may lack
     except OSError:
-        raise InputError([Fault(path, "a file that is not DXF", expected)]) from None
+        raise InputError([Issue(path, "a file that is not DXF", expected)]) from None
     except Exception as error:  # of any kind, as what is damaged may be anything
-        got = f"a damaged DXF file ({error})"
-        raise InputError([Fault(path, got, expected, "save it again in the CAD program")]) from None
+        found = f"a damaged DXF file ({error})"
+        raise InputError([Issue(path, found, expected, "save it again in the CAD program")]) from None
     return document
 
 
@@ -76,7 +76,7 @@ def take_unit(document: Document, given: str | None, sheet: Sheet) -> None:
             scale = Fraction(repr(units.parse(f"1 {given}", "length")))
         except units.QuantityError as error:
             expected = 'the name of a length, such as "mm"'
-            sheet.faults.append(Fault("the drawing's unit", named(given), expected, error.reason))
+            sheet.issues.append(Issue("the drawing's unit", named(given), expected, error.reason))
             return
         sheet.unit, sheet.scale = given, scale
         if own is not None and not math.isclose(own[1], scale, rel_tol=1e-5):
@@ -85,6 +85,6 @@ def take_unit(document: Document, given: str | None, sheet: Sheet) -> None:
     elif own is not None:
         sheet.unit, sheet.scale = own
     else:
-        got = f"unit number {code}" if code else "no unit"
-        mend = 'say the unit, such as "mm", or set INSUNITS in the drawing'
-        sheet.faults.append(Fault(f"{sheet.path}, header, $INSUNITS", got, "a unit of length", mend))
+        found = f"unit number {code}" if code else "no unit"
+        hint = 'say the unit, such as "mm", or set INSUNITS in the drawing'
+        sheet.issues.append(Issue(f"{sheet.path}, header, $INSUNITS", found, "a unit of length", hint))

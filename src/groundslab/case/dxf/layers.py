@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.case.dxf.sheet import Sheet, Source
 from groundslab.case.dxf.words import named
-from groundslab.errors import Fault
+from groundslab.errors import Issue
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -82,11 +82,11 @@ def roles_of(layers: Layers, sheet: Sheet) -> Roles:
         name: str = getattr(layers, role)
         if name and name.lower() in roles:
             expected = "a layer of its own"
-            sheet.faults.append(Fault(f"layer for {role}", f"{named(name)}, as for {roles[name.lower()]}", expected))
+            sheet.issues.append(Issue(f"layer for {role}", f"{named(name)}, as for {roles[name.lower()]}", expected))
         elif name:
             roles[name.lower()] = role
     if not layers.outline:
-        sheet.faults.append(Fault("layer for outline", "no name", "the name of a layer"))
+        sheet.issues.append(Issue("layer for outline", "no name", "the name of a layer"))
     return Roles(roles)
 
 
@@ -114,9 +114,9 @@ def look_at(
             shown = ", ".join(named(each) for each in known[:12]) + (" ..." if len(known) > 12 else "")
             others = {each.lower(): each for each in known if each.lower() != key}
             close = difflib.get_close_matches(key, others, 1)
-            mend = f"did you mean {named(others[close[0]])}? " if close else ""
-            mend += f"the drawing has the layers {shown}"
+            hint = f"did you mean {named(others[close[0]])}? " if close else ""
+            hint += f"the drawing has the layers {shown}"
             where = f"{sheet.path}, layer {named(name)}"
-            sheet.faults.append(Fault(where, "nothing on it", f"entities for {role.replace('_', ' ')}", mend))
+            sheet.issues.append(Issue(where, "nothing on it", f"entities for {role.replace('_', ' ')}", hint))
         else:
             sheet.tell(Source(name, "LAYER", ""), False, "nothing on it")

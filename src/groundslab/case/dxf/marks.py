@@ -32,7 +32,7 @@ def marks_of(entities: list[tuple[Source, DXFEntity]], tolerance: float, sheet: 
             text = label_of(source, entity, sheet)
             spot = spot_of(entity, sheet)
         except Exception as error:  # of any kind, as what is damaged may be anything
-            sheet.fault([source], None, f"a damaged entity ({error})", "a point load or a text")
+            sheet.issue([source], None, f"a damaged entity ({error})", "a point load or a text")
             continue
         if text is not None:
             texts.append(text)

@@ -55,7 +55,7 @@ def read(path: str | Path, layers: Layers | None = None, unit: str | None = None
     marks = marks_of(entities["point_loads"], tolerance, sheet)
     line_loads = lines_of(lines["line_loads"], texts["line_loads"], roles, tolerance, sheet)
     area_loads = areas_of(found["area_loads"], texts["area_loads"], roles, sheet)
-    if sheet.faults or outline is None:
+    if sheet.issues or outline is None:
         raise sheet.refused()
     return Drawing(
         outline=outline,
@@ -123,5 +123,5 @@ def _check(found: dict[str, list[Found]], tolerance: float, sheet: Sheet) -> Non
     for each in (each for curves in found.values() for each in curves):
         meeting = first_meeting(each.edges(), tolerance, sheet.near)
         if meeting is not None:
-            mend = "mend the curve so that it neither crosses nor touches itself"
-            sheet.fault(each.sources, meeting, "a curve that crosses or touches itself", "a simple closed curve", mend)
+            hint = "mend the curve so that it neither crosses nor touches itself"
+            sheet.issue(each.sources, meeting, "a curve that crosses or touches itself", "a simple closed curve", hint)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from groundslab.case.dxf.drawing import ReportLine
 from groundslab.case.dxf.words import named
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.geometry.bulges import Point
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class Sheet:
     path: str
     unit: str = "units"
     scale: Fraction = Fraction(1, 1000)
-    faults: list[Fault] = field(default_factory=list)
+    issues: list[Issue] = field(default_factory=list)
     report: list[ReportLine] = field(default_factory=list)
     more: int = 0  # faults that are not told
     spent: Counter[str] = field(default_factory=Counter)  # work done so far, by what it was
@@ -68,26 +68,26 @@ class Sheet:
         """Add a line to the report."""
         self.report.append(ReportLine(source.layer, source.entity, source.handle, taken, why))
 
-    def fault(self, sources: Sequence[Source], point: Point | None, got: str, expected: str, mend: str = "") -> None:
+    def issue(self, sources: Sequence[Source], point: Point | None, found: str, expected: str, hint: str = "") -> None:
         """Add a fault with file, layer, entities and place."""
         names = " and ".join(dict.fromkeys(f"{source.entity} {source.handle}".strip() for source in sources[:3]))
         where = f"{self.path}, layer {named(sources[0].layer)}, {names}"
         if len(sources) > 3:
             where += f" and {len(sources) - 3} more"
-        self.add(Fault(f"{where} at {self.place(point)}" if point else where, got, expected, mend))
+        self.add(Issue(f"{where} at {self.place(point)}" if point else where, found, expected, hint))
 
-    def add(self, fault: Fault) -> None:
+    def add(self, issue: Issue) -> None:
         """Add a fault; of very many only the first are kept."""
-        if len(self.faults) < MOST_FAULTS:
-            self.faults.append(fault)
+        if len(self.issues) < MOST_FAULTS:
+            self.issues.append(issue)
         else:
             self.more += 1
 
-    def spend(self, count: int, limit: int, what: str, mend: str = "") -> None:
+    def spend(self, count: int, limit: int, what: str, hint: str = "") -> None:
         """Count work before it is done; raises InputError where a drawing wants more of one kind than the limit."""
         self.spent[what] += count
         if self.spent[what] > limit:
-            stop(self, f"more than {limit:,} {what}", "fewer", mend or "leave only what is needed on these layers")
+            stop(self, f"more than {limit:,} {what}", "fewer", hint or "leave only what is needed on these layers")
 
     def near(self, count: int) -> None:
         """Count pairs of edges that are about to be compared."""
@@ -99,10 +99,10 @@ class Sheet:
 
     def refused(self) -> InputError:
         """Return the error with all faults."""
-        more = [Fault(self.path, f"{self.more:,} more faults", "none")] if self.more else []
-        return InputError([*self.faults, *more])
+        more = [Issue(self.path, f"{self.more:,} more faults", "none")] if self.more else []
+        return InputError([*self.issues, *more])
 
 
-def stop(sheet: Sheet, got: str, expected: str, mend: str = "") -> NoReturn:
+def stop(sheet: Sheet, found: str, expected: str, hint: str = "") -> NoReturn:
     """Raise the error that ends the reading at once."""
-    raise InputError([*sheet.faults, Fault(sheet.path, got, expected, mend)])
+    raise InputError([*sheet.issues, Issue(sheet.path, found, expected, hint)])

@@ -19,7 +19,7 @@ from groundslab.case.dxf.nodes import Nodes
 from groundslab.case.dxf.pieces import Piece
 from groundslab.case.dxf.sheet import DOUBLE, Sheet, Source
 from groundslab.case.dxf.words import named
-from groundslab.errors import Fault
+from groundslab.errors import Issue
 from groundslab.geometry.bulges import Curve, Edge, Point
 
 if TYPE_CHECKING:
@@ -135,7 +135,7 @@ def _values_of_layers(names: Sequence[str], role: str, roles: Roles, sheet: Shee
             values[name] = value
         elif value is not None:
             where, expected = f"{sheet.path}, layer {named(name)}", units.expectation(DIMENSION[role])
-            sheet.add(Fault(where, named(roles.behind(name)), expected, value))
+            sheet.add(Issue(where, named(roles.behind(name)), expected, value))
     return values
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.units import coordinate
 
 if TYPE_CHECKING:
@@ -79,8 +79,8 @@ class Table:
             import pandas as pd
         except ImportError:
             expected = "pandas, which makes a DataFrame of a table"
-            mend = "pip install groundslab[tables]; .csv() does without it"
-            raise InputError([Fault("pandas", "nothing that can be imported", expected, mend)]) from None
+            hint = "pip install groundslab[tables]; .csv() does without it"
+            raise InputError([Issue("pandas", "nothing that can be imported", expected, hint)]) from None
         return pd.DataFrame({column.header: pd.Series(_alike(column.values)) for column in self.columns})
 
 

@@ -21,7 +21,7 @@ from groundslab.geometry.intersections import crossings
 from groundslab.geometry.plan import Segment, loaded_polygon
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_of
 from groundslab.model.plate import Plate
-from groundslab.schema.issues import Finding
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 from groundslab.units import show
 
@@ -110,7 +110,7 @@ def clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]
     return tuple(_clipped(plate, _drawn(loads)))
 
 
-def loads_reach_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+def loads_reach_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
     """Find areas and lines of which nothing lies on the plate, and such as are far too large."""
     import shapely
 
@@ -122,10 +122,10 @@ def loads_reach_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Find
     reach = shapely.bounds([shape for _, _, shape in drawn])
     near = (reach[:, :2] >= (x0 - far, y0 - far)).all(axis=1) & (reach[:, 2:] <= (x1 + far, y1 + far)).all(axis=1)
     for k in np.flatnonzero(~near):
-        yield Finding(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
+        yield RelativeIssue(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
     for found in _clipped(plate, [drawn[int(k)] for k in np.flatnonzero(near)]):
         if found.share >= 1 - NO_PART:
-            yield Finding(("loads", found.number - 1), "a load off the plate", expected)
+            yield RelativeIssue(("loads", found.number - 1), "a load off the plate", expected)
 
 
 def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:

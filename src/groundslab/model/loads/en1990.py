@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Literal, get_args
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 Kind = Literal["permanent", "variable"]
 LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
@@ -85,11 +85,11 @@ def combinations(
     InputError where there would be more than MOST_COMBINATIONS.
     """
     factors = factors or Factors()
-    faults = [*_faults_of_actions(actions), *_faults_of_factors(factors)]
+    issues = [*_faults_of_actions(actions), *_faults_of_factors(factors)]
     known = get_args(LimitState)
-    faults += [Fault("sets", repr(each), f"one of {', '.join(known)}") for each in sets if each not in known]
-    if faults:
-        raise InputError(faults)
+    issues += [Issue("sets", repr(each), f"one of {', '.join(known)}") for each in sets if each not in known]
+    if issues:
+        raise InputError(issues)
     found: list[Combination] = []
     for limit_state in dict.fromkeys(sets):
         seen: set[tuple[tuple[str, float], ...]] = set()
@@ -101,8 +101,8 @@ def combinations(
             if len(found) > MOST_COMBINATIONS:
                 variable = sum(action.kind == "variable" for action in actions)
                 expected = f"at most {MOST_COMBINATIONS} combinations"
-                mend = "write the combinations that matter by hand, or put actions that exclude each other in a group"
-                raise InputError([Fault("actions", f"{variable} variable actions", expected, mend)])
+                hint = "write the combinations that matter by hand, or put actions that exclude each other in a group"
+                raise InputError([Issue("actions", f"{variable} variable actions", expected, hint)])
     return tuple(found)
 
 
@@ -154,38 +154,40 @@ def _subsets(actions: Sequence[Action]) -> Iterator[tuple[Action, ...]]:
         yield tuple(action for action in choice if action is not None)
 
 
-def _faults_of_actions(actions: Sequence[Action]) -> list[Fault]:
+def _faults_of_actions(actions: Sequence[Action]) -> list[Issue]:
     """Return what is wrong with the actions."""
-    faults: list[Fault] = []
+    issues: list[Issue] = []
     names = [action.name for action in actions]
     for i, action in enumerate(actions):
         where = f"action[{i}]"
         if not action.name or action.name != " ".join(action.name.split()) or "+" in action.name.split():
-            mend = "give it a name without outer or double blanks and without a + standing alone"
-            faults.append(Fault(f"{where}.name", repr(action.name), "a name that can stand in a sum", mend))
+            hint = "give it a name without outer or double blanks and without a + standing alone"
+            issues.append(Issue(f"{where}.name", repr(action.name), "a name that can stand in a sum", hint))
         if action.name in names[:i]:
-            faults.append(Fault(f"{where}.name", repr(action.name), "a name that no other action has"))
+            issues.append(Issue(f"{where}.name", repr(action.name), "a name that no other action has"))
         if action.kind not in get_args(Kind):
-            faults.append(Fault(f"{where}.kind", repr(action.kind), f"one of {', '.join(get_args(Kind))}"))
+            issues.append(Issue(f"{where}.kind", repr(action.kind), f"one of {', '.join(get_args(Kind))}"))
         values = {psi: getattr(action, psi) for psi in ("psi_0", "psi_1", "psi_2")}
         outside = {psi: value for psi, value in values.items() if not 0 <= value <= 1}
-        faults += [Fault(f"{where}.{psi}", f"{value:g}", "a number from 0 to 1") for psi, value in outside.items()]
+        issues += [Issue(f"{where}.{psi}", f"{value:g}", "a number from 0 to 1") for psi, value in outside.items()]
         if action.psi_2 > action.psi_1:
-            got = f"psi_2 = {action.psi_2:g}, psi_1 = {action.psi_1:g}"
-            mend = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990 4.1.3)"
-            faults.append(Fault(where, got, "psi_2 not larger than psi_1", mend))
-    return faults
+            found = f"psi_2 = {action.psi_2:g}, psi_1 = {action.psi_1:g}"
+            hint = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990 4.1.3)"
+            issues.append(Issue(where, found, "psi_2 not larger than psi_1", hint))
+    return issues
 
 
-def _faults_of_factors(factors: Factors) -> list[Fault]:
+def _faults_of_factors(factors: Factors) -> list[Issue]:
     """Return what is wrong with the partial factors."""
-    faults: list[Fault] = []
+    issues: list[Issue] = []
     for name in ("permanent", "variable"):
         unfavourable, favourable = getattr(factors, name)
         if not 0 <= favourable <= unfavourable < float("inf"):
-            got = f"{unfavourable:g} and {favourable:g}"
-            faults.append(Fault(f"factors.{name}", got, "first the larger one, unfavourable; neither of them negative"))
+            found = f"{unfavourable:g} and {favourable:g}"
+            issues.append(
+                Issue(f"factors.{name}", found, "first the larger one, unfavourable; neither of them negative")
+            )
     if factors.variable[1] != 0:
-        mend = "favourable variable actions are left out (EN 1990, Table A1.2(B))"
-        faults.append(Fault("factors.variable", f"{factors.variable[1]:g} where favourable", "0", mend))
-    return faults
+        hint = "favourable variable actions are left out (EN 1990, Table A1.2(B))"
+        issues.append(Issue("factors.variable", f"{factors.variable[1]:g} where favourable", "0", hint))
+    return issues

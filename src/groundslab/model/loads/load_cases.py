@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.errors import InputError
-from groundslab.schema.base import Check, Part
-from groundslab.schema.fields import Choice, Factors, Number, Several, Text
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section
+from groundslab.schema.fields import Choice, Factors, ListOf, Number, Text
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -22,13 +22,13 @@ SHARE = Range(at_least=0, at_most=1)
 PARTIAL = Range(at_least=0, at_most=100)
 
 
-def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[Finding]:
+def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIssue]:
     if action == "variable" and psi_2 > psi_1:
-        mend = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990, 4.1.3)"
-        yield Finding(("psi_2",), repr(psi_2), f"at most psi_1, {psi_1!r}", mend)
+        hint = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990, 4.1.3)"
+        yield RelativeIssue(("psi_2",), repr(psi_2), f"at most psi_1, {psi_1!r}", hint)
 
 
-class LoadCase(Part):
+class LoadCase(Section):
     """Loads that always act together."""
 
     checks: ClassVar[tuple[Check, ...]] = (_shares_fall,)
@@ -43,12 +43,12 @@ class LoadCase(Part):
     ] = ""
 
 
-def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[Finding]:
+def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
     if not any(value for _, value in factors):
-        yield Finding(("factors",), "no factor that is not 0", "a factor for at least one case")
+        yield RelativeIssue(("factors",), "no factor that is not 0", "a factor for at least one case")
 
 
-class Combination(Part):
+class Combination(Section):
     """Load cases that act together, each with a factor."""
 
     checks: ClassVar[tuple[Check, ...]] = (_some_factor,)
@@ -60,27 +60,27 @@ class Combination(Part):
     ]
 
 
-def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[Finding]:
+def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[RelativeIssue]:
     for name, (most, least) in (("permanent", permanent), ("variable", variable)):
         if least > most:
-            yield Finding((name,), f"[{most!r}, {least!r}]", "the unfavourable factor first, the larger one")
+            yield RelativeIssue((name,), f"[{most!r}, {least!r}]", "the unfavourable factor first, the larger one")
     if variable[1] != 0:
-        mend = "variable actions that are favourable are left out (EN 1990, Table A1.2(B))"
-        yield Finding(("variable", 1), repr(variable[1]), "0", mend)
+        hint = "variable actions that are favourable are left out (EN 1990, Table A1.2(B))"
+        yield RelativeIssue(("variable", 1), repr(variable[1]), "0", hint)
 
 
-class Combine(Part):
+class Combine(Section):
     """Which combinations are made from the cases by themselves, by EN 1990."""
 
     checks: ClassVar[tuple[Check, ...]] = (_factors_fall,)
 
     sets: Annotated[
         tuple[LimitState, ...],
-        Several(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
+        ListOf(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
     ]
     permanent: Annotated[
         tuple[float, float],
-        Several(
+        ListOf(
             Number("gamma_G", "", PARTIAL),
             "gamma_G",
             "partial factors of permanent actions, unfavourable and favourable; ultimate only",
@@ -89,7 +89,7 @@ class Combine(Part):
     ] = (1.35, 1.0)
     variable: Annotated[
         tuple[float, float],
-        Several(
+        ListOf(
             Number("gamma_Q", "", PARTIAL),
             "gamma_Q",
             "partial factors of variable actions, unfavourable and favourable; ultimate only",
@@ -98,7 +98,7 @@ class Combine(Part):
     ] = (1.5, 0.0)
 
 
-def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
     """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
     names = [case.name for case in cases]
     known = set(names)
@@ -107,53 +107,55 @@ def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadC
             continue
         if name not in known:
             expected = one_of(names) if names else "no case, as there are no [[cases]]"
-            got = describe(name) if name else "no case"
-            yield Finding((part, position, key), got, expected, suggestion(name, names))
+            found = describe(name) if name else "no case"
+            yield RelativeIssue((part, position, key), found, expected, suggestion(name, names))
 
 
-def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[Finding]:
+def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
     """Find factors of cases that are not there, and combinations of nothing."""
     names = [case.name for case in cases]
     if combinations and not names:
-        yield Finding(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
+        yield RelativeIssue(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
         return
     known = set(names)
     for position, combination in enumerate(combinations):
         for name, _ in combination.factors:
             if name not in known:
                 place = ("combinations", position, "factors", name)
-                yield Finding(place, "a case that is not there", one_of(names), suggestion(name, names))
+                yield RelativeIssue(place, "a case that is not there", one_of(names), suggestion(name, names))
 
 
 def combine_makes(
     combine: Combine | None, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...]
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     """Find automatic combinations that cannot be made, are too many or none, or have the name of another one."""
     if combine is None:
         return
     if not cases:
-        yield Finding(("combine",), "automatic combinations", "[[cases]] to combine")
+        yield RelativeIssue(("combine",), "automatic combinations", "[[cases]] to combine")
         return
     named_well = [bool(case.name) and case.name == " ".join(case.name.split()) and "+" not in case.name.split()
                   for case in cases]  # fmt: skip
     for position, case in enumerate(cases):
         if case.name and not named_well[position]:
-            mend = "without outer or double blanks and without a + standing alone"
-            yield Finding(("cases", position, "name"), describe(case.name), "a name that can stand in a sum", mend)
+            hint = "without outer or double blanks and without a + standing alone"
+            yield RelativeIssue(
+                ("cases", position, "name"), describe(case.name), "a name that can stand in a sum", hint
+            )
     if not all(named_well) or len({case.name for case in cases}) < len(cases):
         return
     try:
         made = {each.name for each in make_combinations(combine, cases)}
     except InputError as error:
-        for fault in error.faults:
-            yield Finding(("combine",), fault.got, fault.expected, fault.mend)
+        for issue in error.issues:
+            yield RelativeIssue(("combine",), issue.found, issue.expected, issue.hint)
         return
     if not made:
-        yield Finding(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
+        yield RelativeIssue(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
     for position, combination in enumerate(combinations):
         if combination.name in made:
-            got = f"{describe(combination.name)}, which combine makes as well"
-            yield Finding(("combinations", position, "name"), got, "a name of its own")
+            found = f"{describe(combination.name)}, which combine makes as well"
+            yield RelativeIssue(("combinations", position, "name"), found, "a name of its own")
 
 
 def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
@@ -165,14 +167,14 @@ def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None)
 
 def design_has_loads(
     reinforcement: object, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...], combine: Combine | None
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     """Find a design that is asked for without ultimate combinations to design for."""
     if reinforcement is None or has_ultimate(combinations, combine):
         return
     add = '[[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
     cased = "" if cases else "[[cases]], the case of each load, and then "
-    mend = f"add {cased}{add}; loads that hold partial factors already take part with the factor 1"
-    yield Finding(("reinforcement",), "no ultimate combination of loads", "at least one to design for", mend)
+    hint = f"add {cased}{add}; loads that hold partial factors already take part with the factor 1"
+    yield RelativeIssue(("reinforcement",), "no ultimate combination of loads", "at least one to design for", hint)
 
 
 def make_combinations(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:

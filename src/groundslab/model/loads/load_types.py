@@ -12,9 +12,9 @@ from pydantic import Discriminator, Tag
 from groundslab.model.columns import Column, footprint, one_footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
-from groundslab.schema.base import Check, Part, Table, kind_of
-from groundslab.schema.fields import Number, Quantity, Several, Text
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.fields import ListOf, Number, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
@@ -30,13 +30,13 @@ LoadName = Annotated[str, Text("name of the load, for people")]
 CaseName = Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")]
 Slope = Annotated[
     tuple[float, float],
-    Several(
+    ListOf(
         Quantity("pressure per length", "q_x, q_y", ""), "q_x, q_y", "growth of the pressure along x and along y", 2
     ),
 ]
 Bend = Annotated[
     tuple[float, float, float],
-    Several(
+    ListOf(
         Quantity("pressure per area", "q_xx, q_xy, q_yy", ""),
         "q_xx, q_xy, q_yy",
         "second derivatives of the pressure",
@@ -45,7 +45,7 @@ Bend = Annotated[
 ]
 About = Annotated[
     tuple[float, float],
-    Several(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
+    ListOf(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
 ]
 NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
@@ -56,7 +56,7 @@ def _box(x: tuple[float, float], y: tuple[float, float]) -> BaseGeometry:
     return box(x[0], y[0], x[1], y[1])
 
 
-class UniformLoad(Part):
+class UniformLoad(Section):
     """A pressure on the whole plate."""
 
     kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
@@ -68,7 +68,7 @@ class UniformLoad(Part):
     about: About = ORIGIN
 
 
-class PatchLoad(Part):
+class PatchLoad(Section):
     """A pressure on a rectangle."""
 
     kind: Annotated[Literal["patch"], Table("pressure on a rectangle")] = "patch"
@@ -86,7 +86,7 @@ class PatchLoad(Part):
         return _box(self.x, self.y)
 
 
-def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Finding]:
+def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
     from groundslab.geometry.plan import loaded_polygon
 
     if not holes:
@@ -94,9 +94,9 @@ def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Fi
     around = loaded_polygon(shape.ring())
     for position, hole in enumerate(holes):
         if not around.intersects(loaded_polygon(hole.ring())):
-            yield Finding(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
+            yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
     if not any(True for _ in _loaded(shape, holes)):
-        yield Finding(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
+        yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
 
 
 def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
@@ -110,7 +110,7 @@ def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
     return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
 
 
-class AreaLoad(Part):
+class AreaLoad(Section):
     """A pressure on a part of the plate of any shape."""
 
     checks: ClassVar[tuple[Check, ...]] = (_holes_in_shape,)
@@ -137,30 +137,36 @@ def _points_or_shape(
     bulges: tuple[float, ...],
     shape: AnyShape | None,
     q_end: float | None,
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     if points is None and shape is None:
-        yield Finding(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
+        yield RelativeIssue(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
     if shape is None:
         return
     for name, given in (("points", points), ("bulges", bulges or None), ("q_end", q_end)):
         if given is not None:
-            yield Finding((name,), f"{name} beside a shape", "one of them", "all of a shape's edge bears the same q")
+            yield RelativeIssue(
+                (name,), f"{name} beside a shape", "one of them", "all of a shape's edge bears the same q"
+            )
 
 
-def _no_standstill(points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]) -> Iterator[Finding]:
+def _no_standstill(
+    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]
+) -> Iterator[RelativeIssue]:
     if points is None:
         return
     if len(points) < 2:
-        yield Finding(("points",), f"{len(points)} point", "at least two")
+        yield RelativeIssue(("points",), f"{len(points)} point", "at least two")
     elif len(bulges) >= len(points):
         expected = f"at most {len(points) - 1}, one for each of the line's pieces"
-        yield Finding(("bulges",), f"{len(bulges)} bulges", expected)
+        yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
     for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
         if math.dist(a, b) < NO_LENGTH:
-            yield Finding(("points", position), f"({b[0]!r}, {b[1]!r}) m twice", "another place than the one before")
+            yield RelativeIssue(
+                ("points", position), f"({b[0]!r}, {b[1]!r}) m twice", "another place than the one before"
+            )
 
 
-class LineLoad(Part):
+class LineLoad(Section):
     """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
     checks: ClassVar[tuple[Check, ...]] = (_points_or_shape, _no_standstill)
@@ -174,11 +180,11 @@ class LineLoad(Part):
     ] = None
     points: Annotated[
         tuple[tuple[float, float], ...] | None,
-        Several(Place, "x, y", "the line's points, joined one after the other"),
+        ListOf(Place, "x, y", "the line's points, joined one after the other"),
     ] = None
     bulges: Annotated[
         tuple[float, ...],
-        Several(
+        ListOf(
             Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE)),
             "b",
             "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
@@ -220,7 +226,7 @@ class LineLoad(Part):
         return LineString(self.flat(chord))
 
 
-class SelfWeight(Part):
+class SelfWeight(Section):
     """The plate's own weight."""
 
     kind: Annotated[Literal["self weight"], Table("the plate's own weight, by its thickness in each zone")] = (
@@ -238,17 +244,19 @@ def _one_place(
     width_y: float | None,
     diameter: float | None,
     column: str,
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     own = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
     if column:
         for name in (name for name, value in own.items() if value is not None):
-            yield Finding((name,), f"{name} beside a column", "one of them", "the column says where its load acts")
+            yield RelativeIssue(
+                (name,), f"{name} beside a column", "one of them", "the column says where its load acts"
+            )
     else:
         for name in (name for name in ("x", "y") if own[name] is None):
-            yield Finding((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
+            yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
 
 
-class PointLoad(Part):
+class PointLoad(Section):
     """A force and moments at a point, on a footprint or on a column."""
 
     checks: ClassVar[tuple[Check, ...]] = (_one_place, one_footprint)
@@ -306,7 +314,7 @@ class PointLoad(Part):
         return self.replace(column="", **place)
 
 
-class TemperatureLoad(Part):
+class TemperatureLoad(Section):
     """A difference of temperature between the faces of the plate."""
 
     kind: Annotated[Literal["temperature"], Table("difference of temperature over the thickness")] = "temperature"
@@ -317,7 +325,7 @@ class TemperatureLoad(Part):
     ]
 
 
-class SettlementLoad(Part):
+class SettlementLoad(Section):
     """A settlement that is forced on a support."""
 
     kind: Annotated[Literal["settlement"], Table("settlement forced on a support")] = "settlement"
@@ -361,16 +369,16 @@ Load = Annotated[
 
 def _one_extent(
     x: tuple[float, float] | None, y: tuple[float, float] | None, shape: AnyShape | None
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     if shape is None:
         for name, value in (("x", x), ("y", y)):
             if value is None:
-                yield Finding((name,), "nothing", "x and y, or a shape")
+                yield RelativeIssue((name,), "nothing", "x and y, or a shape")
     elif x is not None or y is not None:
-        yield Finding(("shape",), "a shape beside x or y", "one of them")
+        yield RelativeIssue(("shape",), "a shape beside x or y", "one of them")
 
 
-class Void(Part):
+class Void(Section):
     """A part of the plan where the ground lies deeper, or is missing."""
 
     checks: ClassVar[tuple[Check, ...]] = (_one_extent,)
@@ -381,11 +389,11 @@ class Void(Part):
     ] = None
     x: Annotated[
         tuple[float, float] | None,
-        Several(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
+        ListOf(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
     ] = None
     y: Annotated[
         tuple[float, float] | None,
-        Several(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
+        ListOf(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
     ] = None
     shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
 

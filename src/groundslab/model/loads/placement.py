@@ -11,7 +11,7 @@ from groundslab.model.columns import Column
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, Void
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import CHORD
-from groundslab.schema.issues import Finding
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
@@ -69,19 +69,19 @@ class Covered:
         return reach
 
 
-def on_plate(plate: Plate | Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+def on_plate(plate: Plate | Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
     covered = plate if isinstance(plate, Covered) else Covered(plate)
     x0, x1, y0, y1 = covered.bounds
     near, plate = covered.near, covered.plate
-    mend = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
+    hint = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
         value = getattr(part, axis, None)
         values = () if value is None else value if isinstance(value, tuple) else (value,)
         if any(not low - near <= value <= high + near for value in values):
-            got = f"{values[0]!r} m" if len(values) == 1 else f"[{', '.join(f'{value!r} m' for value in values)}]"
-            yield Finding((*place, axis), got, f"a position on the plate, from {low!r} m to {high!r} m", mend)
+            found = f"{values[0]!r} m" if len(values) == 1 else f"[{', '.join(f'{value!r} m' for value in values)}]"
+            yield RelativeIssue((*place, axis), found, f"a position on the plate, from {low!r} m to {high!r} m", hint)
             outside = True
     # for points and what runs along the sides of a rectangle that is all
     if not outside and not (covered.plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
@@ -92,27 +92,27 @@ def _has_footprint(part: Placed) -> bool:
     return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
 
 
-def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[Finding]:
+def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate, be it within the rectangle around it."""
     expected = "a place on the plate, not in an opening nor beside the outline"
     (x0, x1, y0, y1), far = covered.bounds, covered.size
     # arcs drawn roughly: chords so short would be too many for what is so large
     left, low, right, high = part.drawn(math.inf).bounds
     if not (x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far):
-        yield Finding(place, "a part that reaches far off the plate", expected)
+        yield RelativeIssue(place, "a part that reaches far off the plate", expected)
         return
     loaded = part.drawn(covered.chord)
     if not covered.reach.covers(loaded):
         left = loaded.difference(covered.area)
         off = left.representative_point()
-        got, mend = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
+        found, hint = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
         if _has_footprint(part) and left.area < loaded.area:
-            got = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
-            mend = "move it or make it smaller; a force is not cut off at the edge as a pressure is"
-        yield Finding(place, got, expected, mend)
+            found = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
+            hint = "move it or make it smaller; a force is not cut off at the edge as a pressure is"
+        yield RelativeIssue(place, found, expected, hint)
 
 
-def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding]:
+def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
     """Find point loads that do not lie on the plate; those on columns lie where these do.
 
     A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
@@ -124,7 +124,7 @@ def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Finding
             yield from on_plate(covered, load, ("loads", position))
 
 
-def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[Finding]:
+def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
     """Find loads on columns that are not there."""
     names = [column.name for column in columns]
     known = set(names)
@@ -132,10 +132,10 @@ def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...])
         if isinstance(load, PointLoad) and load.column and load.column not in known:
             expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
             place = ("loads", position, "column")
-            yield Finding(place, describe(load.column), expected, suggestion(load.column, names))
+            yield RelativeIssue(place, describe(load.column), expected, suggestion(load.column, names))
 
 
-def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[Finding]:
+def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
     """Find voids that do not lie under the plate."""
     covered = Covered(plate)
     for position, void in enumerate(voids):

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from groundslab.model.model import Model
-from groundslab.schema.base import Part, key_of, nested
-from groundslab.schema.fields import Factors, Key, Number, Several
-from groundslab.schema.issues import Finding, Wrong
+from groundslab.schema.base import Section, key_of, nested
+from groundslab.schema.fields import Factors, FieldType, ListOf, Number
+from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 
 _STEP = re.compile(r'\.?(?:(?P<name>[A-Za-z_][\w-]*)|"(?P<quoted>(?:[^"\\]|\\.)*)")|\[(?P<number>[0-9]{1,6})\]')
@@ -25,7 +25,7 @@ class Place:
 
     path: str
     steps: tuple[Step, ...]
-    key: Key
+    key: FieldType
 
 
 def steps_of(path: str) -> tuple[Step, ...]:
@@ -50,15 +50,15 @@ def steps_of(path: str) -> tuple[Step, ...]:
     return tuple(steps)
 
 
-def wrong_path(path: str, expected: str, mend: str = "") -> Wrong:
+def wrong_path(path: str, expected: str, hint: str = "") -> FieldError:
     """Return the error for a path that leads to no key that can vary."""
-    return Wrong(Finding((), describe(path), expected, mend))
+    return FieldError(RelativeIssue((), describe(path), expected, hint))
 
 
 def place_of(model: Model, path: str) -> Place:
     """Return the key of a case that a path leads to; raises Wrong if it leads to none that holds a value."""
     steps = steps_of(path)
-    part: Part = model
+    part: Section = model
     walked = ""
     left = list(steps)
     while left:
@@ -69,8 +69,8 @@ def place_of(model: Model, path: str) -> Place:
             if name in type(part).model_fields:
                 raise wrong_path(path, f"a key that {where} a value for", f"{quote(str(name))} says which kind it is")
             shown = f"[{name + 1}]" if isinstance(name, int) else quote(name)
-            mend = suggestion(name, known)
-            raise wrong_path(path, f"a key that {where}: {one_of(known)}", mend or f"{shown} is none of them")
+            hint = suggestion(name, known)
+            raise wrong_path(path, f"a key that {where}: {one_of(known)}", hint or f"{shown} is none of them")
         field = type(part).model_fields[name]
         walked += f".{name}" if walked else name
         key = key_of(field)
@@ -94,11 +94,11 @@ def place_of(model: Model, path: str) -> Place:
     raise wrong_path(path, f"a key of {walked}: {one_of(keys)}", f"{walked} holds keys, not a value")
 
 
-def _within(key: Key, held: Any, left: list[Step], path: str, walked: str) -> Key:
+def _within(key: FieldType, held: Any, left: list[Step], path: str, walked: str) -> FieldType:
     """Return the kind of what stands in a list or a table of factors; the key itself if no step is left."""
     while left:
         step = left.pop(0)
-        if isinstance(key, Several) and isinstance(step, int) and held is not None and step < len(held):
+        if isinstance(key, ListOf) and isinstance(step, int) and held is not None and step < len(held):
             key, held = key.each, held[step]
             walked += f"[{step + 1}]"
         elif isinstance(key, Factors) and isinstance(step, str):
@@ -120,7 +120,7 @@ def value_at(model: Model, place: Place) -> Any:
     for step in place.steps:
         if isinstance(step, int):
             held = held[step]
-        elif isinstance(held, Part):
+        elif isinstance(held, Section):
             held = getattr(held, step)
         else:
             held = dict(held)[step]
@@ -139,7 +139,7 @@ def _changed(held: Any, changes: Sequence[tuple[tuple[Step, ...], Any]]) -> Any:
     by_step: dict[Step, list[tuple[tuple[Step, ...], Any]]] = {}
     for steps, value in changes:
         by_step.setdefault(steps[0], []).append((steps[1:], value))
-    if isinstance(held, Part):
+    if isinstance(held, Section):
         return {**dict(held), **{step: _changed(getattr(held, str(step)), below) for step, below in by_step.items()}}
     if all(isinstance(step, str) for step in by_step):
         return tuple((name, _changed(value, by_step[name]) if name in by_step else value) for name, value in held)

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
-from groundslab.schema.base import Check, Part, Table, kind_of
+from groundslab.schema.base import Check, Section, Table, kind_of
 from groundslab.schema.fields import Factors, Number, Text
-from groundslab.schema.issues import Finding, Wrong
+from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, quote, suggestion
 from groundslab.study.definition.field_types import Amount, Raw
@@ -36,12 +36,14 @@ Low = Annotated[Raw, Amount("a", "smallest value")]
 High = Annotated[Raw, Amount("b", "largest value")]
 
 
-def _cov_or_std(cov: float | None, std: Raw | None) -> Iterator[Finding]:
+def _cov_or_std(cov: float | None, std: Raw | None) -> Iterator[RelativeIssue]:
     if (cov is None) == (std is None):
-        yield Finding((), "neither cov nor std" if cov is None else "both cov and std", "exactly one of cov and std")
+        yield RelativeIssue(
+            (), "neither cov nor std" if cov is None else "both cov and std", "exactly one of cov and std"
+        )
 
 
-class Normal(Part):
+class Normal(Section):
     """The normal distribution."""
 
     checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
@@ -52,7 +54,7 @@ class Normal(Part):
     std: Std = None
 
 
-class TruncatedNormal(Part):
+class TruncatedNormal(Section):
     """The normal distribution between two ends."""
 
     checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
@@ -68,7 +70,7 @@ class TruncatedNormal(Part):
     high: Annotated[Raw | None, Amount("b", "largest value; no end by default")] = None
 
 
-class Lognormal(Part):
+class Lognormal(Section):
     """The lognormal distribution."""
 
     checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
@@ -79,7 +81,7 @@ class Lognormal(Part):
     std: Std = None
 
 
-class Gamma(Part):
+class Gamma(Section):
     """The gamma distribution."""
 
     checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
@@ -90,7 +92,7 @@ class Gamma(Part):
     std: Std = None
 
 
-class Weibull(Part):
+class Weibull(Section):
     """Weibull's distribution of smallest values."""
 
     checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
@@ -101,7 +103,7 @@ class Weibull(Part):
     std: Std = None
 
 
-class Gumbel(Part):
+class Gumbel(Section):
     """Gumbel's distribution of largest values."""
 
     checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
@@ -112,7 +114,7 @@ class Gumbel(Part):
     std: Std = None
 
 
-class Uniform(Part):
+class Uniform(Section):
     """The uniform distribution."""
 
     kind: Annotated[Literal["uniform"], Table("the uniform distribution")] = "uniform"
@@ -120,7 +122,7 @@ class Uniform(Part):
     high: High
 
 
-class Triangular(Part):
+class Triangular(Section):
     """The triangular distribution."""
 
     kind: Annotated[Literal["triangular"], Table("the triangular distribution")] = "triangular"
@@ -129,7 +131,7 @@ class Triangular(Part):
     high: High
 
 
-class Beta(Part):
+class Beta(Section):
     """The beta distribution between two ends."""
 
     checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
@@ -142,7 +144,7 @@ class Beta(Part):
     std: Std = None
 
 
-class Scipy(Part):
+class Scipy(Section):
     """Any continuous distribution of scipy.stats by its name and parameters."""
 
     kind: Annotated[Literal["scipy"], Table("any continuous distribution of scipy.stats")] = "scipy"
@@ -205,19 +207,19 @@ def distribution_of(part: AnyDistribution, read: Read) -> Distribution:
     read_of = _amounts(part, read)
     mean, low, high = read_of.get("mean", 0.0), read_of.get("low", -math.inf), read_of.get("high", math.inf)
     if not low < high:
-        raise Wrong(Finding(("high",), f"{high:g}, where low is {low:g}", "more than low"))
+        raise FieldError(RelativeIssue(("high",), f"{high:g}, where low is {low:g}", "more than low"))
     if isinstance(part, Uniform):
         return _made("uniform", loc=low, scale=high - low)
     if isinstance(part, Triangular):
         mode = read_of["mode"]
         if not low <= mode <= high:
-            raise Wrong(Finding(("mode",), f"{mode:g}", f"a value from {low:g} to {high:g}"))
+            raise FieldError(RelativeIssue(("mode",), f"{mode:g}", f"a value from {low:g} to {high:g}"))
         return _made("triang", c=(mode - low) / (high - low), loc=low, scale=high - low)
     if part.cov is not None and mean == 0:
-        raise Wrong(Finding(("cov",), repr(part.cov), "std, as the mean is 0"))
+        raise FieldError(RelativeIssue(("cov",), repr(part.cov), "std, as the mean is 0"))
     std = part.cov * abs(mean) if part.cov is not None else read_of["std"]
     if not std > 0:
-        raise Wrong(Finding(("std",), f"{std:g}", "more than 0"))
+        raise FieldError(RelativeIssue(("std",), f"{std:g}", "more than 0"))
     if isinstance(part, Normal):
         return _made("norm", loc=mean, scale=std)
     if isinstance(part, TruncatedNormal):
@@ -228,7 +230,7 @@ def distribution_of(part: AnyDistribution, read: Read) -> Distribution:
     if isinstance(part, Beta):
         return _beta(mean, std, low, high)
     if not mean > 0:
-        raise Wrong(Finding(("mean",), f"{mean:g}", f"more than 0, as kind is {quote(part.kind)}"))
+        raise FieldError(RelativeIssue(("mean",), f"{mean:g}", f"more than 0, as kind is {quote(part.kind)}"))
     return _positive(part, mean, std / mean)
 
 
@@ -238,17 +240,17 @@ _EULER = 0.5772156649015329  # Euler's constant
 def _amounts(part: AnyDistribution, read: Read) -> dict[str, float]:
     """Return all amounts of a part that are given, by their names, in SI units."""
     found: dict[str, float] = {}
-    findings: list[Finding] = []
+    relative_issues: list[RelativeIssue] = []
     for name in AMOUNTS:
         raw = getattr(part, name, None)
         if raw is None:
             continue
         try:
             found[name] = read(raw)
-        except Wrong as error:
-            findings += [finding.below((name,)) for finding in error.findings]
-    if findings:
-        raise Wrong(*findings)
+        except FieldError as error:
+            relative_issues += [relative.below((name,)) for relative in error.relative_issues]
+    if relative_issues:
+        raise FieldError(*relative_issues)
     return found
 
 
@@ -259,11 +261,13 @@ def _made(name: str, **parameters: float) -> Distribution:
 def _beta(mean: float, std: float, low: float, high: float) -> Distribution:
     """Return the beta distribution with given moments on (low, high) (Johnson, Kotz and Balakrishnan 1995, 25)."""
     if not low < mean < high:
-        raise Wrong(Finding(("mean",), f"{mean:g}", f"a value between {low:g} and {high:g}"))
+        raise FieldError(RelativeIssue(("mean",), f"{mean:g}", f"a value between {low:g} and {high:g}"))
     m, v = (mean - low) / (high - low), (std / (high - low)) ** 2
     if v >= m * (1 - m):
         most = math.sqrt(m * (1 - m)) * (high - low)
-        raise Wrong(Finding((), f"a standard deviation of {std:g}", f"less than {most:g} with this mean and ends"))
+        raise FieldError(
+            RelativeIssue((), f"a standard deviation of {std:g}", f"less than {most:g} with this mean and ends")
+        )
     nu = m * (1 - m) / v - 1
     return _made("beta", a=m * nu, b=(1 - m) * nu, loc=low, scale=high - low)
 
@@ -290,7 +294,9 @@ def _weibull_shape(cov: float) -> float:
     # the left side falls with c from far above any cov of soil or load to almost none
     low, high = math.log(0.05), math.log(1e4)
     if off(low) < 0 or off(high) > 0:
-        raise Wrong(Finding((), f"a cov of {cov:g}", "one between 0.0002 and 1000 for Weibull's distribution"))
+        raise FieldError(
+            RelativeIssue((), f"a cov of {cov:g}", "one between 0.0002 and 1000 for Weibull's distribution")
+        )
     return math.exp(float(brentq(off, low, high, xtol=1e-14)))
 
 
@@ -301,17 +307,21 @@ def _from_scipy(part: Scipy) -> Distribution:
     known = [name for name in dir(stats) if isinstance(getattr(stats, name), stats.rv_continuous)]
     if part.name not in known:
         expected = "a continuous distribution of scipy.stats"
-        raise Wrong(Finding(("name",), describe(part.name), expected, suggestion(part.name, known)))
+        raise FieldError(RelativeIssue(("name",), describe(part.name), expected, suggestion(part.name, known)))
     found = Distribution(part.name, part.parameters)
     shapes = getattr(stats, part.name).shapes
     names = [*(shapes.split(", ") if shapes else []), "loc", "scale"]
     for name, _ in part.parameters:
         if name not in names:
             expected = f"one of {', '.join(names)}"
-            raise Wrong(Finding(("parameters", name), "an unknown parameter", expected, suggestion(name, names)))
+            raise FieldError(
+                RelativeIssue(("parameters", name), "an unknown parameter", expected, suggestion(name, names))
+            )
     missing = [name for name in names[:-2] if name not in dict(part.parameters)]
     if missing:
-        raise Wrong(Finding(("parameters",), f"none called {missing[0]}", f"all of {', '.join(names[:-2])}"))
+        raise FieldError(RelativeIssue(("parameters",), f"none called {missing[0]}", f"all of {', '.join(names[:-2])}"))
     if not math.isfinite(float(found.frozen().ppf(0.5))):
-        raise Wrong(Finding(("parameters",), "parameters outside their range", "those that scipy.stats takes"))
+        raise FieldError(
+            RelativeIssue(("parameters",), "parameters outside their range", "those that scipy.stats takes")
+        )
     return found

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from groundslab.schema.fields import Key, Several
-from groundslab.schema.issues import wrong
+from groundslab.schema.fields import FieldType, ListOf
+from groundslab.schema.issues import field_error
 from groundslab.schema.wording import quote
 
 #: A value before it is known which key it is for: as the file or Python gives it.
@@ -14,7 +14,7 @@ Raw = str | float | int | bool | tuple[Any, ...]
 
 
 @dataclass(frozen=True)
-class Amount(Key):
+class Amount(FieldType):
     """A value for a key elsewhere, whose unit and range it takes; they are checked once that key is known."""
 
     symbol: str
@@ -28,7 +28,7 @@ class Amount(Key):
         if hasattr(value, "item"):  # NumPy's numbers
             value = value.item()
         if not isinstance(value, str | int | float | bool):
-            raise wrong(value, self.expected())
+            raise field_error(value, self.expected())
         return value
 
     def expected(self) -> str:
@@ -53,17 +53,17 @@ class Amount(Key):
 
 
 @dataclass(frozen=True)
-class OneOrTwo(Key):
+class OneOrTwo(FieldType):
     """One value for both directions, or two, along x and along y; kept as a pair."""
 
-    each: Key
+    each: FieldType
     symbol: str
     meaning: str
 
     def read(self, value: Any, from_file: bool) -> tuple[Any, Any]:
         """Return the pair."""
         if isinstance(value, list | tuple):
-            x, y = Several(self.each, "", "", 2).read(value, from_file)
+            x, y = ListOf(self.each, "", "", 2).read(value, from_file)
             return x, y
         one = self.each.read(value, from_file)
         return one, one

@@ -9,9 +9,9 @@ from typing import Any
 
 from groundslab import units
 from groundslab.case import casefile
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
-from groundslab.schema.fields import FROM_FILE, Key, Number, Quantity, Several
+from groundslab.schema.fields import FROM_FILE, FieldType, ListOf, Number, Quantity
 from groundslab.study.definition.distributions import AMOUNTS
 from groundslab.study.definition.schema import StudyFile
 from groundslab.study.definition.setup import Setup, setup_of
@@ -45,13 +45,13 @@ def read(path: str | Path, case: Model | str | Path | None = None) -> Read:
     """Return a study file with its case, or another one; raises InputError with all faults of both."""
     text = casefile.read(path)
     name = str(path)
-    faults: list[Fault] = []
+    issues: list[Issue] = []
     file, model, case_text = None, None, ""
     tables = casefile.tables(text, name)
     try:
         file = StudyFile.model_validate(tables, context=FROM_FILE)
     except InputError as error:
-        faults += error.faults
+        issues += error.issues
     named = tables.get("case")
     where = Path(path).parent / named if isinstance(named, str) else None
     if isinstance(case, Model):
@@ -63,9 +63,9 @@ def read(path: str | Path, case: Model | str | Path | None = None) -> Read:
             case_text = casefile.read(where)
             model = casefile.loads(case_text, str(where))
         except InputError as error:
-            faults += _of_case(error, where)
+            issues += _of_case(error, where)
     if file is None or model is None:
-        raise InputError(faults)
+        raise InputError(issues)
     return Read(text, case_text, setup_of(file, model))
 
 
@@ -91,7 +91,7 @@ def _with_units(file: StudyFile, setup: Setup) -> StudyFile:
     """Return a study whose amounts all have units, so that its text can be read."""
     vary = []
     for each, variable in zip(file.vary, setup.variables, strict=True):
-        key: Key = Number("", "") if each.times else variable.place.key
+        key: FieldType = Number("", "") if each.times else variable.place.key
         values = None if each.values is None else tuple(_written(key, value) for value in each.values)
         distribution = each.distribution
         if distribution is not None:
@@ -108,21 +108,21 @@ def _with_units(file: StudyFile, setup: Setup) -> StudyFile:
     return file.replace(vary=tuple(vary), limit_state=tuple(limits))
 
 
-def _written(key: Key, value: Any) -> Any:
+def _written(key: FieldType, value: Any) -> Any:
     """Return a value of a key with its unit; what is text already stays as it is."""
     if isinstance(key, Quantity) and not isinstance(value, str):
         return units.write(float(value), key.dimension)
-    if isinstance(key, Several):
+    if isinstance(key, ListOf):
         return tuple(_written(key.each, item) for item in value)
     return value
 
 
-def _of_case(error: InputError, where: Path) -> list[Fault]:
+def _of_case(error: InputError, where: Path) -> list[Issue]:
     """Return the faults of the case with its file's name in each place."""
     named = str(where)
     return [
-        fault
-        if fault.where.startswith(named)
-        else Fault(f"{named}: {fault.where}", fault.got, fault.expected, fault.mend)
-        for fault in error.faults
+        issue
+        if issue.location.startswith(named)
+        else Issue(f"{named}: {issue.location}", issue.found, issue.expected, issue.hint)
+        for issue in error.issues
     ]

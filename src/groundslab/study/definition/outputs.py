@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.results.contact_zone import contact_share
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
 from groundslab.results.results import Combined, Results
@@ -190,7 +190,7 @@ def _at(results: Results, output: Output) -> float:
     assert output.y is not None
     (element,), local = locate(Mesh(plate.nodes, plate.elements), np.array([[output.x, output.y]]))
     if element < 0:
-        raise InputError([Fault(output.name, f"({output.x:g}, {output.y:g}) m", "a point on the plate")])
+        raise InputError([Issue(output.name, f"({output.x:g}, {output.y:g}) m", "a point on the plate")])
     weights = q9(local)[0]
     fields = {name: weights @ getattr(plate, name)[plate.elements[element]] for name in PLATE_FIELDS}
     return float(_made(results, output.of, fields, results.elements.thickness[[element]])[0])

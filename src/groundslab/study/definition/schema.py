@@ -8,9 +8,9 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Field
 
 from groundslab.schema import reference
-from groundslab.schema.base import Check, Part, Table
-from groundslab.schema.fields import Choice, Flag, Number, Quantity, Several, Text, Whole
-from groundslab.schema.issues import Finding
+from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Number, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 from groundslab.study.definition.distributions import DistributionOf
@@ -26,15 +26,15 @@ COUNTED = ("grid", "list")
 UNCOUNTED = (*COUNTED, "tornado")
 
 
-def _count_fits(kind: str, count: int | None) -> Iterator[Finding]:
+def _count_fits(kind: str, count: int | None) -> Iterator[RelativeIssue]:
     if kind in UNCOUNTED and count is not None:
-        mend = "the values say how many there are" if kind in COUNTED else "two for each variable, and one more"
-        yield Finding(("count",), str(count), f"no count, as kind is {quote(kind)}", mend)
+        hint = "the values say how many there are" if kind in COUNTED else "two for each variable, and one more"
+        yield RelativeIssue(("count",), str(count), f"no count, as kind is {quote(kind)}", hint)
     if kind not in UNCOUNTED and count is None:
-        yield Finding(("count",), "nothing", "a whole number of variants", f"kind is {quote(kind)}")
+        yield RelativeIssue(("count",), "nothing", "a whole number of variants", f"kind is {quote(kind)}")
 
 
-class Sampling(Part):
+class Sampling(Section):
     """How variants are made of what varies."""
 
     checks: ClassVar[tuple[Check, ...]] = (_count_fits,)
@@ -48,46 +48,48 @@ class Sampling(Part):
         ),
     ]
     count: Annotated[
-        int | None, Whole("variants to draw; of saltelli those of each of the two samples that are mixed")
+        int | None, Integer("variants to draw; of saltelli those of each of the two samples that are mixed")
     ] = None
 
 
-def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[Finding]:
+def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[RelativeIssue]:
     if choose and values is None:
-        yield Finding(("choose",), "true", "values to choose from")
+        yield RelativeIssue(("choose",), "true", "values to choose from")
 
 
-def _values_or_distribution(values: tuple[Raw, ...] | None, distribution: Part | None) -> Iterator[Finding]:
+def _values_or_distribution(values: tuple[Raw, ...] | None, distribution: Section | None) -> Iterator[RelativeIssue]:
     if (values is None) == (distribution is None):
-        got = "neither values nor distribution" if values is None else "both values and distribution"
-        yield Finding((), got, "exactly one of values and distribution")
+        found = "neither values nor distribution" if values is None else "both values and distribution"
+        yield RelativeIssue((), found, "exactly one of values and distribution")
 
 
-class Vary(Part):
+class Vary(Section):
     """A quantity of the case that varies."""
 
     checks: ClassVar[tuple[Check, ...]] = (_values_or_distribution, _choice_of_values)
 
     path: Annotated[str, Text("key of the case; positions count from 1, as in ground.layers[1].E")]
     name: Annotated[str, Text("its name in the study; the path by default")] = ""
-    values: Annotated[tuple[Raw, ...] | None, Several(Amount("", ""), "", "values; drawn ones are equally likely")] = (
+    values: Annotated[tuple[Raw, ...] | None, ListOf(Amount("", ""), "", "values; drawn ones are equally likely")] = (
         None
     )
     distribution: Annotated[DistributionOf | None, Table("distribution of the values, instead of values")] = None
     choose: Annotated[
-        bool, Flag("whether values are for the designer to choose from: not drawn, each is solved with all that is")
+        bool, Boolean("whether values are for the designer to choose from: not drawn, each is solved with all that is")
     ] = False
-    times: Annotated[bool, Flag("whether values are pure numbers that the value in the case is multiplied by")] = False
+    times: Annotated[bool, Boolean("whether values are pure numbers that the value in the case is multiplied by")] = (
+        False
+    )
 
 
-class Correlation(Part):
+class Correlation(Section):
     """Variables that depend on each other."""
 
-    between: Annotated[tuple[str, ...], Several(Text(""), "", "names of two or more variables", unique=True, least=2)]
+    between: Annotated[tuple[str, ...], ListOf(Text(""), "", "names of two or more variables", unique=True, least=2)]
     rho: Annotated[float, Number("rho", "correlation of each two of them, in normal scores", Range(above=-1, below=1))]
 
 
-class RandomField(Part):
+class RandomField(Section):
     """A factor on a quantity of the ground that varies from place to place."""
 
     path: Annotated[str, Text("key of the ground: ground.k, ground.k0, ground.k1, ground.layers[1].E and the like")]
@@ -106,7 +108,7 @@ class RandomField(Part):
     ] = "gaussian"
 
 
-class Keep(Part):
+class Keep(Section):
     """A result to be kept of each variant."""
 
     name: Annotated[str, Text("its name; made of what it is by default")] = ""
@@ -122,16 +124,16 @@ class Keep(Part):
         str, Text("combination that it is of; by default all of them, and of these the worst one's")
     ] = ""
     support: Annotated[str, Text("name of the support, for support force")] = ""
-    layer: Annotated[int | None, Whole("layer of the ground from the top, for k0 and k1")] = None
+    layer: Annotated[int | None, Integer("layer of the ground from the top, for k0 and k1")] = None
 
 
-def _one_limit(at_most: Raw | None, at_least: Raw | None) -> Iterator[Finding]:
+def _one_limit(at_most: Raw | None, at_least: Raw | None) -> Iterator[RelativeIssue]:
     if (at_most is None) == (at_least is None):
-        got = "neither at_most nor at_least" if at_most is None else "both at_most and at_least"
-        yield Finding((), got, "exactly one of at_most and at_least")
+        found = "neither at_most nor at_least" if at_most is None else "both at_most and at_least"
+        yield RelativeIssue((), found, "exactly one of at_most and at_least")
 
 
-class LimitState(Part):
+class LimitState(Section):
     """A limit that a kept result should not pass."""
 
     checks: ClassVar[tuple[Check, ...]] = (_one_limit,)
@@ -145,36 +147,40 @@ class LimitState(Part):
     ] = None
 
 
-def _something_varies(vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]) -> Iterator[Finding]:
+def _something_varies(vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]) -> Iterator[RelativeIssue]:
     if not vary and not random_field:
-        yield Finding((), "nothing that varies", "[[vary]] or [[random_field]]")
+        yield RelativeIssue((), "nothing that varies", "[[vary]] or [[random_field]]")
 
 
-def _choices_fit(sampling: Sampling, vary: tuple[Vary, ...], correlation: tuple[Correlation, ...]) -> Iterator[Finding]:
+def _choices_fit(
+    sampling: Sampling, vary: tuple[Vary, ...], correlation: tuple[Correlation, ...]
+) -> Iterator[RelativeIssue]:
     """Find choices where nothing is drawn, and choices that are said to hang together with chance."""
     for position, each in enumerate(vary):
         if each.choose and sampling.kind in (*UNCOUNTED, "saltelli"):
             expected = f"no choice, as sampling.kind is {quote(sampling.kind)}"
-            yield Finding(("vary", position, "choose"), "true", expected)
+            yield RelativeIssue(("vary", position, "choose"), "true", expected)
         if each.choose and any((each.name or each.path) in pair.between for pair in correlation):
-            yield Finding(("vary", position, "choose"), "true", "no choice, as [[correlation]] names it")
+            yield RelativeIssue(("vary", position, "choose"), "true", "no choice, as [[correlation]] names it")
 
 
-def _kinds_fit(sampling: Sampling, vary: tuple[Vary, ...]) -> Iterator[Finding]:
+def _kinds_fit(sampling: Sampling, vary: tuple[Vary, ...]) -> Iterator[RelativeIssue]:
     if sampling.kind == "tornado":
         for position, each in enumerate(vary):
             if each.values is not None:
-                yield Finding(("vary", position, "values"), "values", 'a distribution, as sampling.kind is "tornado"')
+                yield RelativeIssue(
+                    ("vary", position, "values"), "values", 'a distribution, as sampling.kind is "tornado"'
+                )
     if sampling.kind not in COUNTED:
         return
     for position, each in enumerate(vary):
         if each.distribution is not None:
             expected = f"values, as sampling.kind is {quote(sampling.kind)}"
-            yield Finding(("vary", position, "distribution"), "a distribution", expected)
+            yield RelativeIssue(("vary", position, "distribution"), "a distribution", expected)
     lengths = {len(each.values) for each in vary if each.values is not None}
     if sampling.kind == "list" and len(lengths) > 1:
         expected = 'as many values for each, as sampling.kind is "list"'
-        yield Finding(("vary",), f"lists of {one_of_numbers(lengths)} values", expected)
+        yield RelativeIssue(("vary",), f"lists of {one_of_numbers(lengths)} values", expected)
 
 
 def one_of_numbers(numbers: set[int]) -> str:
@@ -184,21 +190,25 @@ def one_of_numbers(numbers: set[int]) -> str:
     return listed(map(str, sorted(numbers)), "and")
 
 
-def _fields_fit(sampling: Sampling, vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]) -> Iterator[Finding]:
+def _fields_fit(
+    sampling: Sampling, vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]
+) -> Iterator[RelativeIssue]:
     if sampling.kind in ("grid", "tornado") and random_field:
-        yield Finding(("random_field",), describe(random_field), f"none, as sampling.kind is {quote(sampling.kind)}")
+        yield RelativeIssue(
+            ("random_field",), describe(random_field), f"none, as sampling.kind is {quote(sampling.kind)}"
+        )
     if sampling.kind == "list" and not vary:
-        yield Finding(("vary",), "nothing", 'at least one variable with a list, as sampling.kind is "list"')
+        yield RelativeIssue(("vary",), "nothing", 'at least one variable with a list, as sampling.kind is "list"')
 
 
-def _known_keeps(keep: tuple[Keep, ...], limit_state: tuple[LimitState, ...]) -> Iterator[Finding]:
+def _known_keeps(keep: tuple[Keep, ...], limit_state: tuple[LimitState, ...]) -> Iterator[RelativeIssue]:
     names = [name_of_keep(each) for each in keep]
     for position, each in enumerate(limit_state):
         if each.keep not in names:
-            mend = suggestion(each.keep, names)
-            yield Finding(("limit_state", position, "keep"), describe(each.keep), one_of(names), mend)
+            hint = suggestion(each.keep, names)
+            yield RelativeIssue(("limit_state", position, "keep"), describe(each.keep), one_of(names), hint)
         elif keep[names.index(each.keep)].take == "everywhere":
-            yield Finding(("limit_state", position, "keep"), describe(each.keep), "a result that is one number")
+            yield RelativeIssue(("limit_state", position, "keep"), describe(each.keep), "a result that is one number")
 
 
 def _names_once(
@@ -206,7 +216,7 @@ def _names_once(
     random_field: tuple[RandomField, ...],
     keep: tuple[Keep, ...],
     limit_state: tuple[LimitState, ...],
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     """Find names that stand twice; those of columns also if only capitals tell them apart, which a table cannot."""
     seen: set[str] = set(RESERVED)
     for part, names in (
@@ -217,45 +227,47 @@ def _names_once(
         for position, name in enumerate(names):
             if name.casefold() in seen:
                 expected = "a name that no other column of the study has"
-                yield Finding((part, position, "name"), describe(name), expected, "capitals make no difference")
+                yield RelativeIssue((part, position, "name"), describe(name), expected, "capitals make no difference")
             if not name.isprintable() or len(name) > LONGEST_NAME:
                 expected = f"one line of at most {LONGEST_NAME} characters"
-                yield Finding((part, position, "name"), describe(name), expected)
+                yield RelativeIssue((part, position, "name"), describe(name), expected)
             seen.add(name.casefold())
     limits: set[str] = set()
     for position, each in enumerate(limit_state):
         if each.name in limits:
-            yield Finding(("limit_state", position, "name"), describe(each.name), "a name that no other one has")
+            yield RelativeIssue(("limit_state", position, "name"), describe(each.name), "a name that no other one has")
         limits.add(each.name)
 
 
 def _few_columns(
     vary: tuple[Vary, ...], random_field: tuple[RandomField, ...], keep: tuple[Keep, ...]
-) -> Iterator[Finding]:
+) -> Iterator[RelativeIssue]:
     total = len(vary) + len(random_field) + len(keep)
     if total > MOST_COLUMNS:
-        yield Finding((), f"{total} variables and results", f"at most {MOST_COLUMNS} together")
+        yield RelativeIssue((), f"{total} variables and results", f"at most {MOST_COLUMNS} together")
 
 
-def _known_correlations(vary: tuple[Vary, ...], correlation: tuple[Correlation, ...]) -> Iterator[Finding]:
+def _known_correlations(vary: tuple[Vary, ...], correlation: tuple[Correlation, ...]) -> Iterator[RelativeIssue]:
     names = [each.name or each.path for each in vary]
     pairs: set[frozenset[str]] = set()
     for position, each in enumerate(correlation):
         for number, name in enumerate(each.between):
             if name not in names:
-                mend = suggestion(name, names)
+                hint = suggestion(name, names)
                 expected = one_of(names) if names else "a variable"
-                yield Finding(("correlation", position, "between", number), describe(name), expected, mend)
+                yield RelativeIssue(("correlation", position, "between", number), describe(name), expected, hint)
         own = {frozenset((a, b)) for a in each.between for b in each.between if a != b}
         if own & pairs:
-            yield Finding(("correlation", position, "between"), "a pair that stands above", "each pair once")
+            yield RelativeIssue(("correlation", position, "between"), "a pair that stands above", "each pair once")
         pairs |= own
 
 
-def _correlation_fits(sampling: Sampling, correlation: tuple[Correlation, ...]) -> Iterator[Finding]:
+def _correlation_fits(sampling: Sampling, correlation: tuple[Correlation, ...]) -> Iterator[RelativeIssue]:
     if correlation and sampling.kind in (*UNCOUNTED, "saltelli"):
         why = "Sobol's indices are for independent variables" if sampling.kind == "saltelli" else "nothing is drawn"
-        yield Finding(("correlation",), describe(correlation), f"none, as sampling.kind is {quote(sampling.kind)}", why)
+        yield RelativeIssue(
+            ("correlation",), describe(correlation), f"none, as sampling.kind is {quote(sampling.kind)}", why
+        )
 
 
 #: Columns that every study has.
@@ -284,7 +296,7 @@ def name_of_keep(keep: Keep) -> str:
     return " ".join(filter(None, words))
 
 
-class StudyFile(Part):
+class StudyFile(Section):
     """The whole description of a study."""
 
     checks: ClassVar[tuple[Check, ...]] = (
@@ -301,7 +313,7 @@ class StudyFile(Part):
 
     title: Annotated[str, Text("title of the study")] = ""
     case: Annotated[str, Text("case file, from the folder of this file on")]
-    seed: Annotated[int, Whole("seed of all that is drawn", at_least=0)] = 1
+    seed: Annotated[int, Integer("seed of all that is drawn", at_least=0)] = 1
     sampling: Annotated[Sampling, Table("how variants are made of what varies")]
     vary: Annotated[tuple[Vary, ...], Table("quantities of the case that vary")] = ()
     correlation: Annotated[tuple[Correlation, ...], Table("variables that depend on each other")] = ()

@@ -15,8 +15,8 @@ from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.model import Model
 from groundslab.model.outputs import OutputPoint
-from groundslab.schema.fields import Key, Number, Quantity
-from groundslab.schema.issues import Finding, Wrong
+from groundslab.schema.fields import FieldType, Number, Quantity
+from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 from groundslab.study.definition.case_paths import Place, place_of, value_at
 from groundslab.study.definition.distributions import AnyDistribution, Distribution, distribution_of
@@ -160,13 +160,13 @@ class Setup:
 
 def setup_of(file: StudyFile, model: Model, from_file: bool = True) -> Setup:
     """Return a study with its case; raises InputError with all faults. Without `from_file` numbers are in SI units."""
-    findings: list[Finding] = []
+    relative_issues: list[RelativeIssue] = []
 
     def tried(make: Any, place: tuple[str | int, ...]) -> Any:
         try:
             return make()
-        except Wrong as error:
-            findings.extend(finding.below(place) for finding in error.findings)
+        except FieldError as error:
+            relative_issues.extend(relative.below(place) for relative in error.relative_issues)
             return None
 
     variables = [
@@ -177,7 +177,7 @@ def setup_of(file: StudyFile, model: Model, from_file: bool = True) -> Setup:
         if variable is not None:
             if variable.place.steps in seen:
                 expected = "a key that no other variable has"
-                findings.append(Finding(("vary", position, "path"), describe(variable.path), expected))
+                relative_issues.append(RelativeIssue(("vary", position, "path"), describe(variable.path), expected))
             seen[variable.place.steps] = variable.name
     fields = [
         tried(lambda each=each: _field(each, model), ("random_field", n)) for n, each in enumerate(file.random_field)
@@ -189,48 +189,50 @@ def setup_of(file: StudyFile, model: Model, from_file: bool = True) -> Setup:
     ]
     names = [each.name or each.path for each in file.vary]
     correlation = tried(lambda: _correlation(names, file.correlation), ("correlation",))
-    if not findings:
+    if not relative_issues:
         setup = Setup(
             file.title, model, file.seed, file.sampling, tuple(variables), correlation, tuple(fields), tuple(outputs),
             tuple(limits),
         )  # fmt: skip
         if setup.count <= MOST_VARIANTS:
             return setup
-        findings.append(Finding(("sampling",), f"{setup.count:.3g} variants", f"at most {MOST_VARIANTS:,}"))
-    raise InputError([finding.fault(StudyFile.root()) for finding in findings])
+        relative_issues.append(
+            RelativeIssue(("sampling",), f"{setup.count:.3g} variants", f"at most {MOST_VARIANTS:,}")
+        )
+    raise InputError([relative.issue(StudyFile.root()) for relative in relative_issues])
 
 
 def _variable(vary: Vary, model: Model, from_file: bool) -> Variable:
     """Return a variable; raises Wrong."""
     try:
         place = place_of(model, vary.path)
-    except Wrong as error:
-        raise Wrong(*(finding.below(("path",)) for finding in error.findings)) from None
+    except FieldError as error:
+        raise FieldError(*(relative.below(("path",)) for relative in error.relative_issues)) from None
     base = value_at(model, place)
     continuous = isinstance(place.key, Quantity | Number)
     if vary.times and not (continuous and isinstance(base, float)):
         expected = "a key that holds a number in the case"
-        raise Wrong(Finding(("times",), f"{vary.path}, which is {describe(base)}", expected))
+        raise FieldError(RelativeIssue(("times",), f"{vary.path}, which is {describe(base)}", expected))
     if vary.distribution is not None and not continuous:
-        raise Wrong(Finding(("distribution",), "a distribution", "values, as the key takes no real numbers"))
-    key: Key = Number("", "factor") if vary.times else place.key
+        raise FieldError(RelativeIssue(("distribution",), "a distribution", "values, as the key takes no real numbers"))
+    key: FieldType = Number("", "factor") if vary.times else place.key
     distribution = None if vary.distribution is None else _distribution(vary.distribution, key, from_file)
     values: list[Any] | None = None if vary.values is None else []
-    findings: list[Finding] = []
+    relative_issues: list[RelativeIssue] = []
     for position, raw in enumerate(vary.values or ()):
         assert values is not None
         try:
             values.append(key.read(raw, from_file))
-        except Wrong as error:
-            findings += [finding.below(("values", position)) for finding in error.findings]
-    if findings:
-        raise Wrong(*findings)
+        except FieldError as error:
+            relative_issues += [relative.below(("values", position)) for relative in error.relative_issues]
+    if relative_issues:
+        raise FieldError(*relative_issues)
     name = vary.name or vary.path
     kept = None if values is None else tuple(values)
     return Variable(name, place, kept, distribution, vary.times, vary.choose, base)
 
 
-def _distribution(part: AnyDistribution, key: Key, from_file: bool) -> Distribution:
+def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Distribution:
     """Return a distribution of values of a key; raises Wrong. Its ends need not lie in the key's range."""
     key = Quantity(key.dimension, key.symbol, key.meaning) if isinstance(key, Quantity) else Number("", "")
 
@@ -239,8 +241,8 @@ def _distribution(part: AnyDistribution, key: Key, from_file: bool) -> Distribut
 
     try:
         return distribution_of(part, read)
-    except Wrong as error:
-        raise Wrong(*(finding.below(("distribution",)) for finding in error.findings)) from None
+    except FieldError as error:
+        raise FieldError(*(relative.below(("distribution",)) for relative in error.relative_issues)) from None
 
 
 def _field(field: RandomField, model: Model) -> Field:
@@ -248,13 +250,13 @@ def _field(field: RandomField, model: Model) -> Field:
     expected = f"a constant of the ground such as {_OF_GROUND[model.ground.kind][0]}"
     try:
         place = place_of(model, field.path)
-    except Wrong as error:
-        raise Wrong(*(finding.below(("path",)) for finding in error.findings)) from None
+    except FieldError as error:
+        raise FieldError(*(relative.below(("path",)) for relative in error.relative_issues)) from None
     last = place.steps[-1]
     if place.steps[0] != "ground" or last not in ("k", "k0", "k1", "E") or "selvadurai" in place.steps:
-        raise Wrong(Finding(("path",), describe(field.path), expected))
+        raise FieldError(RelativeIssue(("path",), describe(field.path), expected))
     if value_at(model, place) is None:
-        raise Wrong(Finding(("path",), f"{field.path}, which the case does not give", expected))
+        raise FieldError(RelativeIssue(("path",), f"{field.path}, which the case does not give", expected))
     distribution = _distribution(field.distribution, Number("", ""), from_file=False)
     return Field(name_of_field(field), field.path, distribution, field.correlation_length, field.model)
 
@@ -262,49 +264,49 @@ def _field(field: RandomField, model: Model) -> Field:
 def _output(keep: Keep, model: Model) -> Output:
     """Return what is kept; raises Wrong."""
     of = keep.of.replace("_", " ")
-    findings = list(_output_fits(keep, of, model))
-    if findings:
-        raise Wrong(*findings)
+    relative_issues = list(_output_fits(keep, of, model))
+    if relative_issues:
+        raise FieldError(*relative_issues)
     return Output(name_of_keep(keep), of, keep.take, keep.x, keep.y, keep.combination, keep.support, keep.layer)
 
 
-def _output_fits(keep: Keep, of: str, model: Model) -> Iterator[Finding]:
+def _output_fits(keep: Keep, of: str, model: Model) -> Iterator[RelativeIssue]:
     """Find what speaks against keeping a result."""
     if of not in FIELDS and of not in FIGURES:
         known = [*FIELDS, *FIGURES]
-        yield Finding(
+        yield RelativeIssue(
             ("of",), describe(keep.of), "a field or a figure", suggestion(of, known) or f"among {one_of(known)}"
         )
         return
     if of in FIELDS and keep.take is None:
-        yield Finding(("take",), "nothing", "what to take of a field", "figures of the whole need none")
+        yield RelativeIssue(("take",), "nothing", "what to take of a field", "figures of the whole need none")
     if of in FIGURES and keep.take is not None:
-        yield Finding(("take",), describe(keep.take), f"nothing, as {of} is one figure")
+        yield RelativeIssue(("take",), describe(keep.take), f"nothing, as {of} is one figure")
     if keep.take == "at" and None in (keep.x, keep.y):
-        yield Finding(("take",), '"at"', "x and y that say where")
+        yield RelativeIssue(("take",), '"at"', "x and y that say where")
     if keep.take != "at" and (keep.x is not None or keep.y is not None):
-        yield Finding(("x" if keep.x is not None else "y",), "a place", 'none, as take is not "at"')
+        yield RelativeIssue(("x" if keep.x is not None else "y",), "a place", 'none, as take is not "at"')
     if keep.x is not None and keep.y is not None:
         yield from on_plate(model.plate, OutputPoint(name="", x=keep.x, y=keep.y), ())
     combinations = [each.name for each in combinations_of(model)]
     if keep.combination and keep.combination not in combinations:
-        mend = suggestion(keep.combination, combinations)
-        yield Finding(("combination",), describe(keep.combination), one_of(combinations), mend)
+        hint = suggestion(keep.combination, combinations)
+        yield RelativeIssue(("combination",), describe(keep.combination), one_of(combinations), hint)
     supports = [support.name for support in model.supports if support.name]
     if of == "support force" and keep.support not in supports:
         expected = one_of(supports) if supports else "a case with a support that has a name"
-        yield Finding(("support",), describe(keep.support or None), expected, suggestion(keep.support, supports))
+        yield RelativeIssue(("support",), describe(keep.support or None), expected, suggestion(keep.support, supports))
     if of != "support force" and keep.support:
-        yield Finding(("support",), describe(keep.support), 'none, as of is not "support force"')
+        yield RelativeIssue(("support",), describe(keep.support), 'none, as of is not "support force"')
     if of not in ("k0", "k1") and keep.layer is not None:
-        yield Finding(("layer",), str(keep.layer), "none, as of is neither k0 nor k1")
+        yield RelativeIssue(("layer",), str(keep.layer), "none, as of is neither k0 nor k1")
     if of.startswith("reinforcement"):
         ultimate = [each.name for each in combinations_of(model) if each.limit_state == "ultimate"]
         if model.reinforcement is None:
-            yield Finding(("of",), describe(keep.of), "a case with [reinforcement]")
+            yield RelativeIssue(("of",), describe(keep.of), "a case with [reinforcement]")
         elif keep.combination in combinations and keep.combination not in ultimate:
-            got = f"{describe(keep.combination)}, which is not for the ultimate limit state"
-            yield Finding(("combination",), got, one_of(ultimate))
+            found = f"{describe(keep.combination)}, which is not for the ultimate limit state"
+            yield RelativeIssue(("combination",), found, one_of(ultimate))
 
 
 def _limit(limit: LimitState, outputs: list[Output | None], from_file: bool) -> Limit | None:
@@ -312,12 +314,12 @@ def _limit(limit: LimitState, outputs: list[Output | None], from_file: bool) -> 
     output = next((each for each in outputs if each is not None and each.name == limit.keep), None)
     if output is None:
         return None
-    key: Key = Quantity(output.dimension, "", "") if output.dimension else Number("", "")
+    key: FieldType = Quantity(output.dimension, "", "") if output.dimension else Number("", "")
     name, raw = ("at_most", limit.at_most) if limit.at_most is not None else ("at_least", limit.at_least)
     try:
         value = key.read(raw, from_file)
-    except Wrong as error:
-        raise Wrong(*(finding.below((name,)) for finding in error.findings)) from None
+    except FieldError as error:
+        raise FieldError(*(relative.below((name,)) for relative in error.relative_issues)) from None
     return Limit(limit.name, limit.keep, float(value), name == "at_most", limit.target)
 
 
@@ -332,8 +334,8 @@ def _correlation(names: list[str], correlation: tuple[Correlation, ...]) -> Arra
                     found[a, b] = each.rho
     least = float(np.linalg.eigvalsh(found).min()) if names else 1.0
     if least < 1e-10:
-        got = f"correlations that cannot hold together (least eigenvalue {least:.2g})"
-        raise Wrong(Finding((), got, "a positive definite matrix of them", "smaller correlations"))
+        given = f"correlations that cannot hold together (least eigenvalue {least:.2g})"
+        raise FieldError(RelativeIssue((), given, "a positive definite matrix of them", "smaller correlations"))
     return found
 
 

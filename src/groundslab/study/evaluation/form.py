@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.design.tables.table import table_of
-from groundslab.errors import Fault, GroundslabError, InputError, NotConverged
+from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
 from groundslab.schema.wording import describe, one_of, suggestion
 from groundslab.study.evaluation.samples import Input, Output
 
@@ -205,12 +205,12 @@ def values_of(setup: Setup, scores: Array) -> tuple[float, ...]:
 
 def _limit(setup: Setup, name: str) -> StudyLimit:
     """Return the limit state of a name, or the only one; raises InputError, also if the study is not of that kind."""
-    faults = []
+    issues = []
     if setup.fields:
         expected = "variables only: a random field is too many of them for a design point"
-        faults.append(Fault("random_field", f"{len(setup.fields)} of them", expected))
-    faults += [
-        Fault(f"vary[{place}]", f"{each.name}, which has listed values", "variables with distributions")
+        issues.append(Issue("random_field", f"{len(setup.fields)} of them", expected))
+    issues += [
+        Issue(f"vary[{place}]", f"{each.name}, which has listed values", "variables with distributions")
         for place, each in enumerate(setup.variables, 1)
         if each.distribution is None
     ]
@@ -218,9 +218,9 @@ def _limit(setup: Setup, name: str) -> StudyLimit:
     found = [each for each in setup.limits if each.name == name or (not name and len(known) == 1)]
     if not found:
         expected = one_of(known) if known else "a study with a limit state"
-        faults.append(Fault("limit_state", describe(name or None), expected, suggestion(name, known)))
-    if faults:
-        raise InputError(faults)
+        issues.append(Issue("limit_state", describe(name or None), expected, suggestion(name, known)))
+    if issues:
+        raise InputError(issues)
     return found[0]
 
 
@@ -284,6 +284,6 @@ def _openturns() -> Any:
         import openturns
     except ImportError:
         expected = "OpenTURNS, which finds the design point"
-        fault = Fault("openturns", "nothing that can be imported", expected, "pip install groundslab[study]")
-        raise InputError([fault]) from None
+        issue = Issue("openturns", "nothing that can be imported", expected, "pip install groundslab[study]")
+        raise InputError([issue]) from None
     return openturns

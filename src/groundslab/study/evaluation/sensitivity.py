@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.study.evaluation.statistics import LEVEL, Estimate
 
 if TYPE_CHECKING:
@@ -94,6 +94,6 @@ def _salib() -> Any:
         from SALib.analyze import sobol
     except ImportError:
         expected = "SALib, which evaluates Sobol's indices"
-        mend = "pip install groundslab[study]"
-        raise InputError([Fault("SALib", "nothing that can be imported", expected, mend)]) from None
+        hint = "pip install groundslab[study]"
+        raise InputError([Issue("SALib", "nothing that can be imported", expected, hint)]) from None
     return sobol

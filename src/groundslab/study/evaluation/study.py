@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import one_of, suggestion
 from groundslab.study.definition import files
 from groundslab.study.definition.setup import Setup, columns_of
@@ -93,7 +93,7 @@ class Study:
         except ImportError:
             expected = "pandas, which makes a DataFrame of a study's rows"
             raise InputError(
-                [Fault("pandas", "nothing that can be imported", expected, "pip install groundslab[study]")]
+                [Issue("pandas", "nothing that can be imported", expected, "pip install groundslab[study]")]
             ) from None
         columns = columns_in(self.setup)
         names = [*store.FIXED, *columns.inputs, *columns.results]
@@ -115,7 +115,7 @@ class Study:
         """Return the numbers of the variants in each block of a saltelli sample: A, B, then each input's name."""
         n = self.setup.sampling.count
         if self.setup.sampling.kind != "saltelli" or n is None:
-            raise InputError([Fault("sampling.kind", f'"{self.setup.sampling.kind}"', '"saltelli", which has blocks')])
+            raise InputError([Issue("sampling.kind", f'"{self.setup.sampling.kind}"', '"saltelli", which has blocks')])
         names = ["A", "B", *(each.name for each in self.setup.variables), *(each.name for each in self.setup.fields)]
         return {name: range(1 + i * n, 1 + (i + 1) * n) for i, name in enumerate(names)}
 
@@ -135,8 +135,10 @@ class Study:
         with self.opened_rows() as rows:
             meshes = rows.meshes()
         if len(meshes) != 1:
-            got = f"{len(meshes)} meshes, as what varies changes the mesh" if meshes else "no variant with a field yet"
-            raise InputError([Fault(name, got, "a field of all variants on one mesh")])
+            found = (
+                f"{len(meshes)} meshes, as what varies changes the mesh" if meshes else "no variant with a field yet"
+            )
+            raise InputError([Issue(name, found, "a field of all variants on one mesh")])
         return next(iter(meshes.values()))
 
     def map(self, name: str, what: str) -> Map:
@@ -147,11 +149,11 @@ class Study:
         """
         known = ("mean", "std", "probability of uplift")
         if what not in known:
-            raise InputError([Fault("map", f'"{what}"', one_of(known), suggestion(what, known))])
+            raise InputError([Issue("map", f'"{what}"', one_of(known), suggestion(what, known))])
         column = self._column(name)
         output = next(each for each in self.setup.outputs if each.name == column)
         if what == "probability of uplift" and output.of != "settlement":
-            raise InputError([Fault("map", f"{output.of}", "settlement, which alone says where the plate lifts")])
+            raise InputError([Issue("map", f"{output.of}", "settlement, which alone says where the plate lifts")])
         mesh = self.mesh(column)
         found = moments(values for _, values in self.fields(column))
         assert found is not None  # where there is a mesh there is a field
@@ -169,7 +171,7 @@ class Study:
                 yield rows
         except (sqlite3.Error, zlib.error) as error:
             expected, hint = "the rows that groundslab study wrote", "copy the folder back from where it is whole"
-            raise InputError([Fault(str(self.folder / store.ROWS), str(error), expected, hint)]) from error
+            raise InputError([Issue(str(self.folder / store.ROWS), str(error), expected, hint)]) from error
 
     def _column(self, name: str) -> str:
         """Return the column of a field kept everywhere, by its name or by what it is of."""
@@ -182,7 +184,7 @@ class Study:
             return of[0]
         names = [output.name for output in whole]
         expected = one_of(names) if names else 'a study that keeps a field with take = "everywhere"'
-        raise InputError([Fault("field", f'"{name}"', expected, suggestion(name, names))])
+        raise InputError([Issue("field", f'"{name}"', expected, suggestion(name, names))])
 
 
 def open_study(folder: str | Path) -> Study:

@@ -21,7 +21,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.study.execution import versions
 
 if TYPE_CHECKING:
@@ -105,8 +105,8 @@ def local(workers: int | None, most: int, dashboard: bool = False) -> Iterator[C
             )
         except RuntimeError as error:
             # they load the program that called anew, and run it again if nothing keeps them from it
-            mend = 'call groundslab.study in a file, below if __name__ == "__main__":, or with workers=0'
-            raise InputError([Fault("workers", f"none that start ({error})", "processes of Python", mend)]) from error
+            hint = 'call groundslab.study in a file, below if __name__ == "__main__":, or with workers=0'
+            raise InputError([Issue("workers", f"none that start ({error})", "processes of Python", hint)]) from error
         with cluster, distributed.Client(cluster) as client:
             _guard_pages(cluster.scheduler, dashboard)
             yield Cluster(client, cluster.dashboard_link if dashboard else "", own=True)
@@ -119,7 +119,7 @@ def _keys(distributed: Any) -> Any:
     except ImportError:
         expected = "cryptography, which makes the keys of a run"
         hint = "pip install groundslab[study]; --workers 0 does without it"
-        raise InputError([Fault("cryptography", "nothing that can be imported", expected, hint)]) from None
+        raise InputError([Issue("cryptography", "nothing that can be imported", expected, hint)]) from None
 
 
 def _dashboard_settings(port: int) -> dict[str, Any]:
@@ -166,12 +166,12 @@ def there(scheduler: str, setup: Setup) -> Iterator[Cluster]:
         if scheduler.startswith("tls:"):
             hint = "keys are those that distributed.comm.tls names in Dask's configuration; see docs/study.md"
         expected = 'a Dask scheduler such as "tcp://127.0.0.1:8786"'
-        raise InputError([Fault("scheduler", f"{scheduler}: {error}", expected, hint)]) from None
+        raise InputError([Issue("scheduler", f"{scheduler}: {error}", expected, hint)]) from None
     try:
         with suppress(TimeoutError):
             client.wait_for_workers(1, timeout=PATIENCE)
         if not client.nthreads():
-            raise InputError([Fault("scheduler", f"{scheduler}, without workers", "at least one worker")])
+            raise InputError([Issue("scheduler", f"{scheduler}, without workers", "at least one worker")])
         _require_same_versions(client, packages_of(setup))
         yield Cluster(client, client.dashboard_link, own=False)
     finally:
@@ -280,17 +280,17 @@ def _require_same_versions(client: Any, packages: tuple[str, ...]) -> None:
         found["scheduler"] = client.run_on_scheduler(versions.versions, packages)
     finally:
         cloudpickle.unregister_pickle_by_value(versions)
-    faults = differences(packages, versions.versions(packages), found)
-    if faults:
-        raise InputError(faults)
+    issues = differences(packages, versions.versions(packages), found)
+    if issues:
+        raise InputError(issues)
 
 
 def differences(
     packages: Sequence[str], here: Mapping[str, str], elsewhere: Mapping[str, Mapping[str, str]]
-) -> list[Fault]:
+) -> list[Issue]:
     """Return which packages differ from those here, by the process that has others."""
     return [
-        Fault(
+        Issue(
             where,
             f"{package} {there[package]}" if package in there else f"no {package}",
             f"{package} {here[package]}, as here" if package in here else f"no {package}, as here",
@@ -310,6 +310,6 @@ def _dask() -> tuple[Any, Any]:
         import distributed
     except ImportError:
         expected = "distributed, Dask's package for several processes"
-        mend = "pip install groundslab[study]; --workers 0 does without it"
-        raise InputError([Fault("distributed", "nothing that can be imported", expected, mend)]) from None
+        hint = "pip install groundslab[study]; --workers 0 does without it"
+        raise InputError([Issue("distributed", "nothing that can be imported", expected, hint)]) from None
     return distributed, dask

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.study.definition import files
 from groundslab.study.definition.setup import columns_of, warnings_of
 from groundslab.study.execution import dask_cluster, store, versions
@@ -142,13 +142,13 @@ def _here(
 def prepare(read: files.Read, folder: Path, resume: bool) -> None:
     """Make the folder of a study, or make sure that the one which is there is of this study; raises InputError."""
     if resume and folder.is_dir():
-        faults = _other(store.about(folder), read)
-        if faults:
-            raise InputError(faults)
+        issues = _other(store.about(folder), read)
+        if issues:
+            raise InputError(issues)
         return
     if store.is_store(folder):
-        mend = "--resume goes on with it; --out names another folder"
-        raise InputError([Fault(str(folder), "a study that is there already", "a name that is free", mend)])
+        hint = "--resume goes on with it; --out names another folder"
+        raise InputError([Issue(str(folder), "a study that is there already", "a name that is free", hint)])
     store.create(folder, read.study_text, read.case_text, _about(read), columns_in(read.setup))
 
 
@@ -168,9 +168,11 @@ def _require_same_inputs(rows: store.Store, sample: Sample) -> None:
     for number, *inputs in rows.rows(["number", *rows.columns.inputs]):
         variant = sample[number]
         if tuple(inputs) != tuple(store.plain(value) for value in (*variant.values, *variant.seeds)):
-            got = "another version of numpy or scipy, which draws other numbers"
+            found = "another version of numpy or scipy, which draws other numbers"
             expected = f"that of {store.ABOUT} there"
-            raise InputError([Fault(f"{rows.folder}, row {number}", got, expected, "choose another folder with --out")])
+            raise InputError(
+                [Issue(f"{rows.folder}, row {number}", found, expected, "choose another folder with --out")]
+            )
 
 
 def _about(read: files.Read) -> dict[str, Any]:
@@ -188,18 +190,18 @@ def _about(read: files.Read) -> dict[str, Any]:
     }
 
 
-def _other(about: Mapping[str, Any], read: files.Read) -> list[Fault]:
+def _other(about: Mapping[str, Any], read: files.Read) -> list[Issue]:
     """Return what tells the study in a folder from the one that is asked for."""
-    faults = []
-    mend = "take it back, or choose another folder with --out"
+    issues = []
+    hint = "take it back, or choose another folder with --out"
     for key, now, what in (
         ("study_sha256", read.study_sha256, "study file"),
         ("case_sha256", read.case_sha256, "case file"),
     ):
         if about[key] != now:
-            faults.append(Fault(what, "a file that was changed", "the one that the rows in the folder are of", mend))
+            issues.append(Issue(what, "a file that was changed", "the one that the rows in the folder are of", hint))
     before = about["versions"].get("groundslab")
     if before != __version__:
         expected = f"version {before}, which the rows in the folder are of"
-        faults.append(Fault("groundslab", f"version {__version__}", expected, "choose another folder with --out"))
-    return faults
+        issues.append(Issue("groundslab", f"version {__version__}", expected, "choose another folder with --out"))
+    return issues

@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.storage import atomic
 from groundslab.study.definition.setup import Setup
@@ -66,9 +66,9 @@ def create(folder: Path, study: str, case: str, about: Mapping[str, Any], column
         _require_free(folder)
         atomic.write_folder(folder, fill, {STUDY, CASE, ABOUT, ROWS}.__contains__, lambda: _require_free(folder))
     except (OSError, sqlite3.Error) as error:
-        got = getattr(error, "strerror", None) or str(error)
+        found = getattr(error, "strerror", None) or str(error)
         raise InputError(
-            [Fault(str(folder), got, "a folder that can be written", "make room or choose another")]
+            [Issue(str(folder), found, "a folder that can be written", "make room or choose another")]
         ) from None
 
 
@@ -76,7 +76,7 @@ def _require_free(folder: Path) -> None:
     """Raise InputError if a name is taken."""
     atomic.require_possible(folder, f"{ROWS}-journal")
     if os.path.lexists(folder):
-        raise InputError([Fault(str(folder), "a name that is taken", "a name that is free", "choose another folder")])
+        raise InputError([Issue(str(folder), "a name that is taken", "a name that is free", "choose another folder")])
 
 
 class Columns:
@@ -231,7 +231,7 @@ def about(folder: str | Path) -> dict[str, Any]:
                 expected = f"a folder of format {FORMAT}, which this version reads"
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
-    raise InputError([Fault(str(folder), "something else", expected)])
+    raise InputError([Issue(str(folder), "something else", expected)])
 
 
 def is_store(folder: str | Path) -> bool:
@@ -250,9 +250,9 @@ def locked(folder: Path) -> Iterator[None]:
         try:
             connection.execute("BEGIN EXCLUSIVE")
         except sqlite3.Error as error:
-            got = "a study that runs at this moment" if "locked" in str(error) else str(error)
+            found = "a study that runs at this moment" if "locked" in str(error) else str(error)
             raise InputError(
-                [Fault(str(folder), got, "one that no other process runs and that can be written")]
+                [Issue(str(folder), found, "one that no other process runs and that can be written")]
             ) from None
         yield
 
@@ -276,9 +276,9 @@ def _connect_to_read(path: Path) -> sqlite3.Connection:
     except sqlite3.OperationalError:
         connection.close()
         if path.with_name(f"{path.name}-wal").exists():
-            mend = "rows of a run that was cut short are still in its log; copy the folder to where it can be written"
+            hint = "rows of a run that was cut short are still in its log; copy the folder to where it can be written"
             raise InputError(
-                [Fault(str(path), "a place without leave to write", "one that can be written", mend)]
+                [Issue(str(path), "a place without leave to write", "one that can be written", hint)]
             ) from None
         # a reader's shared memory cannot be made there, and nobody can be writing either
         connection = sqlite3.connect(f"{place}?immutable=1", uri=True)

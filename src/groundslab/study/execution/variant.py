@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.errors import (
-    Fault,
     GroundslabError,
     IllConditioned,
     InputError,
+    Issue,
     NeutralEquilibrium,
     NoEquilibrium,
     NotCertified,
@@ -137,7 +137,7 @@ class Worker:
         there = combinations_of(model)
         if len(there) != len(self._names):
             expected = f"{len(self._names)}, as the case has"
-            raise InputError([Fault("combinations", f"{len(there)} combinations", expected)])
+            raise InputError([Issue("combinations", f"{len(there)} combinations", expected)])
         chosen = [there[n] for n in self._solved]
         if len(chosen) < len(there):
             model = _only(model, chosen)

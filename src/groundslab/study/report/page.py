@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.study.evaluation import tables as evaluation
 from groundslab.study.evaluation.statistics import LEVEL
 from groundslab.study.report import figures
@@ -270,7 +270,7 @@ def _jinja2() -> Any:
     try:
         import jinja2
     except ImportError:
-        mend = "pip install groundslab[study]"
-        fault = Fault("jinja2", "nothing that can be imported", "Jinja2, which makes the page", mend)
-        raise InputError([fault]) from None
+        hint = "pip install groundslab[study]"
+        issue = Issue("jinja2", "nothing that can be imported", "Jinja2, which makes the page", hint)
+        raise InputError([issue]) from None
     return jinja2

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.storage import atomic, ownership
 from groundslab.study.evaluation import from_study
 from groundslab.study.evaluation import tables as evaluation
@@ -37,7 +37,7 @@ def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float
     folder = check(study)
     sample = from_study.sample_in(study)
     if len(sample.number) == 0:
-        raise InputError([Fault(str(study.folder), "a study without a row", "a study with rows to evaluate")])
+        raise InputError([Issue(str(study.folder), "a study without a row", "a study with rows to evaluate")])
     tables = [*evaluation.tables_of(sample, level), *(form.tables(reliability) if reliability else ())]
     texts = {f"{table.name}.csv": table.csv() for table in tables}
     texts[PAGE] = page.html(sample, origin(study), list(maps(study)), reliability, level)
@@ -73,11 +73,11 @@ def _require_free(folder: Path) -> None:
         return
     expected, hint = "an evaluation of groundslab, or nothing", "move it away; nothing was changed"
     if folder.is_symlink() or not folder.is_dir():
-        raise InputError([Fault(str(folder), "something that is no folder", expected, hint)])
+        raise InputError([Issue(str(folder), "something that is no folder", expected, hint)])
     found = _foreign(folder)
     if found:
-        got = "something that groundslab did not write"
-        raise InputError([Fault(str(folder / name), got, expected, hint) for name in found])
+        given = "something that groundslab did not write"
+        raise InputError([Issue(str(folder / name), given, expected, hint) for name in found])
 
 
 def _foreign(folder: Path) -> list[str]:
@@ -88,7 +88,7 @@ def _foreign(folder: Path) -> list[str]:
 def _unwritable(folder: Path, error: OSError) -> InputError:
     """Return the error for a folder that cannot be written; an earlier evaluation there is untouched."""
     hint = "make room; an earlier evaluation is as it was"
-    return InputError([Fault(str(folder), error.strerror or str(error), "a folder that can be written", hint)])
+    return InputError([Issue(str(folder), error.strerror or str(error), "a folder that can be written", hint)])
 
 
 def tables_of(study: Study, level: float = LEVEL) -> tuple[Table, ...]:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -94,6 +94,6 @@ def generators() -> Any:
     except ImportError:
         expected = "gstools, which draws random fields"
         raise InputError(
-            [Fault("gstools", "nothing that can be imported", expected, "pip install groundslab[study]")]
+            [Issue("gstools", "nothing that can be imported", expected, "pip install groundslab[study]")]
         ) from None
     return gstools

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab._version import __version__
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.results.results import (
     Certificate,
     Constants,
@@ -109,10 +109,10 @@ def load(path: Path) -> Results:
             raise _refusal(path, "something that is no file")
         return _results(_stored(path))
     except InputError as error:
-        if error.faults[0].where == str(path):
+        if error.issues[0].location == str(path):
             raise
         # of the description within
-        raise _refusal(path, f"a description that is wrong ({error.faults[0]})") from error
+        raise _refusal(path, f"a description that is wrong ({error.issues[0]})") from error
     except OSError as error:
         raise _refusal(path, error.strerror or str(error)) from error
     except Exception as error:
@@ -224,6 +224,6 @@ def _support(name: str, number: int, arrays: dict[str, Any]) -> SupportResult:
     return SupportResult(name=name, **{each: arrays[f"supports.{number}.{each}"] for each in names})
 
 
-def _refusal(path: Path, got: str) -> InputError:
+def _refusal(path: Path, found: str) -> InputError:
     """Return the error for a file that is not an archive of results."""
-    return InputError([Fault(str(path), got, "an archive (results.npz) that groundslab wrote")])
+    return InputError([Issue(str(path), found, "an archive (results.npz) that groundslab wrote")])

@@ -17,10 +17,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from groundslab.errors import (
-    Fault,
     GroundslabError,
     IllConditioned,
     InputError,
+    Issue,
     NeutralEquilibrium,
     NoEquilibrium,
     NotCertified,
@@ -90,9 +90,9 @@ def check(folder: str | Path) -> Path:
 
 def _require_free(target: Path) -> None:
     """Raise InputError with all that speaks against writing results into the folder."""
-    faults = _in_the_way(target)
-    if faults:
-        raise InputError(faults)
+    issues = _in_the_way(target)
+    if issues:
+        raise InputError(issues)
 
 
 def recover(folder: str | Path) -> bool:
@@ -178,7 +178,7 @@ def _one(path: Path) -> Combined:
     try:
         return alone(found)
     except InputError as error:
-        raise _not_ours(archived, f"a combination that is wrong ({error.faults[0]})") from error
+        raise _not_ours(archived, f"a combination that is wrong ({error.issues[0]})") from error
 
 
 def _several(path: Path, listed: Sequence[_Combination]) -> Combined:
@@ -221,37 +221,37 @@ def _refused(why: _Refused, results: Results | None) -> GroundslabError:
     return kinds.get(why.error, GroundslabError)(why.reason)
 
 
-def _not_ours(path: Path, got: str) -> InputError:
+def _not_ours(path: Path, found: str) -> InputError:
     """Return the error for what is no folder of results."""
-    return InputError([Fault(str(path), got, "a folder of results that groundslab wrote")])
+    return InputError([Issue(str(path), found, "a folder of results that groundslab wrote")])
 
 
-def _in_the_way(target: Path) -> list[Fault]:
+def _in_the_way(target: Path) -> list[Issue]:
     """Return what speaks against writing results into the folder."""
     atomic.require_possible(target, manifest.DEEPEST)
     previous = atomic.previous_of(target)
     if os.path.lexists(previous):
-        return [Fault(str(previous), "something that is in the way", "a name that is free", "move it away")]
+        return [Issue(str(previous), "something that is in the way", "a name that is free", "move it away")]
     room = next(parent for parent in target.parents if os.path.lexists(parent))
     if not room.is_dir():
-        return [Fault(str(target), f"{room}, which is a file", "a place where a folder can be made")]
+        return [Issue(str(target), f"{room}, which is a file", "a place where a folder can be made")]
     if not os.access(room, os.W_OK | os.X_OK):
-        return [Fault(str(room), "a folder without leave to write", "one that can be written to")]
+        return [Issue(str(room), "a folder without leave to write", "one that can be written to")]
     if not os.path.lexists(target):
         return []
     if not target.is_dir():
-        return [Fault(str(target), "a file", "a folder, or a name that is free", "choose another")]
+        return [Issue(str(target), "a file", "a folder, or a name that is free", "choose another")]
     # Replacing it would leave the shell standing in a folder that is gone.
     with suppress(OSError):
         here = Path.cwd()
         if target.samefile(here):
-            return [Fault(str(target), "the folder that you stand in", "another one", "name a folder inside it")]
+            return [Issue(str(target), "the folder that you stand in", "another one", "name a folder inside it")]
         if any(target.samefile(above) for above in here.parents):
-            return [Fault(str(target), "a folder above the one that you stand in", "another one", "leave it first")]
+            return [Issue(str(target), "a folder above the one that you stand in", "another one", "leave it first")]
     expected = "a folder that is missing, empty, or holds only results of groundslab"
-    mend = "move it away or choose another folder; nothing was changed"
+    hint = "move it away or choose another folder; nothing was changed"
     return [
-        Fault(str(target / name), "something that groundslab did not write", expected, mend)
+        Issue(str(target / name), "something that groundslab did not write", expected, hint)
         for name in _foreign(target)
     ]
 
@@ -300,14 +300,14 @@ def _resolve(folder: str | Path) -> Path:
     """Return the full path without links, so that the folder itself is replaced and not a link to it."""
     target = Path(os.path.realpath(folder))
     if any(map(os.path.islink, (target, *target.parents))):
-        raise InputError([Fault(str(folder), "a link that leads back to itself", "a folder, or a name that is free")])
+        raise InputError([Issue(str(folder), "a link that leads back to itself", "a folder, or a name that is free")])
     if not target.name:
-        raise InputError([Fault(str(folder), "the root of the file system", "a folder of its own for the results")])
+        raise InputError([Issue(str(folder), "the root of the file system", "a folder of its own for the results")])
     return target
 
 
 def _unwritable(target: Path, error: OSError) -> InputError:
     """Return the error for a folder that cannot be written; earlier results there are untouched."""
-    got = error.strerror or str(error)
-    mend = "close programs that use the folder, make room, or choose another; earlier results are as they were"
-    return InputError([Fault(str(target), got, "a folder that can be written", mend)])
+    found = error.strerror or str(error)
+    hint = "close programs that use the folder, make room, or choose another; earlier results are as they were"
+    return InputError([Issue(str(target), found, "a folder that can be written", hint)])

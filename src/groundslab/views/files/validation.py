@@ -24,8 +24,8 @@ LARGEST = 1e60
 
 def require_sound(results: Results) -> None:
     """Raise ValueError, which says what is wrong first, if something cannot come from an analysis."""
-    for fault in _faults(results):
-        raise ValueError(fault)
+    for issue in _faults(results):
+        raise ValueError(issue)
 
 
 def _faults(results: Results) -> Iterator[str]:

@@ -62,13 +62,13 @@ def write(wish: Wish, path: str | Path) -> list[Figure]:
 
 def _sheet(wish: Wish) -> Figure:
     """Return one sheet with all that is wished for; raises InputError if that is too much."""
-    from groundslab.errors import Fault, InputError
+    from groundslab.errors import InputError, Issue
     from groundslab.views.plots.style import styled
 
     count = wish.panels
     if count > MOST_PANELS:
-        mend = "name fewer fields or combinations, or write a PDF, which has pages"
-        raise InputError([Fault("combination", f"{count} panels on one sheet", f"at most {MOST_PANELS}", mend)])
+        hint = "name fewer fields or combinations, or write a PDF, which has pages"
+        raise InputError([Issue("combination", f"{count} panels on one sheet", f"at most {MOST_PANELS}", hint)])
     with styled():
         figure: Figure = _kind(wish).sheet(wish)
     return figure

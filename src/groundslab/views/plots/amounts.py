@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from groundslab.design.tables.quantities import AMOUNTS
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
 from groundslab.schema.wording import listed, quote, suggestion
 from groundslab.views.plots.style import symbol
@@ -66,11 +66,11 @@ SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items() if name !=
 
 def chosen(names: Sequence[str]) -> tuple[Amount, ...]:
     """Return what is asked for by names or symbols, each once; raises InputError for names that are not known."""
-    faults = [
-        Fault("FIELD", quote(name), f"one of {listed(KNOWN)}", suggestion(name, [*KNOWN, *SYMBOLS]))
+    issues = [
+        Issue("FIELD", quote(name), f"one of {listed(KNOWN)}", suggestion(name, [*KNOWN, *SYMBOLS]))
         for name in names
         if name not in KNOWN and name not in SYMBOLS
     ]
-    if faults:
-        raise InputError(faults)
+    if issues:
+        raise InputError(issues)
     return tuple(KNOWN[name] for name in dict.fromkeys(SYMBOLS.get(name, name) for name in names))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic
 from groundslab.storage.ownership import is_figure, require_replaceable
@@ -27,7 +27,7 @@ def format_of(path: str | Path) -> str:
     """Return the format that a file's name asks for: "pdf", "svg" or "png"."""
     ending = Path(path).suffix.lower()
     if ending not in FORMATS:
-        raise InputError([Fault(str(path), f"a name that ends with {quote(ending)}", f"{listed(FORMATS)} at its end")])
+        raise InputError([Issue(str(path), f"a name that ends with {quote(ending)}", f"{listed(FORMATS)} at its end")])
     return ending[1:]
 
 
@@ -48,8 +48,8 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
         atomic.write(target, content)
     except OSError as error:
         hint = "make room or choose another place; what was there is as it was"
-        got = error.strerror or str(error)
-        raise InputError([Fault(str(path), got, "a file that can be written", hint)]) from error
+        found = error.strerror or str(error)
+        raise InputError([Issue(str(path), found, "a file that can be written", hint)]) from error
 
 
 def content_of(figures: Sequence[Figure], kind: str, dpi: float = DPI) -> bytes:

@@ -8,7 +8,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from groundslab.errors import Fault, GroundslabError, InputError, NotCertified, NotConverged
+from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
 from groundslab.results.results import Combined, Results, Step
@@ -98,10 +98,10 @@ def wish_of(
     lines = _lines(line)
     asked = kind or ("lines" if lines else "plan")
     names = (combination,) if isinstance(combination, str) else tuple(dict.fromkeys(combination or ()))
-    faults = _misfits(asked, fields, names, envelope, bool(lines))
+    issues = _misfits(asked, fields, names, envelope, bool(lines))
     known = [each.name for each in combined.combinations]
-    faults += [
-        Fault("combination", describe(name), one_of(known), suggestion(name, known))
+    issues += [
+        Issue("combination", describe(name), one_of(known), suggestion(name, known))
         for name in names
         if name not in known
     ]
@@ -109,15 +109,15 @@ def wish_of(
     try:
         amounts = chosen(fields or USUAL.get(asked, ()))
     except InputError as error:
-        faults += error.faults
+        issues += error.issues
     cuts = tuple(Cut(each.name, each.start, each.end) for each in combined.model.output.lines)
     if lines:
         cuts = tuple(Cut("", (a, b), (c, d)) for a, b, c, d in lines)
     elif asked == "lines" and not cuts:
-        mend = "give one as x1,y1,x2,y2 in metres, or name it under [[output.lines]] in the case"
-        faults.append(Fault("line", "no section line", "at least one", mend))
-    if faults:
-        raise InputError(faults)
+        hint = "give one as x1,y1,x2,y2 in metres, or name it under [[output.lines]] in the case"
+        issues.append(Issue("line", "no section line", "at least one", hint))
+    if issues:
+        raise InputError(issues)
     assert asked in KINDS
     if asked == "convergence":
         return Wish(combined, asked, (), (), _ways(combined, names), (), "")
@@ -141,32 +141,32 @@ def _lines(line: Sequence[Any] | None) -> tuple[Line, ...]:
         values = values.reshape(len(values), -1)
     good = values.ndim == 2 and len(values) > 0 and values.shape[1:] == (4,) and bool(np.isfinite(values).all())
     if not good or (values[:, :2] == values[:, 2:]).all(axis=1).any():
-        got = "two ends at one place" if good else describe(line)
-        raise InputError([Fault("line", got, "x1, y1, x2, y2 of two different places, in metres")])
+        found = "two ends at one place" if good else describe(line)
+        raise InputError([Issue("line", found, "x1, y1, x2, y2 of two different places, in metres")])
     return tuple((a, b, c, d) for a, b, c, d in values.tolist())
 
 
 def _misfits(
     kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool
-) -> list[Fault]:
+) -> list[Issue]:
     """Return what does not go together."""
     if kind not in KINDS:
-        return [Fault("kind", quote(kind), f"one of {listed(KINDS)}", suggestion(kind, KINDS))]
-    faults = []
+        return [Issue("kind", quote(kind), f"one of {listed(KINDS)}", suggestion(kind, KINDS))]
+    issues = []
     if fields and kind not in USUAL:
-        faults.append(Fault("FIELD", quote(fields[0]), f"none, as kind is {quote(kind)}"))
+        issues.append(Issue("FIELD", quote(fields[0]), f"none, as kind is {quote(kind)}"))
     if lines and kind != "lines":
-        faults.append(Fault("line", "a line", f"none, as kind is {quote(kind)}"))
+        issues.append(Issue("line", "a line", f"none, as kind is {quote(kind)}"))
     if envelope is None:
-        return faults
+        return issues
     states = get_args(LimitState)
     if envelope not in states:
-        faults.append(Fault("envelope", quote(envelope), f"one of {listed(states)}", suggestion(envelope, states)))
+        issues.append(Issue("envelope", quote(envelope), f"one of {listed(states)}", suggestion(envelope, states)))
     if kind not in ("plan", "lines"):
-        faults.append(Fault("envelope", "an envelope", f"none, as kind is {quote(kind)}"))
+        issues.append(Issue("envelope", "an envelope", f"none, as kind is {quote(kind)}"))
     if combinations:
-        faults.append(Fault("envelope", "an envelope of named combinations", "one of the two"))
-    return faults
+        issues.append(Issue("envelope", "an envelope of named combinations", "one of the two"))
+    return issues
 
 
 def _drawn(combined: Combined, names: tuple[str, ...], envelope: str | None) -> tuple[Drawn, ...]:
@@ -186,7 +186,7 @@ def _drawn(combined: Combined, names: tuple[str, ...], envelope: str | None) -> 
     if envelope is not None:
         wanted = tuple(each for each in certified if each.limit_state == envelope)
         if not wanted:
-            raise InputError([Fault("envelope", quote(envelope), "a limit state with a certified result")])
+            raise InputError([Issue("envelope", quote(envelope), "a limit state with a certified result")])
         return wanted
     if not found:
         raise _without_results(combined, list(combined.refused))
@@ -198,7 +198,7 @@ def _without_results(combined: Combined, names: Sequence[str]) -> InputError:
     reasons = [" ".join(str(combined.refused[name]).split()) for name in names]
     return InputError(
         [
-            Fault("combination", f"{describe(name)}, which was refused: {reason}", "one that has results")
+            Issue("combination", f"{describe(name)}, which was refused: {reason}", "one that has results")
             for name, reason in zip(names, reasons, strict=True)
         ]
     )
@@ -219,7 +219,7 @@ def _ways(combined: Combined, names: tuple[str, ...]) -> tuple[Way, ...]:
             if steps:
                 ways.append(Way(each.name, steps, "did not converge"))
     if not ways:
-        raise InputError([Fault("combination", "no history of an iteration", "a combination with steps to draw")])
+        raise InputError([Issue("combination", "no history of an iteration", "a combination with steps to draw")])
     return tuple(ways)
 
 

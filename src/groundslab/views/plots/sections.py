@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.design.envelope import envelope
-from groundslab.design.section_cuts import Section, along
+from groundslab.design.section_cuts import SectionCut, along
 from groundslab.design.tables.quantities import LISTED, listed
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.views.plots import symbols
 from groundslab.views.plots.amounts import DOWNWARDS, Amount
 from groundslab.views.plots.heads import Words, write_above
@@ -39,7 +39,7 @@ class Curves:
     """What is drawn along one line: where samples stand, and values by amount, one row for each curve."""
 
     cut: Cut
-    section: Section
+    section: SectionCut
     names: tuple[str, ...]  # of the curves
     band: bool  # whether the curves are the largest and the smallest of many
     values: Mapping[str, Array]  # (curves, samples) by name, in units of display
@@ -51,12 +51,12 @@ def curves_of(wish: Wish) -> list[Curves]:
     Lines that do not meet the plate, but run in an opening, are left out; raises InputError if all of them do.
     """
     found: list[Curves] = []
-    missed: list[Fault] = []
+    missed: list[Issue] = []
     for cut in wish.cuts:
         try:
             sections = [along(each.results.plate, np.array([cut.start, cut.end])) for each in wish.drawn]
         except InputError as error:
-            missed += [replace(fault, where=f"line {cut.name}".rstrip()) for fault in error.faults]
+            missed += [replace(issue, location=f"line {cut.name}".rstrip()) for issue in error.issues]
             continue
         values = [dict(zip(LISTED, listed(section.values), strict=True)) for section in sections]
         names = tuple(each.name for each in wish.drawn)

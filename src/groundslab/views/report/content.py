@@ -14,7 +14,7 @@ from groundslab.results.results import Certificate
 from groundslab.results.soil_profile import profiles_of
 from groundslab.views.report.convergence import MOST as MOST_HISTORIES
 from groundslab.views.report.convergence import history, history_drawing
-from groundslab.views.report.input_echo import Section, echo
+from groundslab.views.report.input_echo import InputTable, echo
 from groundslab.views.report.pictures import governing
 from groundslab.views.report.plan_drawing import PlanDrawing, plan_drawing
 from groundslab.views.report.soil_drawing import MOST as MOST_COLUMNS
@@ -88,7 +88,7 @@ class Page:
     facts: tuple[tuple[str, str], ...]
     verdict: Verdict
     design: Design
-    case: tuple[Section, ...]
+    case: tuple[InputTable, ...]
     plan: PlanDrawing
     soil: Markup | None
     soil_notes: tuple[str, ...]
@@ -157,7 +157,7 @@ def _verdict(found: Sequence[Entry]) -> Verdict:
     return Verdict(False, f"FAILED: {words} The results of the others are certified.")
 
 
-def _section(section: single.Section) -> Grid:
+def _section(section: single.SummarySection) -> Grid:
     """Return a section of the summary."""
     heads = (Head(""), Head("symbol"), Head("value", number=True), Head("unit"))
     return without_empty(Grid(section.title, heads, tuple(map(_row, section.rows)), section.notes))
@@ -203,7 +203,7 @@ def _certificates(found: Sequence[Entry]) -> list[Grid]:
     return parts_of(without_empty(grid), 1)
 
 
-def _certificate(section: single.Section) -> Grid:
+def _certificate(section: single.SummarySection) -> Grid:
     """Return the certificate of one combination, a figure a row with its limit."""
     rows = []
     for row in section.rows:
@@ -215,7 +215,7 @@ def _certificate(section: single.Section) -> Grid:
     return Grid("", heads, tuple(rows))
 
 
-def _holds(section: single.Section) -> Cell:
+def _holds(section: single.SummarySection) -> Cell:
     """Return the verdict on a certificate."""
     return Cell("holds", "good") if all(row.ok is not False for row in section.rows) else Cell("FAILED", "bad")
 

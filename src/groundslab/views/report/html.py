@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.case import casefile
-from groundslab.errors import Fault, GroundslabError, InputError
+from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.results.results import Combined, Results, alone
 from groundslab.storage import atomic
 from groundslab.storage.ownership import is_page, require_replaceable
@@ -79,7 +79,7 @@ def write_report(
         atomic.write(target, content.encode())
     except OSError as error:
         expected, hint = "a file that can be written", "make room or choose another place; what was there is as it was"
-        raise InputError([Fault(str(target), error.strerror or str(error), expected, hint)]) from error
+        raise InputError([Issue(str(target), error.strerror or str(error), expected, hint)]) from error
     return Path(path)
 
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.clipping import clipped_loads
 from groundslab.model.shapes import Circle, Polygon, Rectangle
-from groundslab.schema.base import Part, key_of, meaning_of, nested
-from groundslab.schema.fields import Choice, Factors, Flag, Key, Number, Quantity, Several, Text, Whole
+from groundslab.schema.base import Section, key_of, meaning_of, nested
+from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
 from groundslab.units import coordinate, together
 from groundslab.views.report.table_layout import GREEK, Cell, Grid, Head, Kind, without_empty
 from groundslab.views.summary.combinations import factors_text
@@ -50,7 +50,7 @@ _ITEM = (Head("key"), Head("symbol"), Head("value"), Head("meaning"))
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class InputTable:
     """One section of a case: its grids under one heading."""
 
     key: str
@@ -58,14 +58,14 @@ class Section:
     grids: tuple[Grid, ...]
 
 
-def echo(model: Model) -> list[Section]:
+def echo(model: Model) -> list[InputTable]:
     """Return all of a case, section by section; what is not there is left out."""
     found = []
     for name, title in SECTIONS.items():
         value = getattr(model, name)
         if name == "combinations":
             grids = [_combinations(model)] if model.cases else []
-        elif isinstance(value, Part):
+        elif isinstance(value, Section):
             grids = list(_part(value, ""))
         else:
             grids = list(_list(value or (), name, ""))
@@ -73,28 +73,28 @@ def echo(model: Model) -> list[Section]:
         if remarks:
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *remarks))
         if grids:
-            found.append(Section(name, title, tuple(grids)))
+            found.append(InputTable(name, title, tuple(grids)))
     return found
 
 
-def told(key: Key, value: Any) -> str:
+def told(key: FieldType, value: Any) -> str:
     """Return a value as people write it: quantities with five digits and a fitting unit, numbers with six."""
     if isinstance(key, Quantity):
         (text,), unit = together([value], key.dimension)
         return f"{text} {unit}"
-    if isinstance(key, Several):
+    if isinstance(key, ListOf):
         return _several(key, value)
-    if isinstance(key, Flag):
+    if isinstance(key, Boolean):
         return "yes" if value else "no"
     if isinstance(key, Number):
         return value if isinstance(value, str) else f"{value:.6g}"
     if isinstance(key, Factors):
         return ", ".join(f"{number:.6g} {name}" for name, number in value)
-    assert isinstance(key, Whole | Choice | Text)
+    assert isinstance(key, Integer | Choice | Text)
     return str(value)
 
 
-def shape_told(shape: Part) -> str:
+def shape_told(shape: Section) -> str:
     """Return a shape in words, its places in metres."""
     if isinstance(shape, Circle):
         return f"circle about {_places([shape.centre])} m, radius {shape.radius:.6g} m"
@@ -115,10 +115,10 @@ def _places(places: Sequence[Sequence[float]]) -> str:
     return " ".join(f"({', '.join(f'{coordinate(value):.6g}' for value in place)})" for place in places)
 
 
-def _several(key: Several, values: Sequence[Any]) -> str:
+def _several(key: ListOf, values: Sequence[Any]) -> str:
     """Return a list of values; those with one unit share it."""
     each = key.each
-    if isinstance(each, Several):
+    if isinstance(each, ListOf):
         return f"{_places(values)} m"
     if isinstance(each, Quantity):
         texts, unit = together(values, each.dimension)
@@ -126,7 +126,7 @@ def _several(key: Several, values: Sequence[Any]) -> str:
     return ", ".join(told(each, value) for value in values)
 
 
-def _part(part: Part, title: str) -> Iterator[Grid]:
+def _part(part: Section, title: str) -> Iterator[Grid]:
     """Yield what a part says itself, then the parts in it."""
     rows: list[tuple[Cell, ...]] = []
     below: list[Grid] = []
@@ -137,7 +137,7 @@ def _part(part: Part, title: str) -> Iterator[Grid]:
                 rows.append(_row(name, key, value, field))
         elif isinstance(value, Rectangle | Polygon | Circle):
             rows.append((Cell(name), Cell(""), Cell(shape_told(value)), Cell(meaning_of(field), "muted")))
-        elif isinstance(value, Part):
+        elif isinstance(value, Section):
             below += _part(value, _words(name))
         elif isinstance(value, tuple):
             below += _list(value, name, _words(name))
@@ -148,7 +148,7 @@ def _part(part: Part, title: str) -> Iterator[Grid]:
     yield from below
 
 
-def _row(name: str, key: Key, value: Any, field: FieldInfo) -> tuple[Cell, ...]:
+def _row(name: str, key: FieldType, value: Any, field: FieldInfo) -> tuple[Cell, ...]:
     """Return the row of a key; what a case has that does not say it is called default."""
     default = not field.is_required() and value == field.get_default()
     meaning = f"{key.meaning} (default)" if default and "by default" not in key.meaning else key.meaning
@@ -157,9 +157,9 @@ def _row(name: str, key: Key, value: Any, field: FieldInfo) -> tuple[Cell, ...]:
     return Cell(words, "words"), symbol, Cell(told(key, value)), Cell(meaning, "muted")
 
 
-def _list(parts: Sequence[Part], name: str, title: str) -> Iterator[Grid]:
+def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[Grid]:
     """Yield a list of parts, those of one kind in one grid, numbered as in the case; lists in them stand below."""
-    kinds: dict[type[Part], list[tuple[int, Part]]] = {}
+    kinds: dict[type[Section], list[tuple[int, Section]]] = {}
     for number, part in enumerate(parts, 1):
         kinds.setdefault(type(part), []).append((number, part))
     for kind, numbered in kinds.items():
@@ -174,11 +174,11 @@ def _list(parts: Sequence[Part], name: str, title: str) -> Iterator[Grid]:
             value = getattr(part, inner)
             if nested(field).many and value:
                 yield from _list(value, inner, f"{called}: {inner}")
-            elif isinstance(value, Part) and not isinstance(value, Rectangle | Polygon | Circle):
+            elif isinstance(value, Section) and not isinstance(value, Rectangle | Polygon | Circle):
                 yield from _part(value, f"{called}: {inner}")
 
 
-def _columns(kind: type[Part], numbered: list[tuple[int, Part]], title: str) -> Grid:
+def _columns(kind: type[Section], numbered: list[tuple[int, Section]], title: str) -> Grid:
     """Return parts of one kind, one a row; keys that are nowhere given have no column."""
     heads, columns = [Head("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]]
     for name, field in kind.model_fields.items():
@@ -199,14 +199,14 @@ def _columns(kind: type[Part], numbered: list[tuple[int, Part]], title: str) -> 
     return Grid(title, tuple(heads), tuple(zip(*columns, strict=True)))
 
 
-def _column(name: str, key: Key, values: list[Any]) -> tuple[Head, list[Cell]]:
+def _column(name: str, key: FieldType, values: list[Any]) -> tuple[Head, list[Cell]]:
     """Return the column of a key; its quantities have one unit."""
     words, symbol = name.replace("_", " "), key.symbol
     if symbol == name:
         words, symbol = ("", symbol) if symbol in GREEK else (name, "")
     nothing = Cell(ALWAYS.get(name, ""))
     if not isinstance(key, Quantity):
-        kind: Kind = "number" if isinstance(key, Number | Whole) else ""
+        kind: Kind = "number" if isinstance(key, Number | Integer) else ""
         cells = [nothing if value is None else Cell(told(key, value), kind) for value in values]
         return Head(words, "", bool(kind), symbol), cells
     texts, unit = together([value for value in values if value is not None], key.dimension)

@@ -13,7 +13,7 @@ from groundslab.errors import NotCertified, NotConverged
 from groundslab.results.contact_zone import contact_share, goes_below_zero
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import single
-from groundslab.views.summary.single import Row, Section
+from groundslab.views.summary.single import Row, SummarySection
 
 if TYPE_CHECKING:
     from groundslab.errors import GroundslabError
@@ -85,7 +85,7 @@ def factors_text(combination: Combination) -> str:
     return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
 
 
-def description(combined: Combined) -> list[Section]:
+def description(combined: Combined) -> list[SummarySection]:
     """Return what was analysed; of the ground only what is the same in all combinations."""
     found = [entry.results for entry in entries(combined) if entry.results is not None]
     plate, ground, *cut = single.description(found[0])
@@ -97,12 +97,12 @@ def description(combined: Combined) -> list[Section]:
     return [plate, replace(ground, rows=same, notes=notes), *cut]
 
 
-def extremes(combined: Combined) -> list[tuple[Section, tuple[Extreme, ...]]]:
+def extremes(combined: Combined) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
     """Return the sections of figures, each with its rows' extremes over all certified combinations.
 
     The largest governs, of a row called smallest and of the share in contact the smallest; the first of equal ones.
     """
-    found: dict[str, tuple[Section, dict[str, Extreme]]] = {}
+    found: dict[str, tuple[SummarySection, dict[str, Extreme]]] = {}
     for entry in entries(combined):
         if entry.results is None or entry.refused is not None:
             continue

@@ -82,7 +82,7 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class SummarySection:
     """Some lines of the summary under one heading; the notes say what a reader must know about them."""
 
     key: str
@@ -91,18 +91,18 @@ class Section:
     notes: tuple[str, ...] = ()
 
 
-def summary(results: Results) -> list[Section]:
+def summary(results: Results) -> list[SummarySection]:
     """Return the sections of the summary, in the order in which they are shown."""
     require_finite(results)
     return [*description(results), *figures(results), certificate_section(results.certificate)]
 
 
-def description(results: Results) -> list[Section]:
+def description(results: Results) -> list[SummarySection]:
     """Return what was analysed: plate, ground, and loads that were cut off at the plate's edge."""
     return [_plate(results), description_of_ground(results), *cut_loads(results.model)]
 
 
-def figures(results: Results) -> list[Section]:
+def figures(results: Results) -> list[SummarySection]:
     """Return what came out: settlement, contact, what supports carry, section forces."""
     supports = [_supports(results)] if results.supports else []
     return [_settlement(results), _contact(results), *supports, _section_forces(results)]
@@ -152,7 +152,7 @@ def certified_words(count: int) -> str:
     )
 
 
-def json_sections(sections: Sequence[Section]) -> dict[str, Any]:
+def json_sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
     """Return sections of the summary as data for JSON, by their keys."""
     document: dict[str, Any] = {}
     for section in sections:
@@ -204,7 +204,7 @@ def extreme(nodes: Array, values: Array, kind: Literal["largest", "smallest"]) -
     return float(values[equal[first]]), (float(x[first]), float(y[first]))
 
 
-def _plate(results: Results) -> Section:
+def _plate(results: Results) -> SummarySection:
     """Return what was analysed: plate and mesh."""
     from groundslab.meshing.quality import quality as quality_of
 
@@ -229,10 +229,10 @@ def _plate(results: Results) -> Section:
         Row("solver", "solver", results.solver),
     )
     borders = _borders(results)
-    return Section("plate", "Plate", rows + borders, (CROSSED,) if borders else ())
+    return SummarySection("plate", "Plate", rows + borders, (CROSSED,) if borders else ())
 
 
-def description_of_ground(results: Results) -> Section:
+def description_of_ground(results: Results) -> SummarySection:
     """Return the kind of ground and the constants that the analysis ended with, layer by layer."""
     constants = results.constants
     several = len(constants.k0) > 1
@@ -249,7 +249,7 @@ def description_of_ground(results: Results) -> Section:
     if constants.gamma is not None:
         rows.append(Row("gamma", "decay of the mode", constants.gamma, None, "gamma"))
         rows.append(Row("gamma_iterations", "iterations for gamma", constants.gamma_iterations))
-    return Section("ground", "Ground", tuple(rows))
+    return SummarySection("ground", "Ground", tuple(rows))
 
 
 def _borders(results: Results) -> tuple[Row, ...]:
@@ -267,7 +267,7 @@ def _borders(results: Results) -> tuple[Row, ...]:
     )
 
 
-def cut_loads(model: Model) -> list[Section]:
+def cut_loads(model: Model) -> list[SummarySection]:
     """Return what of the loads lies off the plate and does not act, nothing where all of them act."""
     from groundslab.model.loads.clipping import clipped_loads
 
@@ -283,10 +283,10 @@ def cut_loads(model: Model) -> list[Section]:
         rows.append(Row("more", "further loads that are cut off", len(clipped) - MOST_CUT))
     rows.append(Row("sum_of_forces", "all that does not act", sum(each.force for each in clipped), FORCE))
     note = "Areas and lines act where they lie on the plate. Forces without the factors of combinations."
-    return [Section("cut_loads", "Loads cut off at the edge of the plate", tuple(rows), (note,))]
+    return [SummarySection("cut_loads", "Loads cut off at the edge of the plate", tuple(rows), (note,))]
 
 
-def _settlement(results: Results) -> Section:
+def _settlement(results: Results) -> SummarySection:
     """Return the largest and the smallest settlement; a smallest one below zero is called uplift."""
     plate, unit = results.plate, _unit("settlement")
     largest, place = extreme(plate.nodes, plate.settlement, "largest")
@@ -296,10 +296,10 @@ def _settlement(results: Results) -> Section:
         rows.append(Row("largest_uplift", "largest uplift", -smallest, unit, "-w", place_of_smallest))
     else:
         rows.append(Row("smallest", "smallest settlement", smallest, unit, "w", place_of_smallest))
-    return Section("settlement", "Settlement", tuple(rows))
+    return SummarySection("settlement", "Settlement", tuple(rows))
 
 
-def _contact(results: Results) -> Section:
+def _contact(results: Results) -> SummarySection:
     """Return how much of the plate rests on the ground, the largest gap and the pressures."""
     plate = results.plate
     share = contact_share(plate)
@@ -315,7 +315,7 @@ def _contact(results: Results) -> Section:
             "Along the plate's edge the ground's shear acts by a line force beside the pressure. At corners of the "
             "plate it grows slowly as the mesh is refined.",
         )
-    return Section("contact", "Contact", tuple(rows), notes)
+    return SummarySection("contact", "Contact", tuple(rows), notes)
 
 
 def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") -> list[Row]:
@@ -331,7 +331,7 @@ def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") 
     return rows
 
 
-def _section_forces(results: Results) -> Section:
+def _section_forces(results: Results) -> SummarySection:
     """Return the extreme moments and shear forces with their places."""
     plate, rows = results.plate, []
     kinds: tuple[Literal["largest", "smallest"], ...] = ("largest", "smallest")
@@ -353,10 +353,10 @@ def _section_forces(results: Results) -> Section:
         )
     if any(support.kind == "point" for support in model.supports):
         notes += ("At a point support moments and shear forces grow without limit as the mesh is refined.",)
-    return Section("section_forces", "Moments and shear forces", tuple(rows), notes)
+    return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)
 
 
-def _supports(results: Results) -> Section:
+def _supports(results: Results) -> SummarySection:
     """Return what the supports carry: each of a few, else the largest and the smallest force and their sum."""
     totals = [(support.total, support) for support in results.supports if len(support.nodes)]
     rows = [
@@ -370,7 +370,7 @@ def _supports(results: Results) -> Section:
             Row("smallest_force", f"smallest force, of {least.name}", low, FORCE, "", _middle(least)),
         ]
     rows.append(Row("sum_of_forces", "all supports together", sum(total for total, _ in totals), FORCE))
-    return Section("supports", "Supports: forces, upwards positive", tuple(rows))
+    return SummarySection("supports", "Supports: forces, upwards positive", tuple(rows))
 
 
 def _middle(support: SupportResult) -> tuple[float, float]:
@@ -379,7 +379,7 @@ def _middle(support: SupportResult) -> tuple[float, float]:
     return float(x), float(y)
 
 
-def certificate_section(certificate: Certificate) -> Section:
+def certificate_section(certificate: Certificate) -> SummarySection:
     """Return the figures that say how well equilibrium and contact conditions are satisfied, each with its verdict."""
     rows = [
         Row("load", "sum of the loads", certificate.load, FORCE),
@@ -395,7 +395,7 @@ def certificate_section(certificate: Certificate) -> Section:
             "The meshed ground beyond the plate is too narrow or too coarse: make beyond.width larger or mesh.size "
             "smaller.",
         )
-    return Section("certificate", "Certificate", tuple(rows), notes)
+    return SummarySection("certificate", "Certificate", tuple(rows), notes)
 
 
 def _unit(name: str) -> Unit:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from groundslab._version import __version__
 from groundslab.results.results import alone
 from groundslab.views.summary import combinations
-from groundslab.views.summary.single import Row, Section, certified_words, summary
+from groundslab.views.summary.single import Row, SummarySection, certified_words, summary
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -67,7 +67,7 @@ def print_overview(combined: Combined, console: Console) -> None:
             console.print(line, soft_wrap=True)
     for section, rows in combinations.extremes(combined):
         _section(replace(section, title=f"{section.title}: extremes"), [_extreme(row) for row in rows], console)
-    worst = Section("certificate", "Certificate: the worst of each figure", ())
+    worst = SummarySection("certificate", "Certificate: the worst of each figure", ())
     _section(worst, [_extreme(row) for row in combinations.worst(combined)], console)
     console.print(Text("  The number before each line is that of the combination that governs.", style="dim"))
     console.print()
@@ -138,7 +138,7 @@ def _certified(count: int, design: Design, console: Console) -> None:
             console.print(Text(line, style=_STYLES[design.status]), soft_wrap=True)
 
 
-def _section(section: Section, lines: Sequence[Text], console: Console) -> None:
+def _section(section: SummarySection, lines: Sequence[Text], console: Console) -> None:
     """Print lines under their heading, and the notes below."""
     from rich.padding import Padding
     from rich.text import Text

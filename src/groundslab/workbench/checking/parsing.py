@@ -15,7 +15,7 @@ from functools import lru_cache
 from typing import Any
 
 from groundslab.case import casefile
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.editing.document import Document, Edit
 
@@ -29,8 +29,8 @@ class Reading:
     """
 
     meaning: str
-    faults: tuple[Fault, ...]
-    issues: list[dict[str, Any]]
+    issues: tuple[Issue, ...]
+    listed: list[dict[str, Any]]
     plan: dict[str, Any] | None
 
 
@@ -59,14 +59,14 @@ def understand(document: Document) -> Reading:
         meaning = hashlib.sha256(casefile.to_toml(model).encode()).hexdigest()
         return Reading(meaning, (), [], plan_of(model))
     except InputError as error:
-        found = error.faults
+        found = error.issues
     except MemoryError:
         raise
     except Exception as error:
         traceback.print_exc()
-        got = f"an error in groundslab itself ({type(error).__name__}: {error})"
-        found = (Fault("the description", got, "something that it can read", "undo the last step"),)
-    return Reading("", found, diagnostics.told_of_text(found, document.layout, document.data is not None), None)
+        given = f"an error in groundslab itself ({type(error).__name__}: {error})"
+        found = (Issue("the description", given, "something that it can read", "undo the last step"),)
+    return Reading("", found, diagnostics.text_issues_to_json(found, document.layout, document.data is not None), None)
 
 
 def edited(document: Document, edits: Sequence[Edit]) -> Document:

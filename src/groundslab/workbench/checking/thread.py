@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.checking.bounded_process import (
     BoundedProcess,
@@ -73,9 +73,9 @@ class Reader:
             changed: Document = self._caller.call(parsing.edited, document, edits, seconds=EDITING)
             return changed
         except (TimeLimit, MemoryLimit, ProcessEnded, Interrupted) as error:
-            mend = "edit the text instead, or undo the last step"
-            fault = Fault("the edit", f"a case that cannot be read ({error})", "one that can be", mend)
-            raise InputError([fault]) from None
+            hint = "edit the text instead, or undo the last step"
+            issue = Issue("the edit", f"a case that cannot be read ({error})", "one that can be", hint)
+            raise InputError([issue]) from None
         finally:
             with self._changed:
                 self._edits -= 1
@@ -122,12 +122,12 @@ class Reader:
 
 def _unread(error: Exception) -> Reading:
     """Return what is said of a text that could not be read."""
-    mend = "undo the last step, or look for very large counts or lengths"
+    hint = "undo the last step, or look for very large counts or lengths"
     if isinstance(error, TimeLimit):
-        found = Fault("the description", f"a case that takes {error} to read", "one that can be read", mend)
+        found = Issue("the description", f"a case that takes {error} to read", "one that can be read", hint)
     elif isinstance(error, MemoryLimit):
-        found = Fault("the description", f"a case that takes too much memory to read ({error})", "a smaller one", mend)
+        found = Issue("the description", f"a case that takes too much memory to read ({error})", "a smaller one", hint)
     else:
-        got = f"a case that cannot be read ({type(error).__name__}: {error})"
-        found = Fault("the description", got, "one that can be read", "undo the last step")
-    return Reading("", (found,), diagnostics.told([found]), None)
+        given = f"a case that cannot be read ({type(error).__name__}: {error})"
+        found = Issue("the description", given, "one that can be read", "undo the last step")
+    return Reading("", (found,), diagnostics.issues_to_json([found]), None)

@@ -7,8 +7,8 @@ import tomllib
 from collections.abc import Sequence
 from typing import Any
 
-from groundslab.errors import Fault
-from groundslab.schema.issues import Finding
+from groundslab.errors import Issue
+from groundslab.schema.issues import RelativeIssue
 from groundslab.workbench.editing.toml_edits import Layout
 from groundslab.workbench.editing.toml_positions import Path
 
@@ -20,7 +20,7 @@ _STEP = re.compile(r'\.?(?:(?P<bare>[A-Za-z0-9_-]+)|(?P<quoted>"(?:[^"\\]|\\.)*"
 
 def where_of(path: Path) -> str:
     """Return a path as faults write it, positions counted from 1: ``loads[2].x``."""
-    return Finding(path, "", "").fault("").where
+    return RelativeIssue(path, "", "").issue("").location
 
 
 def path_of(where: str) -> Path:
@@ -39,30 +39,30 @@ def path_of(where: str) -> Path:
     return tuple(path) if position == len(where) else ()
 
 
-def told(faults: Sequence[Fault]) -> list[dict[str, Any]]:
+def issues_to_json(issues: Sequence[Issue]) -> list[dict[str, Any]]:
     """Return faults as data for the page, with the paths of what they speak of."""
     return [
         {
-            "where": fault.where,
-            "path": list(path_of(fault.where)),
-            "got": fault.got,
-            "expected": fault.expected,
-            "mend": fault.mend,
+            "where": issue.location,
+            "path": list(path_of(issue.location)),
+            "got": issue.found,
+            "expected": issue.expected,
+            "mend": issue.hint,
         }
-        for fault in faults
+        for issue in issues
     ]
 
 
-def told_of_text(faults: Sequence[Fault], layout: Layout | None, is_toml: bool) -> list[dict[str, Any]]:
+def text_issues_to_json(issues: Sequence[Issue], layout: Layout | None, is_toml: bool) -> list[dict[str, Any]]:
     """Return the faults of a text as data for the page, with their lines as far as those are known."""
-    return [about | _place(fault, layout, is_toml) for fault, about in zip(faults, told(faults), strict=True)]
+    return [about | _place(issue, layout, is_toml) for issue, about in zip(issues, issues_to_json(issues), strict=True)]
 
 
-def _place(fault: Fault, layout: Layout | None, is_toml: bool) -> dict[str, Any]:
+def _place(issue: Issue, layout: Layout | None, is_toml: bool) -> dict[str, Any]:
     """Return where in the text a fault is."""
     if not is_toml:
-        place = _SYNTAX.fullmatch(fault.where)
+        place = _SYNTAX.fullmatch(issue.location)
         line, column = (int(place[1]), int(place[2])) if place else (1, 1)
         return {"path": [], "line": line, "column": column}
-    line_of_path = None if layout is None else layout.line(path_of(fault.where))
+    line_of_path = None if layout is None else layout.line(path_of(issue.location))
     return {} if line_of_path is None else {"line": line_of_path}

@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from groundslab.case import casefile
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.schema.wording import describe
 from groundslab.workbench.editing import lengths
@@ -39,13 +39,13 @@ class Document:
         mark = content.startswith(BOM)
         if len(content) > casefile.LARGEST:
             expected = f"a TOML file of at most {casefile.LARGEST // 1_000_000} MB"
-            raise InputError([Fault(name, "a larger file", expected)])
+            raise InputError([Issue(name, "a larger file", expected)])
         try:
             text = content[len(BOM) :].decode("utf-8") if mark else content.decode("utf-8")
         except UnicodeDecodeError as error:
             line = content.count(b"\n", 0, error.start) + 1
             where = f"{name}, line {line}"
-            raise InputError([Fault(where, "bytes that are not UTF-8", "UTF-8 text", "save it as UTF-8")]) from None
+            raise InputError([Issue(where, "bytes that are not UTF-8", "UTF-8 text", "save it as UTF-8")]) from None
         windows = "\r\n" in text and text.count("\r\n") == text.count("\n")
         return cls(text.replace("\r\n", "\n"), "\r\n", mark) if windows else cls(text, "\n", mark)
 
@@ -79,8 +79,8 @@ class Document:
             for edit in edits:
                 document = document._edited(edit)
         except RecursionError:
-            fault = Fault("the edit", "lists or tables nested too deeply", "those of an input file")
-            raise InputError([fault]) from None
+            issue = Issue("the edit", "lists or tables nested too deeply", "those of an input file")
+            raise InputError([issue]) from None
         return document
 
     def _edited(self, edit: Edit) -> Document:
@@ -89,8 +89,8 @@ class Document:
             return self._with_text(edit.get("value"))
         layout = self.layout
         if layout is None:
-            mend = "edit the text, or undo"
-            raise InputError([Fault("the text", "text that is not TOML", "TOML, so that parts can be edited", mend)])
+            hint = "edit the text, or undo"
+            raise InputError([Issue("the text", "text that is not TOML", "TOML, so that parts can be edited", hint)])
         if op == "set":
             return self._put(layout, path, _given(edit))
         if op == "length":
@@ -104,16 +104,16 @@ class Document:
             return self._add(layout, path, _given(edit), edit.get("at"))
         if op == "remove":
             return self._remove(layout, path)
-        raise InputError([Fault("the edit", describe(op), "one of set, length, add, remove, move, text")])
+        raise InputError([Issue("the edit", describe(op), "one of set, length, add, remove, move, text")])
 
     def _with_text(self, value: Any) -> Document:
         """Return the document with a text in place of the whole one."""
         if not isinstance(value, str):
-            raise InputError([Fault("the text", describe(value), "text")])
+            raise InputError([Issue("the text", describe(value), "text")])
         if any("\ud800" <= letter <= "\udfff" for letter in value):
-            raise InputError([Fault("the text", "a lone surrogate", "text that a file can hold")])
+            raise InputError([Issue("the text", "a lone surrogate", "text that a file can hold")])
         if len(value) > casefile.LARGEST:
-            raise InputError([Fault("the text", "a longer text", f"at most {casefile.LARGEST:,} characters")])
+            raise InputError([Issue("the text", "a longer text", f"at most {casefile.LARGEST:,} characters")])
         return replace(self, text=value if "\r\n" in self.text else value.replace("\r\n", "\n"))
 
     def _put(self, layout: Layout, path: Path, value: Any) -> Document:
@@ -123,7 +123,7 @@ class Document:
         _require_place(layout, path)
         if not path:
             if not isinstance(value, Mapping):
-                raise InputError([Fault("the description", describe(value), "a table")])
+                raise InputError([Issue("the description", describe(value), "a table")])
             return self._checked(layout.put(path, value), value)
         return self._checked(layout.put(path, value), replaced(layout.data, path, value))
 
@@ -134,9 +134,9 @@ class Document:
             old = []
             _require_place(layout, path)
         if not isinstance(old, list) or not path:
-            raise InputError([Fault(where_of(path), describe(old), "a list")])
+            raise InputError([Issue(where_of(path), describe(old), "a list")])
         if at is not None and (isinstance(at, bool) or not isinstance(at, int) or not 0 <= at <= len(old)):
-            raise InputError([Fault(where_of(path), describe(at), f"a position from 0 to {len(old)}")])
+            raise InputError([Issue(where_of(path), describe(at), f"a position from 0 to {len(old)}")])
         position = len(old) if at is None else at
         new = [*old[:position], value, *old[position:]]
         if not old or (not isinstance(value, Mapping) and layout.value(path) is None):
@@ -160,9 +160,9 @@ class Document:
         """Return the document with some text replaced, if it then says what is expected, and nothing else."""
         document = replace(self, text=spliced(self.text, splices))
         if document.data is None or not same(_filled(document.data), _filled(expected)):
-            mend = "edit the text instead"
-            got = "a file that is laid out too unusually for this edit"
-            raise InputError([Fault("the edit", got, "a text in which only that changes", mend)])
+            hint = "edit the text instead"
+            found = "a file that is laid out too unusually for this edit"
+            raise InputError([Issue("the edit", found, "a text in which only that changes", hint)])
         return document
 
 
@@ -173,14 +173,14 @@ def _path(edit: Edit) -> Path:
         isinstance(step, str) or (isinstance(step, int) and not isinstance(step, bool) and step >= 0) for step in path
     )
     if not fits or len(path) > DEEPEST:
-        raise InputError([Fault("the edit", describe(path), "a path of keys and positions from 0")])
+        raise InputError([Issue("the edit", describe(path), "a path of keys and positions from 0")])
     return tuple(path)
 
 
 def _given(edit: Edit) -> Any:
     """Return the value of an edit, without keys whose value is nothing."""
     if "value" not in edit:
-        raise InputError([Fault("the edit", "no value", f"a value for {describe(edit.get('op'))}")])
+        raise InputError([Issue("the edit", "no value", f"a value for {describe(edit.get('op'))}")])
     return _without_nothing(edit["value"])
 
 
@@ -196,14 +196,14 @@ def _by(edit: Edit) -> tuple[float, float]:
         case [int() | float() as x, int() | float() as y] if math.isfinite(x) and math.isfinite(y):
             return float(x), float(y)
         case by:
-            raise InputError([Fault("the edit", describe(by), "two distances in metres")])
+            raise InputError([Issue("the edit", describe(by), "two distances in metres")])
 
 
 def _require(layout: Layout, path: Path) -> Any:
     """Return what stands at a path; raises InputError if nothing does."""
     found = value_at(layout.data, path, _MISSING)
     if found is _MISSING:
-        raise InputError([Fault(where_of(path), "nothing", "something to move")])
+        raise InputError([Issue(where_of(path), "nothing", "something to move")])
     return found
 
 
@@ -215,11 +215,11 @@ def _require_place(layout: Layout, path: Path) -> None:
         if isinstance(step, int):
             if not isinstance(around, list) or step >= len(around):
                 expected = f"a list of more than {step}; another one is added to a list, not set"
-                raise InputError([Fault(where_of(above), describe(None if around is _MISSING else around), expected)])
+                raise InputError([Issue(where_of(above), describe(None if around is _MISSING else around), expected)])
             around = around[step]
         else:
             if around is not _MISSING and not isinstance(around, Mapping):
-                raise InputError([Fault(where_of(above), describe(around), f"a table that can have {describe(step)}")])
+                raise InputError([Issue(where_of(above), describe(around), f"a table that can have {describe(step)}")])
             around = around.get(step, _MISSING) if isinstance(around, Mapping) else _MISSING
 
 

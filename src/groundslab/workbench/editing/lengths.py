@@ -9,7 +9,7 @@ from decimal import ROUND_HALF_EVEN, Context, Decimal
 from typing import Any
 
 from groundslab import units
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import describe
 
 #: What a drag can mean [m], on a plate of a metre or more.
@@ -65,7 +65,7 @@ def _written(old: Any, new: Any, unit: str, step: float) -> Any:
             _written(olds[number] if number < len(olds) else None, each, unit, step) for number, each in enumerate(new)
         ]
     if isinstance(new, bool) or not isinstance(new, int | float) or not math.isfinite(new):
-        raise InputError([Fault("the edit", describe(new), "a length in metres, or a list of lengths")])
+        raise InputError([Issue("the edit", describe(new), "a length in metres, or a list of lengths")])
     parts = _parts(old) if isinstance(old, str) else None
     blank, own = (parts[2], parts[3]) if parts else (" ", unit)
     if parts and abs(units.parse(str(old), "length") - new) < step / 2:
@@ -104,12 +104,12 @@ def _plain(number: Decimal) -> str:
 def moved(thing: Any, by: tuple[float, float], step: float, where: str) -> dict[str, Any]:
     """Return a thing of the file with all its places moved [m]; raises InputError for one that has none."""
     if not isinstance(thing, Mapping):
-        raise InputError([Fault(where, describe(thing), "something with a place in plan")])
+        raise InputError([Issue(where, describe(thing), "something with a place in plan")])
     found = _moved(thing, by, step, where)
     if found == thing and any(by):
         column = thing.get("column")
-        mend = f"move the column {describe(column)}" if column else ""
-        raise InputError([Fault(where, "something without a place of its own", "something with coordinates", mend)])
+        hint = f"move the column {describe(column)}" if column else ""
+        raise InputError([Issue(where, "something without a place of its own", "something with coordinates", hint)])
     return found
 
 
@@ -148,7 +148,7 @@ def _shifted_places(value: Any, by: tuple[float, float], step: float, where: str
     if isinstance(value, list) and any(isinstance(each, list) for each in value):
         return [_shifted_places(each, by, step, f"{where}[{number}]") for number, each in enumerate(value, start=1)]
     if not isinstance(value, list) or len(value) != 2:
-        raise InputError([Fault(where, describe(value), "a place of two lengths", "put it right first")])
+        raise InputError([Issue(where, describe(value), "a place of two lengths", "put it right first")])
     return [
         _shifted(each, distance, step, f"{where}[{number}]")
         for number, (each, distance) in enumerate(zip(value, by, strict=True), start=1)
@@ -161,6 +161,6 @@ def _shifted(value: Any, distance: float, step: float, where: str) -> Any:
         return [_shifted(each, distance, step, f"{where}[{number}]") for number, each in enumerate(value, start=1)]
     parts = _parts(value) if isinstance(value, str) else None
     if parts is None:
-        raise InputError([Fault(where, describe(value), units.expectation("length"), "put it right first")])
+        raise InputError([Issue(where, describe(value), units.expectation("length"), "put it right first")])
     total = _EXACT.add(Decimal(parts[1]), _rounded(distance, parts[3], step))
     return value if total == Decimal(parts[1]) else f"{_plain(total)}{parts[2]}{parts[3]}"

@@ -25,7 +25,7 @@ _PLAIN = re.compile(r"[^,\]}#\r\n]*")
 
 
 @dataclass(frozen=True, slots=True)
-class Key:
+class FieldType:
     """A key, dotted or not, and where it stands."""
 
     start: int
@@ -41,7 +41,7 @@ class Value:
     end: int
     kind: Literal["plain", "list", "table"] = "plain"
     parts: tuple[Value, ...] = ()
-    keys: tuple[Key, ...] = ()
+    keys: tuple[FieldType, ...] = ()
 
     def at(self, path: Path) -> Value | None:
         """Return what stands at a path below, None if nothing does or if dotted keys scatter it."""
@@ -64,7 +64,7 @@ class Statement:
     path: Path
     section: Path  # of a header: its own path
     value: Value | None  # of a pair
-    key: Key
+    key: FieldType
 
 
 def statements(text: str) -> list[Statement]:
@@ -122,7 +122,7 @@ def _blank(text: str, position: int) -> int:
     return match.end()
 
 
-def _key(text: str, start: int) -> Key:
+def _key(text: str, start: int) -> FieldType:
     """Return the key at a position."""
     names: list[str] = []
     position = end = start
@@ -134,7 +134,7 @@ def _key(text: str, start: int) -> Key:
         end = match.end()
         dot = _space(text, end)
         if not text.startswith(".", dot):
-            return Key(start, end, tuple(names))
+            return FieldType(start, end, tuple(names))
         position = _space(text, dot + 1)
 
 
@@ -148,7 +148,7 @@ def _value(text: str, start: int) -> Value:
             position = _after_part(text, parts[-1].end)
         return Value(start, position + 1, "list", tuple(parts))
     if text[start] == "{":
-        keys: list[Key] = []
+        keys: list[FieldType] = []
         parts = []
         position = _blank(text, start + 1)
         while text[position] != "}":

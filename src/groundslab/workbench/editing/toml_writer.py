@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from datetime import date, datetime, time
 from typing import Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import describe, quote
 
 #: Longer lines are broken where a list allows it.
@@ -39,7 +39,7 @@ def value(what: Any) -> str:
         return f"[{', '.join(map(value, what))}]"
     if isinstance(what, datetime | date | time):
         return what.isoformat()
-    raise InputError([Fault("the edit", describe(what), "text, a number, true, false, a list or a table")])
+    raise InputError([Issue("the edit", describe(what), "text, a number, true, false, a list or a table")])
 
 
 def pair(name: str, what: Any) -> str:
@@ -91,4 +91,4 @@ def _table(header: str, path: tuple[str, ...], table: Mapping[str, Any]) -> str:
 def _require_writable(text: str) -> None:
     """Raise InputError for text that no file can hold."""
     if any("\ud800" <= letter <= "\udfff" for letter in text):
-        raise InputError([Fault("the edit", describe(text), "text without lone surrogates")])
+        raise InputError([Issue("the edit", describe(text), "text without lone surrogates")])

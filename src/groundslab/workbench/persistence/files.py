@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 
 
 def digest(content: bytes) -> str:
@@ -61,7 +61,7 @@ def listing(folder: Path) -> dict[str, Any]:
         folders = sorted((entry.name for entry in entries if holds(entry.is_dir)), key=str.casefold)
         files = [entry.name for entry in entries if entry.name.lower().endswith(".toml") and holds(entry.is_file)]
     except OSError as error:
-        raise InputError([Fault(str(folder), reason(error), "a folder that can be read")]) from None
+        raise InputError([Issue(str(folder), reason(error), "a folder that can be read")]) from None
     parent = None if folder.parent == folder else str(folder.parent)
     return {"folder": str(folder), "parent": parent, "folders": folders, "files": sorted(files, key=str.casefold)}
 

@@ -17,7 +17,7 @@ from types import FrameType
 from typing import Any
 from urllib.parse import urlsplit
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.workbench.events import Hub
 from groundslab.workbench.persistence import files
 
@@ -90,18 +90,18 @@ def _require_packages() -> None:
         import fastapi  # noqa: F401
         import uvicorn  # noqa: F401
     except ImportError as error:
-        mend = 'pip install ".[app]"'
-        fault = Fault("groundslab app", f"no package {error.name}", "the packages of the workbench", mend)
-        raise InputError([fault]) from None
+        hint = 'pip install ".[app]"'
+        issue = Issue("groundslab app", f"no package {error.name}", "the packages of the workbench", hint)
+        raise InputError([issue]) from None
 
 
 def _state_folder() -> Path:
     try:
         return files.state_folder()
     except (OSError, RuntimeError) as error:
-        got = files.reason(error) if isinstance(error, OSError) else str(error)
+        found = files.reason(error) if isinstance(error, OSError) else str(error)
         where = str(getattr(error, "filename", None) or "home")
-        raise InputError([Fault(where, got, "a folder for unsaved work")]) from None
+        raise InputError([Issue(where, found, "a folder for unsaved work")]) from None
 
 
 def _bound(port: int) -> socket.socket:
@@ -116,8 +116,8 @@ def _bound(port: int) -> socket.socket:
         door.bind((ADDRESS, port))
     except (OSError, OverflowError) as error:
         door.close()
-        got = f"{port} ({files.reason(error) if isinstance(error, OSError) else error})"
-        raise InputError([Fault("--port", got, "a port that is free", "leave it out for any")]) from None
+        found = f"{port} ({files.reason(error) if isinstance(error, OSError) else error})"
+        raise InputError([Issue("--port", found, "a port that is free", "leave it out for any")]) from None
     return door
 
 

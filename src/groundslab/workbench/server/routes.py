@@ -17,7 +17,7 @@ from fastapi.responses import JSONResponse, RedirectResponse, Response, Streamin
 from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.model.model import json_schema
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.persistence import files
@@ -107,12 +107,12 @@ def _answer_errors(app: FastAPI, session: Session) -> None:
 
     @app.exception_handler(InputError)
     async def wrong(_: Request, error: InputError) -> JSONResponse:
-        return JSONResponse({"error": _told(error.faults)}, 422)
+        return JSONResponse({"error": _told(error.issues)}, 422)
 
     @app.exception_handler(OSError)
     async def unavailable(_: Request, error: OSError) -> JSONResponse:
         where = str(error.filename or "the system")
-        return JSONResponse({"error": _told([Fault(where, files.reason(error), "a place that can be used")])}, 422)
+        return JSONResponse({"error": _told([Issue(where, files.reason(error), "a place that can be used")])}, 422)
 
     @app.exception_handler(RequestValidationError)
     async def unreadable(_: Request, error: RequestValidationError) -> JSONResponse:
@@ -124,12 +124,12 @@ def _answer_errors(app: FastAPI, session: Session) -> None:
         if error.kind == "version":
             return JSONResponse(session.state(), 409)
         url = {"url": error.url} if isinstance(error, OpenElsewhere) else {}
-        return JSONResponse({"error": {"kind": error.kind, **url, **_told(error.faults)}}, 409)
+        return JSONResponse({"error": {"kind": error.kind, **url, **_told(error.issues)}}, 409)
 
 
 def _told(wrong: Any) -> dict[str, Any]:
     """Return faults as an answer: the only one's parts beside the list, so that it can be shown as it is."""
-    told = diagnostics.told(wrong)
+    told = diagnostics.issues_to_json(wrong)
     head = told[0] if len(told) == 1 else {"message": "\n".join(map(str, wrong))}
     return {**head, "faults": told}
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.case import casefile
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.storage import atomic
 from groundslab.workbench.checking.bounded_process import Caller
 from groundslab.workbench.checking.parsing import Reading
@@ -33,10 +33,10 @@ PATIENCE_FOR_DATA = 2.0
 class Conflict(Exception):
     """What is asked for goes against what others did meanwhile; ``kind`` names it, ``faults`` say what to do."""
 
-    def __init__(self, kind: str, faults: Sequence[Fault] = ()) -> None:
+    def __init__(self, kind: str, issues: Sequence[Issue] = ()) -> None:
         super().__init__(kind)
         self.kind = kind
-        self.faults = tuple(faults)
+        self.issues = tuple(issues)
 
 
 class OpenElsewhere(Conflict):
@@ -45,8 +45,8 @@ class OpenElsewhere(Conflict):
     def __init__(self, path: Path, about: Mapping[str, Any]) -> None:
         self.url = str(about.get("url", ""))
         self.pid = about.get("pid")
-        got = f"a file that another workbench has open (process {self.pid})"
-        super().__init__("open", [Fault(str(path), got, "a file that is free", self.url and f"go to {self.url}")])
+        found = f"a file that another workbench has open (process {self.pid})"
+        super().__init__("open", [Issue(str(path), found, "a file that is free", self.url and f"go to {self.url}")])
 
 
 class Session:
@@ -84,7 +84,7 @@ class Session:
                 "text": document.text,
                 "data": self._data,
                 "checking": found is None,
-                "faults": [] if found is None else found.issues,
+                "faults": [] if found is None else found.listed,
                 "plan": self._plan,
                 "file": None if self._file is None else str(self._file),
                 "dirty": self._dirty,
@@ -144,11 +144,11 @@ class Session:
             there = _content(target)
             if there is not None and not over:
                 if not own:
-                    raise Conflict("exists", [Fault(str(target), "a file that exists", "a name that is free")])
+                    raise Conflict("exists", [Issue(str(target), "a file that exists", "a name that is free")])
                 if files.digest(there) != self._base and there != self._document.content():
-                    mend = "save it under another name, open it anew, or save over it"
-                    got = "a file that another program has changed since it was read"
-                    raise Conflict("changed", [Fault(str(target), got, "the file as it was read", mend)])
+                    hint = "save it under another name, open it anew, or save over it"
+                    found = "a file that another program has changed since it was read"
+                    raise Conflict("changed", [Issue(str(target), found, "the file as it was read", hint)])
             lock = None if own else self._take(target)
             content = self._document.content()
             try:
@@ -178,8 +178,8 @@ class Session:
             keeper = Keeper(target, self._state)
             there, offers = _content(target), keeper.offers()
             if there is None and not offers:
-                mend = f"groundslab new {target.name} makes one" if files.holds(target.parent.is_dir) else ""
-                raise InputError([Fault(str(target), "no file of that name", "a case file", mend)])
+                hint = f"groundslab new {target.name} makes one" if files.holds(target.parent.is_dir) else ""
+                raise InputError([Issue(str(target), "no file of that name", "a case file", hint)])
             # unsaved work whose file is gone is taken up where it was
             document = Document.read(there, str(target)) if there is not None else offers[0].document
             lock = None if own else self._take(target)
@@ -210,12 +210,12 @@ class Session:
         self._reader.wait(self._version, PATIENCE)
         with self._lock:
             if self._reading is None:
-                mend = "wait until it has been checked"
+                hint = "wait until it has been checked"
                 raise InputError(
-                    [Fault("the description", "a case that is still being checked", "a checked one", mend)]
+                    [Issue("the description", "a case that is still being checked", "a checked one", hint)]
                 )
-            if self._reading.faults:
-                raise InputError(self._reading.faults)
+            if self._reading.issues:
+                raise InputError(self._reading.issues)
             return self._want(self._reading, delay=0.0, again=True)
 
     def cancel(self) -> None:
@@ -368,7 +368,7 @@ class Session:
         """Return where to save."""
         if file is None:
             if self._file is None:
-                raise InputError([Fault("file", "no name", "a name for the file", "choose one")])
+                raise InputError([Issue("file", "no name", "a name for the file", "choose one")])
             return self._file
         target = _absolute(file, self._folder())
         if target == self._file:
@@ -376,9 +376,9 @@ class Session:
         if not target.suffix and not os.path.lexists(target):
             target = target.with_suffix(".toml")
         if files.holds(target.is_dir):
-            raise InputError([Fault(str(target), "a folder", "a name for a file")])
+            raise InputError([Issue(str(target), "a folder", "a name for a file")])
         if target.suffix.lower() != ".toml":
-            raise InputError([Fault(str(target), f'"{target.suffix}"', 'a name that ends with ".toml"')])
+            raise InputError([Issue(str(target), f'"{target.suffix}"', 'a name that ends with ".toml"')])
         return target
 
     def _take(self, target: Path) -> Lock:
@@ -388,8 +388,8 @@ class Session:
         try:
             lock, holder = Lock.take(self._state / "open" / f"{name}.lock", about)
         except OSError as error:
-            got = f"no place to note which case is open ({files.reason(error)})"
-            raise InputError([Fault(str(self._state), got, "a folder that can be written")]) from None
+            found = f"no place to note which case is open ({files.reason(error)})"
+            raise InputError([Issue(str(self._state), found, "a folder that can be written")]) from None
         if lock is None:
             raise OpenElsewhere(target, holder)
         return lock
@@ -403,7 +403,7 @@ class Session:
 def _absolute(file: str, folder: Path) -> Path:
     """Return the full path of what a user names; links are followed, so that one file has one name."""
     if "\0" in file:
-        raise InputError([Fault("file", "a name with a zero character", "the name of a file")])
+        raise InputError([Issue("file", "a name with a zero character", "the name of a file")])
     try:
         path = Path(file).expanduser()
     except RuntimeError:
@@ -419,7 +419,7 @@ def _content(path: Path) -> bytes | None:
         return None
     except (OSError, ValueError) as error:
         why = files.reason(error) if isinstance(error, OSError) else str(error)
-        raise InputError([Fault(str(path), why, "a file that can be read")]) from None
+        raise InputError([Issue(str(path), why, "a file that can be read")]) from None
 
 
 def _stamp(path: Path) -> tuple[int, int, int] | None:
@@ -432,5 +432,5 @@ def _stamp(path: Path) -> tuple[int, int, int] | None:
 
 
 def _unwritable(path: Path, error: OSError) -> InputError:
-    mend = "choose another place; nothing is lost"
-    return InputError([Fault(str(path), files.reason(error), "a file that can be written", mend)])
+    hint = "choose another place; nothing is lost"
+    return InputError([Issue(str(path), files.reason(error), "a file that can be written", hint)])

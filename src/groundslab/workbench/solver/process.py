@@ -142,7 +142,7 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tupl
     except Stopped:
         pipe.send(("stopped", run))
     except InputError as error:
-        pipe.send(("refused", run, str(error), list(error.faults)))
+        pipe.send(("refused", run, str(error), list(error.issues)))
     except GroundslabError as error:
         pipe.send(("refused", run, str(error), []))
     except MemoryError:

@@ -11,7 +11,7 @@ from groundslab.views.summary.terminal import number
 if TYPE_CHECKING:
     from groundslab.results.results import Combined
     from groundslab.views.summary.combinations import Entry
-    from groundslab.views.summary.single import Row, Section
+    from groundslab.views.summary.single import Row, SummarySection
 
 
 def summary_of(combined: Combined) -> dict[str, Any]:
@@ -40,7 +40,7 @@ def _combination(entry: Entry) -> dict[str, Any]:
     return about | {"certificate": told, "sections": [_section(section) for section in sections]}
 
 
-def _section(section: Section) -> dict[str, Any]:
+def _section(section: SummarySection) -> dict[str, Any]:
     """Return a section of the summary."""
     rows = [_row(row) for row in section.rows]
     return {"key": section.key, "title": section.title, "rows": rows, "notes": list(section.notes)}

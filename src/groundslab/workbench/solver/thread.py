@@ -20,8 +20,8 @@ from dataclasses import dataclass, field
 from multiprocessing import connection
 from typing import TYPE_CHECKING, Any
 
-from groundslab.errors import Fault, InputError
-from groundslab.workbench.editing.diagnostics import told
+from groundslab.errors import InputError, Issue
+from groundslab.workbench.editing.diagnostics import issues_to_json
 from groundslab.workbench.solver import process as worker
 from groundslab.workbench.solver.process import Answer
 
@@ -325,8 +325,8 @@ class Solver:
             self._stop(job.run, 0.0)
             self._over()
         elif word == "refused":
-            faults = told(rest[1])
-            self._over("refused", {"run": job.run, "version": job.version, "message": rest[0], "faults": faults})
+            issues = issues_to_json(rest[1])
+            self._over("refused", {"run": job.run, "version": job.version, "message": rest[0], "faults": issues})
         else:
             result = Result(job.run, job.version, job.meaning, rest[0], content)
             self._results[job.run] = result
@@ -387,7 +387,7 @@ def _told(result: Result) -> dict[str, Any]:
 
 
 def _no_report(why: str) -> InputError:
-    return InputError([Fault("the report", why, "results that are kept")])
+    return InputError([Issue("the report", why, "results that are kept")])
 
 
 def _how(code: int | None) -> str:

@@ -73,11 +73,11 @@ def document_of(space: Modelspace) -> Document:
     return space.doc
 
 
-def faults(draw: Draw, folder: Path, units: int = 6, layers: Layers | None = None, unit: str | None = None) -> str:
+def issues(draw: Draw, folder: Path, units: int = 6, layers: Layers | None = None, unit: str | None = None) -> str:
     """Return the faults of a drawing."""
     with pytest.raises(InputError) as caught:
         dxf.read(save(draw, folder, units), layers, unit)
-    assert caught.value.faults
+    assert caught.value.issues
     return str(caught.value)
 
 
@@ -297,9 +297,9 @@ class TestUnits:
 
     def test_unknown(self, tmp_path: Path) -> None:
         """A drawing without a unit, and a name that is none, are faults, together with the others."""
-        assert "$INSUNITS: got no unit" in faults(outline, tmp_path, units=0)
-        assert "unit number 11" in faults(outline, tmp_path, units=11)
-        text = faults(lambda space: space.add_line((0, 0), (1, 0), on("OUTLINE")), tmp_path, unit="kN")
+        assert "$INSUNITS: got no unit" in issues(outline, tmp_path, units=0)
+        assert "unit number 11" in issues(outline, tmp_path, units=11)
+        text = issues(lambda space: space.add_line((0, 0), (1, 0), on("OUTLINE")), tmp_path, unit="kN")
         assert 'got "kN"' in text
         assert "a gap" in text
 
@@ -387,7 +387,7 @@ class TestBlocks:
             document_of(space).blocks.new("B").add_blockref("A", (0, 0))
             space.add_blockref("A", (0, 0), on("ZONES"))
 
-        assert "holds itself" in faults(circular, tmp_path)
+        assert "holds itself" in issues(circular, tmp_path)
 
 
 class TestRoles:
@@ -476,7 +476,7 @@ class TestFaults:
 
     def test_empty_layers(self, tmp_path: Path) -> None:
         """An empty outline layer is a fault with the layers that there are, and so is one asked for by name."""
-        text = faults(lambda space: square(space, 0, 0, 1, "OUTLINES"), tmp_path, layers=Layers(zones="soft"))
+        text = issues(lambda space: square(space, 0, 0, 1, "OUTLINES"), tmp_path, layers=Layers(zones="soft"))
         assert "" in text
         faults_of = text.splitlines()
         assert 'layer "OUTLINE"' in faults_of[0]
@@ -485,12 +485,12 @@ class TestFaults:
 
     def test_a_layer_twice_or_nameless(self, tmp_path: Path) -> None:
         """Each layer has one meaning, and the outline needs one."""
-        assert "as for outline" in faults(outline, tmp_path, layers=Layers(zones="outline"))
-        assert "no name" in faults(outline, tmp_path, layers=Layers(outline=""))
+        assert "as for outline" in issues(outline, tmp_path, layers=Layers(zones="outline"))
+        assert "no name" in issues(outline, tmp_path, layers=Layers(outline=""))
 
     def test_only_what_cannot_be_taken(self, tmp_path: Path) -> None:
         """An outline layer of text says what lies there."""
-        text = faults(lambda space: space.add_text("slab", dxfattribs=on("OUTLINE")), tmp_path, units=0)
+        text = issues(lambda space: space.add_text("slab", dxfattribs=on("OUTLINE")), tmp_path, units=0)
         assert "only what cannot be taken: 1 TEXT" in text
         assert "$INSUNITS" in text
 
@@ -502,7 +502,7 @@ class TestFaults:
             ends = [(0, 0), (4000, 0), (4000, 3000), (0, 3000), (0, 3)]
             handles.extend(space.add_line(*pair, on("OUTLINE")).dxf.handle for pair in pairwise(ends))
 
-        text = faults(draw, tmp_path, units=4)
+        text = issues(draw, tmp_path, units=4)
         assert "plan.dxf" in text
         assert 'layer "OUTLINE"' in text
         assert f"LINE {handles[0]} and LINE {handles[3]} at (0, 0) mm: got a gap of 3 mm, to (0, 3) mm" in text
@@ -524,7 +524,7 @@ class TestFaults:
             space.add_line((1, 1), (2, 1), on("OPENINGS"))
             space.add_arc((4, 3), 1, 0, 90, dxfattribs=on("OUTLINE"))
 
-        text = faults(draw, tmp_path)
+        text = issues(draw, tmp_path)
         assert 'layer "OPENINGS"' in text
         assert text.count("a gap of") + text.count("an open end") == 3
 
@@ -537,16 +537,16 @@ class TestFaults:
                 space.add_line(*pair, on("OUTLINE"))
             space.add_line(SQUARE[0], SQUARE[2], on("OUTLINE"))
 
-        text = faults(draw, tmp_path)
+        text = issues(draw, tmp_path)
         assert text.count("3 lines that meet in one point") == 2
         assert "(4, 3) m" in text
 
     def test_outlines_side_by_side(self, tmp_path: Path) -> None:
         """Two plates, and two that overlap, are told apart."""
-        text = faults(lambda space: [outline(space), square(space, 10, 0, 1, "OUTLINE")], tmp_path)
+        text = issues(lambda space: [outline(space), square(space, 10, 0, 1, "OUTLINE")], tmp_path)
         assert "beside the outline" in text
         assert "(10, 0) m" in text
-        text = faults(lambda space: [outline(space), space.add_circle((4, 1), 0.5, on("OUTLINE"))], tmp_path)
+        text = issues(lambda space: [outline(space), space.add_circle((4, 1), 0.5, on("OUTLINE"))], tmp_path)
         assert "crosses or touches the outline" in text
 
     @pytest.mark.parametrize(
@@ -562,13 +562,13 @@ class TestFaults:
     )
     def test_self_crossing(self, tmp_path: Path, points: Any) -> None:
         """Curves that cross or touch themselves are told with the place."""
-        text = faults(lambda s: s.add_lwpolyline(points, "xyb", close=True, dxfattribs=on("OUTLINE")), tmp_path)
+        text = issues(lambda s: s.add_lwpolyline(points, "xyb", close=True, dxfattribs=on("OUTLINE")), tmp_path)
         assert "crosses or touches itself" in text
         assert " at (" in text
 
     def test_senseless_numbers(self, tmp_path: Path) -> None:
         """Coordinates beyond all plates are not taken."""
-        text = faults(lambda space: outline(space, [(0, 0), (1e300, 0), (1e300, 1), (0, 1)]), tmp_path)
+        text = issues(lambda space: outline(space, [(0, 0), (1e300, 0), (1e300, 1), (0, 1)]), tmp_path)
         assert "farther away" in text
 
 
@@ -662,7 +662,7 @@ class TestLoads:
             mtext = text.replace("\n", "\\P")
             space.add_mtext(mtext, dxfattribs=on("LOADS", insert=(1.25, 1), char_height=0.1))
 
-        found = faults(draw, tmp_path)
+        found = issues(draw, tmp_path)
         assert "a force such as" in found
         assert "(1.25, 1) m" in found
 
@@ -679,7 +679,7 @@ class TestLoads:
                 space.add_blockref("LOAD", (3, 2), on("LOADS")).add_attrib("P", words)
             space.add_blockref("LOAD", (2, 2), on("LOADS")).add_attrib("P", "60")
 
-        text = faults(draw, tmp_path)
+        text = issues(draw, tmp_path)
         assert '"20 kN", a second value' in text
         assert '"30 kN", expected a point load' in text
         assert "40 kN and 50 kN" in text
@@ -814,7 +814,7 @@ class TestSpreadLoads:
                 text = words.replace("\n", "\\P")
                 space.add_mtext(text, dxfattribs=on(layer, insert=(1.1, 1.1), char_height=0.05))
 
-        assert found in faults(draw, tmp_path)
+        assert found in issues(draw, tmp_path)
 
     def test_values_that_fit_nowhere(self, tmp_path: Path) -> None:
         """A value beside no load, a second one, an open area and one that crosses itself are faults, all at once."""
@@ -827,7 +827,7 @@ class TestSpreadLoads:
             space.add_line((0, 9), (1, 9), on("LOAD_AREA"))
             outline(space, [(0, 20), (9, 29), (9, 20), (0, 29)], "LOAD_AREA")
 
-        text = faults(draw, tmp_path)
+        text = issues(draw, tmp_path)
         assert '"2 kN/m", a second value' in text or '"1 kN/m", a second value' in text
         assert '"3 kN/m", expected a line load beside the value' in text
         assert "a gap of 1 m" in text

@@ -221,4 +221,4 @@ def test_all_faults_come_at_once() -> None:
     """An unknown limit state is named together with the other faults."""
     with pytest.raises(InputError) as error:
         combinations([G, G], ["ultimate", "final"], Factors(variable=(1.5, 0.5)))
-    assert len(error.value.faults) == 3
+    assert len(error.value.issues) == 3

@@ -12,7 +12,7 @@ from scipy import stats
 
 from groundslab.case import casefile
 from groundslab.errors import InputError
-from groundslab.schema.issues import Wrong
+from groundslab.schema.issues import FieldError
 from groundslab.study.definition import case_paths, distributions, files
 from groundslab.study.definition.schema import StudyFile
 from groundslab.study.sampling import designs
@@ -25,7 +25,7 @@ def faults_of(folder: Path, study: str, case: str = CASE) -> dict[str, str]:
     """Return what is wrong with a study, by place."""
     with pytest.raises(InputError) as caught:
         read(folder, study, case)
-    return {fault.where: str(fault) for fault in caught.value.faults}
+    return {issue.location: str(issue) for issue in caught.value.issues}
 
 
 class TestPaths:
@@ -73,9 +73,9 @@ class TestPaths:
     )
     def test_wrong_paths(self, path: str, told: str) -> None:
         """A path that leads nowhere says where it went wrong."""
-        with pytest.raises(Wrong) as caught:
+        with pytest.raises(FieldError) as caught:
             case_paths.place_of(MODEL, path)
-        assert told in str(caught.value.findings[0])
+        assert told in str(caught.value.relative_issues[0])
 
     def test_changed_case_is_that_of_a_changed_file(self) -> None:
         """A case with other values at some places is the one that a file with these values describes."""
@@ -94,10 +94,10 @@ class TestPaths:
         places = {case_paths.place_of(MODEL, "plate.nu"): 0.6, case_paths.place_of(MODEL, "loads[2].x[2]"): 3.0}
         with pytest.raises(InputError) as caught:
             case_paths.changed(MODEL, places)
-        assert {fault.where for fault in caught.value.faults} == {"plate.nu"}
+        assert {issue.location for issue in caught.value.issues} == {"plate.nu"}
         with pytest.raises(InputError) as caught:
             case_paths.changed(MODEL, {case_paths.place_of(MODEL, "loads[2].x[2]"): -9.0})
-        assert [fault.where for fault in caught.value.faults] == ["loads[2].x"]
+        assert [issue.location for issue in caught.value.issues] == ["loads[2].x"]
 
 
 def read_si(raw: object) -> float:
@@ -172,9 +172,9 @@ class TestDistributions:
     )
     def test_impossible_ones(self, part: distributions.AnyDistribution, place: tuple[str, ...]) -> None:
         """What cannot be is told at its key."""
-        with pytest.raises(Wrong) as caught:
+        with pytest.raises(FieldError) as caught:
             distributions.distribution_of(part, read_si)
-        assert caught.value.findings[0].place == place
+        assert caught.value.relative_issues[0].place == place
 
 
 class TestFile:

@@ -220,9 +220,9 @@ def test_other_versions(tmp_path: Path, scheduler: Scheduler) -> None:
     path = write(tmp_path)
     with pytest.raises(InputError) as caught:
         groundslab.study(path, scheduler=address, quiet=True)
-    faults = caught.value.faults
-    assert all(fault.where.startswith("worker tcp://127.0.0.1:") for fault in faults)
-    assert [fault.got for fault in faults] == ["groundslab 0.0.1"]
+    issues = caught.value.issues
+    assert all(issue.location.startswith("worker tcp://127.0.0.1:") for issue in issues)
+    assert [issue.found for issue in issues] == ["groundslab 0.0.1"]
     assert len(groundslab.open_study(tmp_path / "study-study")) == 0
 
 
@@ -236,7 +236,7 @@ def test_differences() -> None:
     """Packages that differ or are missing are told process by process; others are not."""
     here = {"python": "3.12", "groundslab": "1", "numpy": "2.1"}
     there = {"a": here, "b": {**here, "numpy": "2.0"}, "c": {"python": "3.12", "numpy": "2.1", "gstools": "1.6"}}
-    assert [(fault.where, fault.got) for fault in dask_cluster.differences(versions.MUST_AGREE, here, there)] == [
+    assert [(issue.location, issue.found) for issue in dask_cluster.differences(versions.MUST_AGREE, here, there)] == [
         ("b", "numpy 2.0"), ("c", "no groundslab"), ("c", "gstools 1.6")
     ]  # fmt: skip
     assert versions.versions(("groundslab", "no_such_package_at_all", "python")).keys() == {"python", "groundslab"}

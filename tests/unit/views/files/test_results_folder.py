@@ -184,9 +184,9 @@ class TestSeveral:
         before = tree(folder)
         with pytest.raises(InputError) as caught:
             results_folder.write(NEW, folder)
-        (fault,) = caught.value.faults
+        (issue,) = caught.value.issues
         named = f"{place}/notes.txt" if place == "02-nul" else place
-        assert Path(fault.where) == folder / named
+        assert Path(issue.location) == folder / named
         assert tree(folder) == before
         assert debris(folder) == []
 
@@ -474,7 +474,7 @@ class TestRefuse:
         before = contents(tmp_path)
         with pytest.raises(InputError) as caught:
             results_folder.write(NEW, tmp_path)
-        assert {Path(fault.where).name for fault in caught.value.faults} == set(before)
+        assert {Path(issue.location).name for issue in caught.value.issues} == set(before)
         assert contents(tmp_path) == before
 
     def test_a_file(self, tmp_path: Path) -> None:

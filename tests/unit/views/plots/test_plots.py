@@ -72,7 +72,7 @@ def entries(figure: Any) -> set[str]:
 
 def faults_of(error: pytest.ExceptionInfo[InputError]) -> dict[str, str]:
     """Return what was got by where."""
-    return {fault.where: fault.got for fault in error.value.faults}
+    return {issue.location: issue.found for issue in error.value.issues}
 
 
 def layered(ground: Any, gamma: float | None, **changes: Any) -> Results:

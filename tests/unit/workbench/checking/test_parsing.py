@@ -120,15 +120,15 @@ def test_a_call_that_is_not_wanted_is_ended(process: BoundedProcess, tmp_path: P
 def test_what_a_text_means(readings: Readings) -> None:
     """The plan of one that describes a model; equal meaning for equal models; faults with lines for others."""
     first = readings.read(1, casefile.starter())
-    assert (first.faults, first.issues) == ((), [])
+    assert (first.issues, first.listed) == ((), [])
     assert first.plan is not None
     assert readings.read(2, casefile.starter() + "# a comment\n").meaning == first.meaning != ""
     changed = casefile.starter().replace('thickness = "250 mm"', 'thickness = "300 mm"')
     assert readings.read(3, changed).meaning not in ("", first.meaning)
     wrong = readings.read(4, casefile.starter().replace('"250 mm"', '"250"'))
     assert (wrong.meaning, wrong.plan) == ("", None)
-    assert wrong.issues[0]["path"] == ["plate", "thickness"]
-    assert wrong.issues[0]["line"] == 1 + casefile.starter().split("\n").index('thickness = "250 mm"')
+    assert wrong.listed[0]["path"] == ["plate", "thickness"]
+    assert wrong.listed[0]["line"] == 1 + casefile.starter().split("\n").index('thickness = "250 mm"')
 
 
 def test_edits_go_before_a_text_that_takes_long(readings: Readings, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -149,13 +149,13 @@ def test_a_text_that_takes_too_long_or_too_much(monkeypatch: pytest.MonkeyPatch)
         with monkeypatch.context() as patch:
             patch.setattr(parsing, "understand", workers.read_slowly)
             found = readings.read(1, casefile.starter() + "# slow\n")
-            assert "longer than 0.3 s" in found.faults[0].got
-            assert (found.meaning, found.plan, found.issues[0]["where"]) == ("", None, "the description")
+            assert "longer than 0.3 s" in found.issues[0].found
+            assert (found.meaning, found.plan, found.listed[0]["where"]) == ("", None, "the description")
         assert readings.read(2, casefile.starter()).plan is not None
     finally:
         readings.reader.close()
-    assert "more than 2 GB" in readers._unread(MemoryLimit("more than 2 GB")).faults[0].got
-    assert "ProcessEnded" in readers._unread(ProcessEnded("it ended")).faults[0].got
+    assert "more than 2 GB" in readers._unread(MemoryLimit("more than 2 GB")).issues[0].found
+    assert "ProcessEnded" in readers._unread(ProcessEnded("it ended")).issues[0].found
 
 
 def test_a_text_that_takes_long_holds_nobody_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from groundslab.case import casefile
-from groundslab.errors import Fault, InputError
+from groundslab.errors import InputError, Issue
 from groundslab.workbench.editing import diagnostics, lengths
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.editing.toml_positions import statements
@@ -353,7 +353,7 @@ def test_every_fault_of_a_wrong_case_leads_to_its_place() -> None:
     document = Document(text)
     with pytest.raises(InputError) as caught:
         casefile.loads(text, diagnostics.NAME)
-    told = diagnostics.told_of_text(caught.value.faults, document.layout, True)
+    told = diagnostics.text_issues_to_json(caught.value.issues, document.layout, True)
     lines = text.splitlines()
     found = {tuple(each["path"]): lines[each["line"] - 1] for each in told}
     assert found[("columns", 3, "x")] == 'x = "1 kN"'
@@ -365,9 +365,9 @@ def test_broken_toml_names_line_and_column() -> None:
     """A syntax fault has no path, but the place in the text."""
     with pytest.raises(InputError) as caught:
         casefile.loads("a = 1\nb = = 2\n", diagnostics.NAME)
-    (told,) = diagnostics.told_of_text(caught.value.faults, None, False)
+    (told,) = diagnostics.text_issues_to_json(caught.value.issues, None, False)
     assert (told["path"], told["line"], told["column"]) == ([], 2, 5)
-    (told,) = diagnostics.told_of_text([Fault("the text", "lists nested too deeply", "TOML")], None, False)
+    (told,) = diagnostics.text_issues_to_json([Issue("the text", "lists nested too deeply", "TOML")], None, False)
     assert told["line"] == 1
 
 

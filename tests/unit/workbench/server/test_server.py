@@ -306,8 +306,8 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     """A wrong value, then broken TOML: faults with paths or lines, no plan; the result of before stays."""
     run = bench.hub.wait("solved")["run"]
     state = bench.set(["plate", "thickness"], "25")
-    (fault,) = state["faults"]
-    assert (fault["path"], fault["line"]) == (["plate", "thickness"], 5)
+    (issue,) = state["faults"]
+    assert (issue["path"], issue["line"]) == (["plate", "thickness"], 5)
     assert state["plan"] is None
     state = bench.post("/api/edits", {"edits": [{"op": "text", "value": "a = = 1"}], "text": "Text"})
     assert state["data"] is None

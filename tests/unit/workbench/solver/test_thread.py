@@ -222,7 +222,7 @@ def test_what_cannot_be_solved_is_refused(make: Make, heard: Heard, word: str, w
     told = heard.wait("refused", run)
     assert words in told["message"]
     assert told["version"] == 5
-    assert [fault["path"] for fault in told["faults"]] == ([["mesh", "size"]] if word == "fault" else [])
+    assert [issue["path"] for issue in told["faults"]] == ([["mesh", "size"]] if word == "fault" else [])
     heard.wait("solved", want(solver, "go"))
 
 
