@@ -23,6 +23,8 @@ from groundslab.model.consistency import plate_elements
 from groundslab.model.model import Model
 from groundslab.model.shapes import Polygon
 
+pytestmark = pytest.mark.slow
+
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 CASE = """
 mesh = {size = "2.5 m"}
@@ -132,7 +134,6 @@ def scaled(value: Any, factor: float) -> Any:
     return max(1, min(int(value * abs(factor)), 10**9)) if isinstance(value, int) else value * factor
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("data", DATA, ids=["vlasov", "layered"])
 def test_senseless_numbers_are_faults_where_they_stand(data: Any) -> None:
     """Each number in turn made astronomical, denormal or a huge count: a fault at that key, and no other end."""
@@ -210,7 +211,6 @@ def test_bulges_of_any_size(points: list[tuple[int, int]], bulges: list[float], 
     assert time.process_time() - start < 5
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     [
@@ -278,7 +278,6 @@ LONG = {
 }  # fmt: skip
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", LONG)
 def test_long_lists_are_checked_in_seconds(name: str) -> None:
     """Lists of thousands, on plain plates and round ones: an answer in time that grows with their length."""

@@ -20,6 +20,8 @@ from groundslab.model.shapes import Rectangle
 from groundslab.model.varying_ground import Borehole, SoilZone
 from helpers.strategies import MODULI_OF_SOIL, POISSON, models, numbers
 
+pytestmark = pytest.mark.slow
+
 PLATE = Plate(length_x=6.0, length_y=4.0, thickness=0.25, E=30e9, nu=0.2)
 STIFF, SOFT = SoilLayer(E=90e6, nu=0.25, thickness=4.0), SoilLayer(E=30e6, E_bottom=50e6, nu=0.4, thickness=3.0)
 GROUNDS = {
@@ -138,7 +140,6 @@ def varying(draw: st.DrawFn) -> Model:
     return model.replace(soil_zones=zones)
 
 
-@pytest.mark.slow
 @settings(max_examples=120, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 @given(varying())
 def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model) -> None:
@@ -154,7 +155,6 @@ def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model
         assert np.isfinite(results.plate.settlement).all()
 
 
-@pytest.mark.slow
 @settings(max_examples=60, deadline=None, derandomize=True, database=None)
 @given(
     st.sampled_from(["consistent", "profile", "vlasov", "interface of soil", "given gamma"]),
@@ -186,7 +186,6 @@ def test_boreholes_anywhere(name: str, places: list[tuple[float, float, float, f
     assert {issue.location for issue in issues} == {"boreholes"}
 
 
-@pytest.mark.slow
 @settings(max_examples=20, deadline=None, derandomize=True, database=None)
 @given(st.floats(0.1, 10.0), st.floats(0.1, 10.0))
 def test_stiffer_soil_anywhere_stores_less_work(left: float, right: float) -> None:

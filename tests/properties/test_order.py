@@ -26,6 +26,8 @@ from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.equilibrium import require_equilibrium
 from helpers.strategies import rich_models
 
+pytestmark = pytest.mark.slow
+
 FEW = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck), max_examples=10)
 SAME = 1e-6  # of the largest value: gamma is iterated to 1e-6
 PLATE: dict[str, Any] = {"length_x": 6, "length_y": 4, "thickness": 0.3, "E": 3e10, "nu": 0.2}
@@ -55,7 +57,6 @@ def assert_alike(one: Combined, other: Combined) -> None:
             assert_same(getattr(results.plate, field), getattr(other.results[name].plate, field))
 
 
-@pytest.mark.slow
 @FEW
 @given(rich_models(), st.randoms(use_true_random=False))
 def test_order_in_the_file(model: Model, random: Any) -> None:
@@ -67,7 +68,6 @@ def test_order_in_the_file(model: Model, random: Any) -> None:
     assert_alike(combined(model), combined(model.replace(**mixed)))
 
 
-@pytest.mark.slow
 @FEW
 @given(rich_models())
 def test_combination_by_itself(model: Model) -> None:
@@ -127,7 +127,6 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
     return changed, new
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("element", ["mitc9", "q9", "heterosis"])
 @pytest.mark.parametrize("seed", range(3))
 def test_node_numbers(element: str, seed: int) -> None:

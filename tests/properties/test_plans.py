@@ -16,6 +16,8 @@ from groundslab.model.settings import Beyond, Mesh
 from groundslab.model.shapes import Polygon, Rectangle
 from groundslab.results.results import Results
 
+pytestmark = pytest.mark.slow
+
 CORNERS = [(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (3.0, 2.0), (3.0, 5.0), (0.0, 5.0)]
 GROUND = Pasternak(k0=20e6, k1=8e6)
 
@@ -55,7 +57,6 @@ def at_places(results: Results, places: list[tuple[float, float]], field: str = 
 PLACES = [(0.3, 0.2), (2.7, 1.9), (5.9, 1.1), (0.4, 4.8), (2.9, 4.9), (2.6, 3.3)]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("turns", [0, 1, 2, 3])
 @pytest.mark.parametrize("infinite", [False, True])
 def test_a_moved_and_turned_plan_settles_alike(turns: int, infinite: bool) -> None:
@@ -116,7 +117,6 @@ def test_an_area_load_is_the_patch_of_its_shape() -> None:
         np.testing.assert_allclose(other.plate.settlement, first.plate.settlement, rtol=1e-8, atol=1e-12)
 
 
-@pytest.mark.slow
 def test_a_thicker_zone_stiffens() -> None:
     """A zone does change something: the thicker it is, the less the raft bends within it."""
     bends = []
@@ -128,7 +128,6 @@ def test_a_thicker_zone_stiffens() -> None:
     assert bends[0] > bends[1] > bends[2] > 0
 
 
-@pytest.mark.slow
 def test_nothing_is_averaged_across_a_change_of_thickness() -> None:
     """On a border of zones nodes stand twice: the moment across it is one, that along it jumps with the stiffness."""
     zone = Zone(shape=Rectangle(x=(0, 2), y=(-1.5, 1.5)), thickness=0.6)

@@ -19,6 +19,8 @@ from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Results
 from groundslab.verification import analytic
 
+pytestmark = pytest.mark.slow
+
 
 def model(number: Callable[[int], float]) -> g.Model:
     """Return a slab on layered ground with margin, zone, void and loads of all shapes, built of one kind of number."""
@@ -74,7 +76,6 @@ def test_a_model_of_whole_numbers_has_the_results_of_one_of_floats() -> None:
 WHOLE_X, WHOLE_Y = st.lists(st.integers(-3, 3), min_size=1, max_size=6), st.integers(-2, 2)
 
 
-@pytest.mark.slow
 @settings(deadline=None)
 @given(WHOLE_X, WHOLE_Y, st.sampled_from(sorted(PLATE_FIELDS)))
 def test_values_at_whole_numbers(x: list[int], y: int, field: str) -> None:

@@ -79,6 +79,7 @@ def ends(results: Results, field: str) -> np.ndarray:
     return values
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beyond", ["infinite", "none"])
 def test_a_strip_glued_to_the_ground(beyond: str) -> None:
     """At the ends line force, pressure and settlement converge to the exact ones, without ground beyond them, too."""

@@ -13,6 +13,8 @@ from groundslab.fem.foundation import Layer as GroundLayer
 from groundslab.fem.foundation import consistent_stack, edge_decay, interface_stack, single
 from groundslab.views.summary import single as summary
 
+pytestmark = pytest.mark.slow
+
 
 def slab(beyond: dict[str, str] | None = None, **mesh: object) -> Model:
     """Return a thin slab glued to a shallow stiff layer that dies out within 0.13 m, loaded at a corner."""
@@ -39,7 +41,6 @@ def fine() -> float:
     return largest(solve(slab(counts=(100, 100))))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("width", [None, 22.0, 1.0])
 @pytest.mark.parametrize("size", [1.25, 0.6])
 def test_corner_load_on_shallow_stiff_soil(fine: float, width: float | None, size: float) -> None:
@@ -85,7 +86,6 @@ def pasternak(width: float | None) -> Model:
     )
 
 
-@pytest.mark.slow
 def test_a_margin_that_matters_fails_the_certificate() -> None:
     """Half a metre of ground that reaches out for seven changes settlements by a tenth: refused, with what to do."""
     right = solve(pasternak(20.0))
@@ -103,7 +103,6 @@ def test_a_margin_that_matters_fails_the_certificate() -> None:
     assert not summary.to_json(results)["certified"]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("width", [1e-3, 0.1])
 def test_a_margin_next_to_nothing_is_judged_by_a_decay_length(width: float) -> None:
     """Twice nothing is nothing: a very narrow margin is widened by what the ground needs to die out, and refused."""
@@ -112,7 +111,6 @@ def test_a_margin_next_to_nothing_is_judged_by_a_decay_length(width: float) -> N
     assert error.value.results.certificate.margin_effect > 0.1
 
 
-@pytest.mark.slow
 def test_a_rigid_block_on_point_supports_is_the_same_with_any_margin() -> None:
     """A block of 15 m on 0.5 m of rock, the margin 340 decay lengths wide: as with one of three, and of one."""
 

@@ -140,6 +140,7 @@ def test_recovered_values_are_the_better_ones(name: str) -> None:
         assert (error[kind] < error["raw"] / 7).all(), kind
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_distorted_meshes_that_are_halved(name: str) -> None:
     """Distorted elements cut into halves again and again, so that they come closer and closer to parallelograms.
@@ -155,6 +156,7 @@ def test_distorted_meshes_that_are_halved(name: str) -> None:
     assert (fine["inside"] < fine["raw"] / 3).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_meshes_that_stay_distorted(name: str) -> None:
     """Elements as distorted on every mesh have no superconvergent points; the errors are smaller all the same."""

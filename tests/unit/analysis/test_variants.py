@@ -13,6 +13,8 @@ from groundslab.errors import InputError, NoEquilibrium, NotConverged
 from groundslab.model.model import Model
 from groundslab.solvers import factorization, protocols
 
+pytestmark = pytest.mark.slow
+
 PLATE = {"length_x": 9.6, "length_y": 7.2, "thickness": 0.2, "E": 23e9, "nu": 0.17}
 LOADS = [{"kind": "patch", "q": 1e6, "x": (-1.2, 1.2), "y": (-1.2, 1.2)}]
 SAND = {"E": 20e6, "nu": 0.25, "thickness": 5.0}
@@ -48,7 +50,6 @@ def same(found: driver.Results, wanted: driver.Results) -> None:
     np.testing.assert_array_equal(found.plate.in_contact, wanted.plate.in_contact)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("beyond", ["none", "infinite"])
 @pytest.mark.parametrize("change", CHANGES.values(), ids=list(CHANGES))
 def test_a_variant_has_the_results_that_it_has_by_itself(change: dict[str, Any], beyond: str) -> None:
@@ -83,7 +84,6 @@ def test_a_variant_starts_on_the_finest_mesh_and_analyses_nothing() -> None:
     assert all(step.finest for step in found.steps)
 
 
-@pytest.mark.slow
 def test_variants_do_not_depend_on_which_came_before() -> None:
     """The same variant solved first or last has the same numbers, to the last digit."""
     wanted = model(**CHANGES["thicker plate"])
@@ -97,7 +97,6 @@ def test_variants_do_not_depend_on_which_came_before() -> None:
     np.testing.assert_array_equal(alone.plate.moment_x, last.plate.moment_x)
 
 
-@pytest.mark.slow
 def test_gamma_is_sought_anew() -> None:
     """Soil of which k0 and k1 follow: the variant's gamma is its own, the base case's only starts it."""
     base = model(ground={"kind": "vlasov", "layers": [SAND]})
@@ -126,7 +125,6 @@ def test_a_variant_without_equilibrium_is_refused_by_itself() -> None:
     same(found, wanted)
 
 
-@pytest.mark.slow
 def test_a_start_that_leads_nowhere_is_dropped() -> None:
     """If the iteration from the base case's zone does not end, the nested meshes are gone through after all."""
     variants = driver.Variants(model())
@@ -165,7 +163,6 @@ def changed(ground: dict[str, Any], name: str, factor: float) -> dict[str, Any]:
     return {**ground, "layers": layers}
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("ground", "name"), GROUNDS.values(), ids=list(GROUNDS))
 def test_a_factor_over_the_plan_is_a_zone_of_other_soil(ground: dict[str, Any], name: str) -> None:
     """Twice the constant where x > 0: the same as a zone that is described with it."""
@@ -182,7 +179,6 @@ def test_a_factor_over_the_plan_is_a_zone_of_other_soil(ground: dict[str, Any], 
     assert np.ptp(found.plate.settlement - found.plate.settlement[::-1]) > 1e-4
 
 
-@pytest.mark.slow
 def test_a_factor_over_the_plan_puts_symmetry_aside() -> None:
     """A base case that was solved by its quarter does not make a field symmetric."""
     variants = driver.Variants(model())

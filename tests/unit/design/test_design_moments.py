@@ -35,6 +35,7 @@ def test_principal_moments_are_the_extremes(m_x: float, m_y: float, m_xy: float)
     assert along @ tensor @ along == pytest.approx(found.m_1[0], abs=1e-9)
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None, derandomize=True)
 @given(MOMENTS, MOMENTS, MOMENTS)
 def test_design_moments_cover_every_direction(m_x: float, m_y: float, m_xy: float) -> None:

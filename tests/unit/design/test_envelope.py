@@ -14,6 +14,7 @@ from groundslab.errors import InputError
 VALUES = st.floats(-1e6, 1e6)
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(st.lists(arrays(float, (4, 2), elements=VALUES), min_size=1, max_size=5))
 def test_no_combination_leaves_the_envelope(values: list[np.ndarray]) -> None:

@@ -73,6 +73,7 @@ def test_cut_off_at_an_opening() -> None:
     assert u(column, distance, plate) == pytest.approx(2 * np.pi - 2 * angle, rel=CHORDS)
 
 
+@pytest.mark.slow
 def test_the_shadow_of_an_opening() -> None:
     """Within six depths of the column, what lies between the tangents to an opening does not count (Figure 6.14)."""
     plate = plate_of(without(straight(16, 12, 8.0, 6.0), (6.0, 7.0), (2.5, 3.5)))
@@ -102,6 +103,7 @@ def test_a_round_plate() -> None:
     assert u(RoundColumn(0, 0, 0.5), 0.5, plate) == pytest.approx(2 * np.pi * 0.75, rel=CHORDS)
 
 
+@pytest.mark.slow
 def test_forces_by_formulas() -> None:
     """A pressure linear in x and a source of shear: V, the pressure inside and the shear along the way as by hand."""
     plate = plate_of(

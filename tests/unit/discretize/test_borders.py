@@ -154,6 +154,7 @@ def test_shares_are_areas_and_the_last_ring_counts() -> None:
     np.testing.assert_allclose(total, [24 - first - disc - last, first, disc, last], rtol=2e-5)
 
 
+@pytest.mark.slow
 def test_a_ring_followed_along_arcs_is_judged_by_centres() -> None:
     """The chords of a mesh that follows a circle leave slivers, which are nobody's."""
     pytest.importorskip("gmsh")

@@ -22,6 +22,7 @@ from helpers.plans import ALL, FREE, GRIDS, MAKERS, OBLIQUE, SIDES, areas, bound
 each_maker = pytest.mark.parametrize("maker", MAKERS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("plan", "maker"), ALL)
 def test_mesh_is_whole(plan: Plan, maker: Maker | None) -> None:
     """Areas are right, sides and their middles are shared by two elements, no node is double or unused."""

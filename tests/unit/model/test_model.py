@@ -539,6 +539,7 @@ def test_every_field_says_what_it_is(part: type[Section]) -> None:
         assert isinstance(key_of(field), FieldType) or nested(field).parts or name == "kind"
 
 
+@pytest.mark.slow
 def test_schema_covers_all_keys() -> None:
     """The JSON schema has each part with all its keys, text for dimensions, and refuses unknown keys."""
     schema = json_schema()

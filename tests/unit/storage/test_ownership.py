@@ -73,6 +73,7 @@ def test_a_figure_that_somebody_wrote_notes_on_is_theirs(figures: Path, tmp_path
     assert not ownership.is_figure(target)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", files.FORMATS)
 def test_a_full_disk_leaves_the_earlier_figure(figures: Path, ending: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The earlier file is as it was, nothing lies beside it, and the error says so."""

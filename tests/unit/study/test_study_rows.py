@@ -164,6 +164,7 @@ class TestRows:
                 assert other.results == one[number].results
                 assert np.array_equal(other.fields[0], one[number].fields[0])  # type: ignore[arg-type]
 
+    @pytest.mark.slow
     def test_names_that_en_1990_makes(self, tmp_path: Path) -> None:
         """A combination whose name holds a factor that varies is found by its place among the others."""
         case = CASE.split("[[combinations]]")[0] + '[combine]\nsets = ["ultimate"]\n[mesh]\ncounts = [8, 6]\n'
@@ -213,6 +214,7 @@ distribution = {kind = "lognormal", mean = 1.0, cov = 0.3}
 correlation_length = "2 m"
 """
 
+    @pytest.mark.slow
     def test_rows_with_a_field(self, tmp_path: Path) -> None:
         """Variants with a field differ by its seed alone, which the row tells; by it the row can be had again."""
         text = (
@@ -275,6 +277,7 @@ correlation_length = "2 m"
 class TestMaps:
     """Fields of all variants over the plan."""
 
+    @pytest.mark.slow
     def test_mean_std_and_uplift(self, tmp_path: Path) -> None:
         """Maps are the moments of the fields that are kept, and the share of variants that lift there."""
         study = run(tmp_path)
@@ -288,6 +291,7 @@ class TestMaps:
         assert uplift.min() == 0
         assert study.map("settlement", "mean").unit == "m"
 
+    @pytest.mark.slow
     def test_other_meshes(self, tmp_path: Path) -> None:
         """Where what varies changes the mesh there is no map, and it is told why; the rows are there."""
         text = STUDY.replace('path = "loads[2].q"\nname = "machine"\ntimes = true\n', 'path = "mesh.counts"\n')

@@ -119,6 +119,7 @@ class TestSummary:
         with pytest.raises(GroundslabError, match=rf"{part}\.{name}"):
             single.summary(replace(results, **{part: replace(values, **{name: wrong})}))
 
+    @pytest.mark.slow
     def test_units_of_display_agree_with_si(self) -> None:
         """Every factor from SI to the unit of display is the one that pint finds."""
         registry = pint.UnitRegistry()

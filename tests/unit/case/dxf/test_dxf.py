@@ -1029,6 +1029,7 @@ class TestOutput:
         assert text.count("for information only: it does not stand on the plate.") == 2
         assert "# Column 7 of the drawing, for information only: a point says nothing of its size." in text
 
+    @pytest.mark.slow
     @given(turn=st.sampled_from([0, 1, 2, 3]), x=st.floats(-100, 100), y=st.floats(-100, 100))
     @settings(max_examples=15, deadline=None)
     def test_columns_of_a_drawing_turned_by_right_angles(self, turn: int, x: float, y: float) -> None:

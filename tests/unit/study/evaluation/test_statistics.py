@@ -112,6 +112,7 @@ def test_rank_correlation_is_spearmans() -> None:
     assert statistics.correlation(x, y) == pytest.approx(stats.pearsonr(x, y).statistic, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_interval_of_the_rank_correlation_holds_the_true_one() -> None:
     """For normal samples of correlation r the true rank correlation is 6/pi asin(r/2); the interval holds it."""
     r = 0.6

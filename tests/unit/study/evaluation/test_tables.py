@@ -365,6 +365,7 @@ def test_the_page_has_the_colours_of_the_other_pages() -> None:
     assert used <= {name for name, _ in pattern.findall(own)} | {"--second"}
 
 
+@pytest.mark.slow
 def test_an_unfinished_study_says_so() -> None:
     """A page made while the study runs says how many variants are missing."""
     made = monte_carlo(20)

@@ -113,6 +113,7 @@ class TestSeveral:
         assert tree(folder) == files == set(json.loads((folder / "summary.json").read_text())["files"])
         assert debris(folder) == []
 
+    @pytest.mark.slow
     def test_comes_back(self, tmp_path: Path) -> None:
         """Results, combinations, model and refusals are read back; what is not certified stays refused."""
         wanted = synthetic.combined()

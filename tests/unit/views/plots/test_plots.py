@@ -127,6 +127,7 @@ class TestWish:
         chosen = amounts.chosen(("w", "settlement", "m_xy", "bottom_x"))
         assert [amount.name for amount in chosen] == ["settlement", "moment_xy", "bottom_x"]
 
+    @pytest.mark.slow
     def test_certified_combinations_are_drawn_unless_others_are_named(self) -> None:
         """Without a name those with a certified result; one without is drawn when it is named, and called so."""
         combined = synthetic.combined()
@@ -286,6 +287,7 @@ class TestPlan:
         assert len(places) > 50
         assert np.abs(1 - 2 * (places**2).sum(axis=1) / 36).max() < 0.01
 
+    @pytest.mark.slow
     def test_the_pressure_tells_of_the_edge_line_force(self) -> None:
         """The line force neither stretches the scale nor is a pressure; its largest is told in words."""
         told = words(groundslab.plot(synthetic.results(4, shear=True), "p"))
@@ -293,6 +295,7 @@ class TestPlan:
         assert "edge line force up to 500 kN/m at" in told
         assert "line force" not in words(groundslab.plot(synthetic.results(4), "p"))
 
+    @pytest.mark.slow
     def test_what_lies_on_the_plate_is_drawn(self) -> None:
         """Opening, zone with its thickness, void, columns with names, supports, held edges and loads are all there."""
         plate = Plate(
@@ -656,6 +659,7 @@ class TestSoil:
             assert "not to scale" in told
             assert known <= set(told.splitlines())
 
+    @pytest.mark.slow
     def test_many_profiles_go_on_several_pages(self) -> None:
         """Of six boreholes four stand on the first page and two on the next."""
         holes = [Borehole(x=float(n), y=0, layers=self.LAYERS) for n in range(-3, 3)]
@@ -755,6 +759,7 @@ assert "matplotlib.pyplot" not in sys.modules
             )
         assert (tmp_path / "1.svg").read_bytes() == (tmp_path / "2.svg").read_bytes()
 
+    @pytest.mark.slow
     def test_text_stays_text(self, tmp_path: Path) -> None:
         """Titles and labels can be searched in the SVG."""
         groundslab.plot(synthetic.results(2), "w", to=tmp_path / "a.svg")
@@ -830,6 +835,7 @@ class TestPicture:
         assert ("edge line force" in told) == shear
         assert {"loaded area", "load on the whole plate", "point load"} <= found
 
+    @pytest.mark.slow
     def test_colours_part_at_zero_only_with_uplift(self) -> None:
         """With uplift zero has the middle colour; without it the colours run one way."""
         for lifts in (True, False):
@@ -900,6 +906,7 @@ class TestCommand:
         assert all(name in err for name in made)
         assert "2 pages" in err
 
+    @pytest.mark.slow
     def test_one_combination_and_one_file(self, folder: Path, tmp_path: Path) -> None:
         """A combination by name, a file by its ending; what is there is replaced."""
         out = tmp_path / "a.svg"

@@ -192,6 +192,7 @@ class TestStructure:
         assert facts["Combinations"] == "3, of which 1 refused"
         assert root.one("details", id="text").one("pre").text == text
 
+    @pytest.mark.slow
     def test_own_text_and_name_of_the_input(self, plain: Combined) -> None:
         """Whoever has the input as it was written can give it: the page holds it, and its hash."""
         text = "# mine\n" + casefile.to_toml(plain.model)
@@ -267,6 +268,7 @@ class TestVerdict:
 class TestNumbers:
     """Every number is one of the results, shown as the summary shows it."""
 
+    @pytest.mark.slow
     def test_all_tables_are_there(self, plain: Combined, root: Element) -> None:
         """Each table has its section, its title, its rows and its notes; a wide one in parts of few columns."""
         section = root.one("section", id="tables")
@@ -662,6 +664,7 @@ class TestFiles:
         """Return a folder of results."""
         return results_folder.write(synthetic.results(model=synthetic.model()), tmp_path / "raft-results")
 
+    @pytest.mark.slow
     def test_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """Without --out the report stands beside the folder under its name, which standard error tells."""
         assert cli.main(["report", str(folder)]) == 0

@@ -234,6 +234,7 @@ def test_bodies_that_are_not_taken(bench: Bench) -> None:
     assert bench.post("/api/edits", {"edits": [], "more": 1}, 422)["error"]["message"].startswith("body.more")
 
 
+@pytest.mark.slow
 def test_every_answer_has_the_headers(bench: Bench) -> None:
     """The page, its script, data, errors and refusals: content policy, no store, no sniffing, no referrer."""
     answers = [bench.ask("GET", path) for path in ("/", "/index.js", "/api/state", "/none", "/api/results/9/scene")]
