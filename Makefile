@@ -54,8 +54,8 @@ test: lint types pages  ## lint, types and every test
 test-fast: $(VENV)/dev.stamp pages ## all tests but the slow ones
 	$(PYTEST) -m "not slow"
 
-coverage: $(VENV)/dev.stamp pages ## every test, and how much of the code they run
-	$(PYTEST) --cov --cov-report=term
+coverage: $(VENV)/dev.stamp pages ## the fast tests, and how much of the code they run
+	$(PYTEST) -m "not slow" --cov --cov-report=term
 
 test-oldest: $(VENV)/dev.stamp pages ## the fast tests with the oldest dependencies that pyproject.toml allows
 	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(OLDEST)
