@@ -5,7 +5,7 @@
     mpirun -n 2 python bench/job.py memory pasternak 250000 mumps
 
 Kinds: linear (Winkler, glued), winkler and pasternak (tensionless), raft (an L-shaped one, tensionless, meshed by Gmsh
-or Netgen). The bare solve, PARDISO's analysis, factorisation and one solution of the glued matrix on the finest mesh,
+or Netgen). The bare solve, PARDISO's analysis, factorization and one solution of the glued matrix on the finest mesh,
 is taken in turn with the whole analysis; medians are printed. And kinds of their own: gamma (iterated, in turn with the
 gamma that comes out given), combinations (of three load cases, in turn with the first of them alone), variants (of the
 ground, each in turn with a cold solution of the same model, on one thread as in a study), and study (the same variants
@@ -32,7 +32,7 @@ import numpy as np
 
 from groundslab.analysis import driver, mesh_hierarchy
 from groundslab.case import casefile
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.fem import problem
 from groundslab.model.model import Model
 from groundslab.results.results import Results
@@ -65,7 +65,7 @@ COMBINATIONS = {
 }
 #: What is timed inside an analysis: the name of the phase, where the function lives, its name there.
 PHASES: list[tuple[str, Any, str]] = [
-    ("mesh, loads, supports", mesh_hierarchy, "discretise"),
+    ("mesh, loads, supports", mesh_hierarchy, "discretize"),
     ("equilibrium possible", driver, "require_equilibrium"),
     ("assembly", mesh_hierarchy, "system"),
     ("assembly", mesh_hierarchy, "stiffness"),
@@ -73,7 +73,7 @@ PHASES: list[tuple[str, Any, str]] = [
     ("forecast", driver.forecast, "from_coarser"),
     ("forecast", driver.forecast, "along_the_border"),
     ("contact, all meshes and strips", contact, "solve"),
-    ("of which analysis and factorisations", factor_reuse.Latest, "factor"),
+    ("of which analysis and factorizations", factor_reuse.Latest, "factor"),
     ("of which solutions with the factor", pardiso._Pardiso, "solve"),
     ("recovery", driver, "recover"),
     ("certificate", driver, "certificate"),
@@ -136,7 +136,7 @@ def timed(function: Callable[..., Any], phase: str, spent: dict[str, float]) -> 
 def bare(model: Model) -> Callable[[], float]:
     """Return what times PARDISO alone on the glued matrix of the finest mesh."""
     glued = model.replace(contact={"tensionless": False})
-    s = problem.system(discretise(glued))
+    s = problem.system(discretize(glued))
     upper = problem.stiffness(s, s.problem.ground)
     f = problem.right_hand_side(s, 1.0)
     from pypardiso import PyPardisoSolver
@@ -167,7 +167,7 @@ def settlements(results: Results) -> dict[str, float]:
 
 
 def keep_memory() -> None:
-    """Let freed memory stay with the process, as far as the C library lets itself be told.
+    """Let freed memory stay with the process, as far as the C library allows.
 
     Where a machine is itself a guest on another, the first touch of memory can take longer than all computing, and
     differently from run to run. Both sides of every ratio here profit alike.
@@ -180,7 +180,7 @@ def keep_memory() -> None:
 
 def assembly(model: Model) -> float:
     """Return the time [s] that pattern, element matrices, matrix and right-hand side of the finest mesh take."""
-    found = discretise(model)
+    found = discretize(model)
     start = time.perf_counter()
     s = problem.system(found)
     problem.stiffness(s, s.problem.ground)

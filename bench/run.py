@@ -68,7 +68,7 @@ KINDS = {
 
 @dataclass(frozen=True)
 class Peer:
-    """A program: its environment, what its script is told beside the size, and the script if its name is another."""
+    """A program: its environment, what its script gets besides the size, and the script if its name is another."""
 
     environment: str
     options: tuple[str, ...] = ()

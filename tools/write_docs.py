@@ -1,9 +1,11 @@
-"""Writes the parts of docs/ that follow from the code: tables of keys in input.md and study.md, JSON schemas."""
+"""Writes the parts of docs/ that follow from the code: tables of keys, JSON schemas, the diagram of imports."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
+
+from draw_imports import diagram
 
 from groundslab.model.model import docs_table, json_schema
 from groundslab.study.definition import schema
@@ -14,6 +16,7 @@ DOCS = Path(__file__).resolve().parent.parent / "docs"
 def contents() -> dict[Path, str]:
     """Return what each of the files should hold."""
     return {
+        DOCS / "architecture.md": _page("architecture.md", imports=diagram()),
         DOCS / "input.md": _page("input.md", keys=docs_table()),
         DOCS / "groundslab.schema.json": json.dumps(json_schema(), indent=2) + "\n",
         DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.kept_table()),
@@ -22,7 +25,7 @@ def contents() -> dict[Path, str]:
 
 
 def _page(name: str, **parts: str) -> str:
-    """Return a page with the parts between its marks written anew."""
+    """Return a page with the parts between its marks replaced."""
     text = (DOCS / name).read_text(encoding="utf-8")
     for part, content in parts.items():
         begin, end = f"<!-- {part}: begin -->", f"<!-- {part}: end -->"

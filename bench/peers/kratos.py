@@ -53,7 +53,7 @@ def main(unknowns: int, name: str = "amgcl") -> None:
              bool: parameters[key].SetBool}[type(value)](value)  # fmt: skip
         builder = Km.ResidualBasedEliminationBuilderAndSolver(python_linear_solver_factory.ConstructSolver(parameters))
         scheme = Km.ResidualBasedIncrementalUpdateStaticScheme()
-        # reactions no, pattern anew in each step no, norm of the increment no, moving mesh no
+        # reactions no, new pattern in each step no, norm of the increment no, moving mesh no
         strategy = Km.ResidualBasedLinearStrategy(part, scheme, builder, False, False, False, False)
         strategy.SetEchoLevel(0)
         strategy.Initialize()

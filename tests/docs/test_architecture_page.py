@@ -1,0 +1,59 @@
+"""The architecture page is held to the code: the files it names, the folders it lists, the order of the contract."""
+
+from __future__ import annotations
+
+import ast
+import re
+import tomllib
+
+from helpers.paths import DOCS, PACKAGE, ROOT
+
+PAGE = (DOCS / "architecture.md").read_text(encoding="utf-8")
+CONTRACTS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]["contracts"]
+
+
+def test_named_files_are_there() -> None:
+    """Every file and folder in code type exists, from the root of the repository or of the package."""
+    named = re.findall(r"`([\w./]+(?:\.\w+|/))`", PAGE)
+    assert len(named) > 50
+    for path in named:
+        inside = [folder for folder in PACKAGE.rglob("*") if folder.is_dir()] if path.count("/") == 1 else []
+        places = [ROOT, PACKAGE, ROOT / "web" / "src", *inside]
+        assert any((place / path).exists() for place in places), path
+
+
+def test_named_definitions_are_there() -> None:
+    """Every name in code type beside a file of the package occurs in that file."""
+    pairs = re.findall(r"`(\w+)`(?: \(or `\w+`\))?(?: there)?,? in\s+`([\w/]+\.py)`", PAGE)
+    assert len(pairs) >= 7
+    for name, path in pairs:
+        place = next(place for place in (PACKAGE, ROOT) if (place / path).exists())
+        assert re.search(rf"\b{name}\b", (place / path).read_text(encoding="utf-8")), (name, path)
+
+
+def test_folders_are_listed_in_the_order_of_the_contract() -> None:
+    """The table has every folder and module of the package, from the bottom up as import-linter has them."""
+    rows = re.findall(r"^\| (`[^|]+`) \|", PAGE, re.MULTILINE)
+    listed = [[name.rstrip("/").removesuffix(".py") for name in re.findall(r"`(.+?)`", row)] for row in rows]
+    layers = next(contract for contract in CONTRACTS if contract["type"] == "layers")["layers"]
+    ordered = [set(layer.split(" | ")) for layer in reversed(layers)]
+    flat = [name for row in listed for name in row]
+    assert set(flat) == set().union(*ordered) - {"__main__"}
+    level = {name: number for number, layer in enumerate(ordered) for name in layer}
+    assert [level[name] for name in flat] == sorted(level[name] for name in flat)
+
+
+def test_folders_stay_small() -> None:
+    """At most a dozen modules lie in a folder beside what it exports."""
+    for folder in (path.parent for path in PACKAGE.rglob("__init__.py")):
+        assert len([path for path in folder.glob("*.py") if path.stem != "__init__"]) <= 12, folder
+
+
+def test_files_and_functions_stay_short() -> None:
+    """No file of the package has over 400 lines, no function over 60."""
+    for path in PACKAGE.rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        assert text.count("\n") <= 400, path
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                assert (node.end_lineno or 0) - node.lineno < 60, (path, node.name)
