@@ -4,7 +4,7 @@ import { defineConfig } from "vite";
 import { notice } from "./notice";
 
 export default defineConfig({
-  root: "src/app",
+  root: "src/workbench",
   base: "./",
   build: {
     outDir: "../../../src/groundslab/workbench/static",

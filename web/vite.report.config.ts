@@ -5,7 +5,7 @@ import { notice } from "./notice";
 
 export default defineConfig({
   build: {
-    outDir: "../src/groundslab/report/static",
+    outDir: "../src/groundslab/views/report/static",
     emptyOutDir: true,
     target: "es2022",
     rolldownOptions: { output: { postBanner: notice } },

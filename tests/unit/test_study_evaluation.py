@@ -344,7 +344,7 @@ def test_a_study_without_any_result_has_a_page() -> None:
 
 def test_the_page_has_the_colours_of_the_other_pages() -> None:
     """Every colour that the page shares with report and workbench is theirs, light and dark, where they are at hand."""
-    theme = Path(__file__).parents[2] / "web" / "src" / "view" / "theme.css"
+    theme = Path(__file__).parents[2] / "web" / "src" / "viewer" / "shared" / "theme.css"
     if not theme.exists():
         pytest.skip("the sources of the other pages are not there")
     own = (Path(page.__file__).parent / "page.css").read_text(encoding="utf-8")

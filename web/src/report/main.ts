@@ -1,9 +1,9 @@
 // The report's script: the viewer, where the page has a place for it. The page works without it.
-import { Viewer } from "../view/viewer";
-import { fromGzipBase64, SceneError, type Scene } from "../view/scene";
-import type { Choice } from "../view/fields";
-import { startTheme } from "../view/theme";
-import "../view/theme.css";
+import { Viewer } from "../viewer/panels/viewer";
+import { fromGzipBase64, SceneError, type Scene } from "../viewer/data/scene";
+import type { Choice } from "../viewer/data/fields";
+import { startTheme } from "../viewer/shared/theme";
+import "../viewer/shared/theme.css";
 import "./report.css";
 
 async function start(): Promise<void> {

@@ -1,0 +1,147 @@
+// What the page knows, and who wants to hear of changes. No elements here.
+
+import type { Change, DocState, Edit } from "./api";
+import { foresee } from "../model/optimistic-edits";
+import { type Json, type Path, samePath, type Table } from "../model/paths";
+
+/** How the page stands with the server. */
+export type Connection = "ok" | "away" | "stranger";
+
+/** What the solver is doing. */
+export type Run =
+  | { kind: "idle" }
+  | { kind: "solving"; run: number; version: number; text: string; share: number | null }
+  | { kind: "refused"; version: number; message: string; faults: readonly { where: string; got: string; expected: string; mend: string }[] }
+  | { kind: "cancelled" };
+
+/** The result shown. */
+export interface Solved {
+  run: number;
+  version: number;
+  seconds: number;
+  /** What fails in the design, in words; empty if nothing was found to. */
+  design: string;
+}
+
+export type Topic = "doc" | "data" | "connection" | "run" | "solved" | "selection" | "waiting" | "autosolve" | "notice";
+
+/** A short word to the user, with something to do about it. */
+export interface Notice {
+  text: string;
+  kind: "info" | "bad";
+  action?: { label: string; run: () => void };
+}
+
+export class Store {
+  doc: DocState | null = null;
+  schema: Table | null = null;
+  connection: Connection = "ok";
+  run: Run = { kind: "idle" };
+  solved: Solved | null = null;
+  autosolve = false;
+  selection: Path | null = null;
+  notice: Notice | null = null;
+  /** The server's data with the edits that are still on their way. */
+  data: Table = {};
+  /** The server's data; the last ones that could be read while the text is broken. */
+  private readable: Table = {};
+  private waiting: readonly Change[] = [];
+  private readonly listeners = new Map<Topic, Set<() => void>>();
+
+  /** Call a function whenever one of the topics changes; returns how to stop that. */
+  on(topics: readonly Topic[], listener: () => void): () => void {
+    for (const topic of topics) {
+      const all = this.listeners.get(topic) ?? new Set();
+      this.listeners.set(topic, all.add(listener));
+    }
+    return () => {
+      for (const topic of topics) this.listeners.get(topic)?.delete(listener);
+    };
+  }
+
+  /** Tell all who listen to a topic. */
+  tell(topic: Topic): void {
+    for (const listener of [...(this.listeners.get(topic) ?? [])]) listener();
+  }
+
+  /** Take a state from the server, and the edits that are to follow it. */
+  setDoc(doc: DocState, waiting: readonly Change[] = this.waiting): void {
+    const fewer = waiting.length !== this.waiting.length;
+    this.doc = doc;
+    this.waiting = [...waiting];
+    this.readable = doc.data ?? this.readable;
+    if (doc.autosolve !== undefined && doc.autosolve !== this.autosolve) {
+      this.autosolve = doc.autosolve;
+      this.tell("autosolve");
+    }
+    this.foreseeAll();
+    if (fewer) this.tell("waiting");
+    this.tell("doc");
+    this.tell("data");
+  }
+
+  /** Take the edits that wait. */
+  setWaiting(waiting: readonly Change[]): void {
+    this.waiting = [...waiting];
+    this.foreseeAll();
+    this.tell("waiting");
+    this.tell("data");
+  }
+
+  get waitingCount(): number {
+    return this.waiting.length;
+  }
+
+  /** Whether the last text that waits is the whole text: form and drawing then show what was before it. */
+  get waitingText(): string | null {
+    const edits: Edit[] = this.waiting.flatMap((change) => change.edits);
+    const text = edits.findLast((edit) => edit.op === "text");
+    return text?.op === "text" ? text.value : null;
+  }
+
+  setConnection(connection: Connection): void {
+    if (this.connection === connection) return;
+    this.connection = connection;
+    this.tell("connection");
+  }
+
+  setRun(run: Run): void {
+    this.run = run;
+    this.tell("run");
+  }
+
+  setSolved(solved: Solved | null): void {
+    this.solved = solved;
+    this.tell("solved");
+  }
+
+  select(path: Path | null): void {
+    if (samePath(this.selection, path)) return;
+    this.selection = path;
+    this.tell("selection");
+  }
+
+  say(notice: Notice | null): void {
+    this.notice = notice;
+    this.tell("notice");
+  }
+
+  /** Whether the text is broken, so that form and drawing cannot be edited. */
+  get broken(): boolean {
+    return this.doc !== null && this.doc.data === null && !this.doc.checking;
+  }
+
+  private foreseeAll(): void {
+    let data: Table = this.readable;
+    for (const change of this.waiting) for (const edit of change.edits) data = foresee(data, edit);
+    this.data = data;
+  }
+}
+
+/** Names in a list of tables, such as those of columns or load cases. */
+export function namesIn(list: readonly Json[]): string[] {
+  return list.flatMap((each) => {
+    const name = typeof each === "object" && each !== null && !Array.isArray(each) ? each.name : undefined;
+    return typeof name === "string" && name ? [name] : [];
+  });
+}

@@ -1,0 +1,46 @@
+// What the parts of a form share.
+
+import type { Change, Edit, Fault } from "../client/api";
+import { titleAt } from "../model/items";
+import { type Json, type Path, sameValue, type Table, valueAt } from "../model/paths";
+import type { Memory } from "../model/variants";
+import { isCalled, renames } from "../model/references";
+import type { Schema } from "../model/schema";
+
+export interface FormContext {
+  readonly schema: Schema;
+  readonly memory: Memory;
+  data(): Table;
+  faults(): readonly Fault[];
+  change(change: Change): void;
+}
+
+/** A part of a form: `update` shows the present data and faults, `reveal` opens and focuses the field of a path. */
+export interface Widget {
+  readonly element: HTMLElement;
+  update(): void;
+  reveal(path: Path): boolean;
+}
+
+/** Set one value, or take it away if it is undefined; `typing` joins it with what was typed into the same field before. */
+export function setValue(ctx: FormContext, path: Path, value: Json | undefined, typing = false): void {
+  const old = valueAt(ctx.data(), path);
+  if (sameValue(value, old)) return;
+  const own: Edit = value === undefined ? { op: "remove", path } : { op: "set", path, value };
+  const others = typeof value === "string" ? renames(ctx.data(), path, value) : [];
+  const change: Change = { edits: [own, ...others], text: `change ${wordsFor(ctx.data(), path)}` };
+  ctx.change(typing ? { ...change, merge: true } : change);
+}
+
+/** Whether a field is sent only when its input is complete. */
+export function waitsForEnd(path: Path): boolean {
+  return isCalled(path);
+}
+
+/** What a field is called in the list of edits: `thickness of slab`, `E of ground.layers[1]`. */
+function wordsFor(data: Table, path: Path): string {
+  const key = path.findLast((step) => typeof step === "string") ?? "";
+  const above = path.slice(0, path.lastIndexOf(key));
+  if (above.length === 0) return String(key);
+  return `${String(key).replaceAll("_", " ")} of ${titleAt(data, above)}`;
+}

@@ -1,0 +1,210 @@
+// Shapes in plan in metres: what the case file's texts mean, and back to edits.
+
+import type { Edit } from "../client/api";
+import { isTable, type Json, type Path, valueAt } from "./paths";
+import { metres, place, places } from "./quantities";
+
+export type Point = readonly [number, number];
+export type Ring = readonly Point[];
+
+/** What a thing's place in plan is made of. `at` is the path of the table that holds the keys. */
+export type Geometry =
+  | { type: "sides"; at: Path; x: number; y: number }
+  | { type: "box"; at: Path; x: readonly [number, number]; y: readonly [number, number] }
+  | { type: "polygon"; at: Path; points: Ring; bulges: readonly number[] }
+  | { type: "circle"; at: Path; centre: Point; radius: number }
+  | { type: "point"; at: Path; x: number; y: number }
+  | { type: "line"; at: Path; points: Ring; bulges?: readonly number[] }
+  | { type: "segment"; at: Path; start: Point; end: Point }
+  | { type: "fixed"; at: Path; points: Ring; closed: boolean };
+
+/** The geometry that a table of the case file states, null if its lengths cannot be read here. */
+export function readGeometry(data: Json, at: Path): Geometry | null {
+  const table = valueAt(data, at);
+  if (!isTable(table)) return null;
+  if (table.start !== undefined && table.end !== undefined) {
+    const [start, end] = [place(table.start), place(table.end)];
+    return start && end ? { type: "segment", at, start, end } : null;
+  }
+  if (table.radius !== undefined) {
+    const [centre, radius] = [table.centre === undefined ? ([0, 0] as const) : place(table.centre), metres(table.radius)];
+    return centre && radius !== null && radius > 0 ? { type: "circle", at, centre, radius } : null;
+  }
+  if (Array.isArray(table.x)) {
+    const [x, y] = [place(table.x), place(table.y)];
+    return x && y ? { type: "box", at, x, y } : null;
+  }
+  if (table.points !== undefined) {
+    const points = places(table.points);
+    if (!points || points.length === 0) return null;
+    const bulges = Array.isArray(table.bulges) ? table.bulges.map((each) => (typeof each === "number" ? each : 0)) : [];
+    if (table.kind !== "polygon") return bulges.some((each) => each !== 0) ? { type: "line", at, points, bulges } : { type: "line", at, points };
+    return { type: "polygon", at, points, bulges };
+  }
+  const [x, y] = [metres(table.x), metres(table.y)];
+  return x !== null && y !== null ? { type: "point", at, x, y } : null;
+}
+
+/** The rectangle about the origin that length_x and length_y state, null if there is none. */
+export function readSides(data: Json): Geometry | null {
+  const [x, y] = [metres(valueAt(data, ["plate", "length_x"])), metres(valueAt(data, ["plate", "length_y"]))];
+  return x !== null && y !== null && x > 0 && y > 0 ? { type: "sides", at: ["plate"], x, y } : null;
+}
+
+/** Arcs become chords of at most this angle, so that they look round on the largest screen. */
+const CHORD_ANGLE = (2 * Math.PI) / 180;
+
+/** The curve of a geometry, arcs as chords; closed unless it is a point, a line or a segment. */
+export function ringOf(geometry: Geometry): Ring {
+  switch (geometry.type) {
+    case "sides":
+      return corners([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2]);
+    case "box":
+      return corners(geometry.x, geometry.y);
+    case "polygon":
+      return geometry.points.flatMap((point, n) => {
+        const next = geometry.points[(n + 1) % geometry.points.length] ?? point;
+        return [point, ...arc(point, next, geometry.bulges[n] ?? 0)];
+      });
+    case "circle":
+      return Array.from({ length: 180 }, (_, n): Point => {
+        const angle = n * CHORD_ANGLE;
+        return [geometry.centre[0] + geometry.radius * Math.cos(angle), geometry.centre[1] + geometry.radius * Math.sin(angle)];
+      });
+    case "line":
+      return geometry.points.flatMap((point, n) => {
+        const next = geometry.points[n + 1];
+        return next ? [point, ...arc(point, next, geometry.bulges?.[n] ?? 0)] : [point];
+      });
+    case "point":
+      return [[geometry.x, geometry.y]];
+    case "segment":
+      return [geometry.start, geometry.end];
+    default:
+      return geometry.points;
+  }
+}
+
+/** The four corners of a rectangle, counter-clockwise from the lower left. */
+export function corners(x: readonly [number, number], y: readonly [number, number]): Ring {
+  return [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
+}
+
+/** Points on an arc between two corners, without its ends; bulge is tan of a quarter of its angle. */
+function arc(from: Point, to: Point, bulge: number): Point[] {
+  if (bulge === 0) return [];
+  const chord: Point = [to[0] - from[0], to[1] - from[1]];
+  const length = Math.hypot(...chord);
+  if (length === 0) return [];
+  const sweep = 4 * Math.atan(bulge);
+  // the centre lies on the chord's normal, to its left for a counter-clockwise arc below a half circle
+  const off = (length / 2) / Math.tan(sweep / 2);
+  const centre: Point = [
+    (from[0] + to[0]) / 2 - (chord[1] / length) * off,
+    (from[1] + to[1]) / 2 + (chord[0] / length) * off,
+  ];
+  const start = Math.atan2(from[1] - centre[1], from[0] - centre[0]);
+  const radius = Math.hypot(from[0] - centre[0], from[1] - centre[1]);
+  const steps = Math.max(2, Math.ceil(Math.abs(sweep) / CHORD_ANGLE));
+  return Array.from({ length: steps - 1 }, (_, n): Point => {
+    const angle = start + (sweep * (n + 1)) / steps;
+    return [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)];
+  });
+}
+
+/** Whether a geometry encloses an area. */
+export function isClosed(geometry: Geometry): boolean {
+  return geometry.type === "fixed" ? geometry.closed : !["point", "line", "segment"].includes(geometry.type);
+}
+
+/** The area inside a ring, positive if it runs counter-clockwise. */
+export function signedArea(ring: Ring): number {
+  let twice = 0;
+  ring.forEach(([x, y], n) => {
+    const [u, v] = ring[(n + 1) % ring.length] ?? [x, y];
+    twice += x * v - u * y;
+  });
+  return twice / 2;
+}
+
+/** Whether a place lies inside a ring. */
+export function inside(ring: Ring, [x, y]: Point): boolean {
+  let within = false;
+  ring.forEach(([x0, y0], n) => {
+    const [x1, y1] = ring[(n + 1) % ring.length] ?? [x0, y0];
+    if (y0 > y !== y1 > y && x < x0 + ((y - y0) / (y1 - y0)) * (x1 - x0)) within = !within;
+  });
+  return within;
+}
+
+/** The place on a straight piece that is nearest to a place, and how far away it is. */
+export function nearest(a: Point, b: Point, [x, y]: Point): { at: Point; distance: number } {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const square = dx * dx + dy * dy;
+  const share = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - a[0]) * dx + (y - a[1]) * dy) / square));
+  const at: Point = [a[0] + share * dx, a[1] + share * dy];
+  return { at, distance: Math.hypot(at[0] - x, at[1] - y) };
+}
+
+/** The rectangle [x0, y0, x1, y1] around places, null if there are none. */
+export function boundsOf(points: Iterable<Point>): [number, number, number, number] | null {
+  let bounds: [number, number, number, number] | null = null;
+  for (const [x, y] of points) {
+    bounds = bounds
+      ? [Math.min(bounds[0], x), Math.min(bounds[1], y), Math.max(bounds[2], x), Math.max(bounds[3], y)]
+      : [x, y, x, y];
+  }
+  return bounds;
+}
+
+/** The geometry moved as a whole. */
+export function moved(geometry: Geometry, [dx, dy]: Point): Geometry {
+  const shift = ([x, y]: Point): Point => [x + dx, y + dy];
+  switch (geometry.type) {
+    case "sides":
+      return geometry;
+    case "box":
+      return { ...geometry, x: [geometry.x[0] + dx, geometry.x[1] + dx], y: [geometry.y[0] + dy, geometry.y[1] + dy] };
+    case "circle":
+      return { ...geometry, centre: shift(geometry.centre) };
+    case "point":
+      return { ...geometry, x: geometry.x + dx, y: geometry.y + dy };
+    case "segment":
+      return { ...geometry, start: shift(geometry.start), end: shift(geometry.end) };
+    default:
+      return { ...geometry, points: geometry.points.map(shift) };
+  }
+}
+
+/** The edits that write a geometry in place of an older one of the same type. */
+export function editsBetween(before: Geometry, after: Geometry): Edit[] {
+  const edits: Edit[] = [];
+  const length = (key: string, old: unknown, value: number | readonly unknown[]) => {
+    if (JSON.stringify(old) !== JSON.stringify(value)) edits.push({ op: "length", path: [...before.at, key], value });
+  };
+  if (before.type === "sides" && after.type === "sides") {
+    length("length_x", before.x, after.x);
+    length("length_y", before.y, after.y);
+  } else if (before.type === "box" && after.type === "box") {
+    length("x", before.x, after.x);
+    length("y", before.y, after.y);
+  } else if (before.type === "point" && after.type === "point") {
+    length("x", before.x, after.x);
+    length("y", before.y, after.y);
+  } else if (before.type === "circle" && after.type === "circle") {
+    length("centre", before.centre, after.centre);
+    length("radius", before.radius, after.radius);
+  } else if (before.type === "segment" && after.type === "segment") {
+    length("start", before.start, after.start);
+    length("end", before.end, after.end);
+  } else if (before.type === "line" && after.type === "line") {
+    length("points", before.points, after.points);
+    if (JSON.stringify(before.bulges) !== JSON.stringify(after.bulges))
+      edits.push({ op: "set", path: [...before.at, "bulges"], value: [...(after.bulges ?? [])] });
+  } else if (before.type === "polygon" && after.type === "polygon") {
+    length("points", before.points, after.points);
+    if (JSON.stringify(before.bulges) !== JSON.stringify(after.bulges))
+      edits.push({ op: "set", path: [...before.at, "bulges"], value: [...after.bulges] });
+  }
+  return edits;
+}

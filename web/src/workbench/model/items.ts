@@ -1,0 +1,151 @@
+// All things of the case file that have a place in plan.
+
+import { isTable, type Json, listAt, type Path, pathWords, type Table, tableAt, valueAt } from "./paths";
+import { metres } from "./quantities";
+import { boundsOf, corners, type Geometry, type Point, readGeometry, readSides, type Ring, ringOf } from "./geometry";
+
+export type Kind =
+  | "slab" | "opening" | "zone" | "column" | "support" | "load" | "borehole" | "soil zone" | "void"
+  | "gap" | "output point" | "section line" | "strip";
+
+export interface Item {
+  kind: Kind;
+  /** The path of the thing in the case file: what is selected, moved, removed. */
+  path: Path;
+  /** What people call it: `column A1`, `opening 2`. */
+  title: string;
+  table: Table;
+  geometry: Geometry;
+  /** What stands on a point: a column's cross-section, a load's footprint. */
+  foot: Ring | null;
+  /** Whether it can be moved and reshaped; a load on a column goes with the column. */
+  movable: boolean;
+}
+
+interface Source {
+  kind: Kind;
+  list: Path;
+  word: string;
+  /** Below which key the geometry stands. */
+  below?: string;
+}
+
+const SOURCES: readonly Source[] = [
+  { kind: "soil zone", list: ["soil_zones"], word: "soil zone", below: "shape" },
+  { kind: "zone", list: ["plate", "zones"], word: "zone", below: "shape" },
+  { kind: "opening", list: ["plate", "openings"], word: "opening" },
+  { kind: "void", list: ["contact", "voids"], word: "void" },
+  { kind: "gap", list: ["contact", "gaps"], word: "measured gap" },
+  { kind: "support", list: ["supports"], word: "support" },
+  { kind: "column", list: ["columns"], word: "column" },
+  { kind: "load", list: ["loads"], word: "load" },
+  { kind: "borehole", list: ["boreholes"], word: "borehole" },
+  { kind: "strip", list: ["output", "strips"], word: "strip" },
+  { kind: "section line", list: ["output", "lines"], word: "section line" },
+  { kind: "output point", list: ["output", "points"], word: "output point" },
+];
+
+/** Kinds of loads that have no place of their own in plan. */
+export const EVERYWHERE: ReadonlySet<string> = new Set(["uniform", "self weight", "temperature", "settlement"]);
+
+/** Everything that can be drawn, from below upwards; what cannot be read here is taken from the server's plan. */
+export function itemsOf(data: Table, plan: Table | null): Item[] {
+  return [...slab(data, plan), ...SOURCES.flatMap((source) => itemsFrom(source, data, plan))];
+}
+
+function slab(data: Table, plan: Table | null): Item[] {
+  const table = tableAt(data, ["plate"]);
+  const outlined = table.outline !== undefined;
+  const path: Path = outlined ? ["plate", "outline"] : ["plate"];
+  const geometry = (outlined ? readGeometry(data, path) : readSides(data)) ?? drawnAs(plan?.outline, path);
+  return geometry ? [{ kind: "slab", path, title: "slab", table, geometry, foot: null, movable: outlined }] : [];
+}
+
+function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
+  return listAt(data, source.list).flatMap((table, n): Item[] => {
+    if (!isTable(table)) return [];
+    const path = [...source.list, n];
+    const title = titleOf(source.word, table, n);
+    const host = source.kind === "load" ? columnOf(data, table) : null;
+    if (host) {
+      const geometry: Geometry = { type: "point", at: path, x: host.x, y: host.y };
+      return [{ kind: source.kind, path, title, table, geometry, foot: null, movable: false }];
+    }
+    if (source.kind === "load" && EVERYWHERE.has(String(table.kind))) return [];
+    const at = source.below ? [...path, source.below] : path;
+    const drawn = readGeometry(data, at) ?? (table.shape === undefined ? null : readGeometry(data, [...path, "shape"]));
+    const geometry = drawn ?? fromPlan(plan, path);
+    return geometry ? [{ kind: source.kind, path, title, table, geometry, foot: footOf(table, geometry), movable: true }] : [];
+  });
+}
+
+/** What people call a thing: its word and its name, else its number. */
+export function titleOf(word: string, table: Table, position: number): string {
+  const kinds = word === "load" || word === "support" ? `${typeof table.kind === "string" ? table.kind : ""} ${word}`.trim() : word;
+  return typeof table.name === "string" && table.name ? `${kinds} ${table.name}` : `${kinds} ${position + 1}`;
+}
+
+/** What people call the thing at a path, also one without a place in plan. */
+export function titleAt(data: Table, path: Path): string {
+  const source = SOURCES.find((each) => each.list.length + 1 === path.length && each.list.every((step, n) => step === path[n]));
+  const position = path.at(-1);
+  if (source && typeof position === "number") return titleOf(source.word, tableAt(data, path), position);
+  return path[0] === "plate" && path.length < 3 ? "slab" : pathWords(path);
+}
+
+/** Where the column stands that a load names, null if it names none that is known. */
+function columnOf(data: Table, load: Table): { x: number; y: number } | null {
+  if (typeof load.column !== "string" || !load.column) return null;
+  const column = listAt(data, ["columns"]).find((each) => isTable(each) && each.name === load.column);
+  const [x, y] = [metres(valueAt(column, ["x"])), metres(valueAt(column, ["y"]))];
+  return x !== null && y !== null ? { x, y } : null;
+}
+
+/** The outline of a column's cross-section or a load's footprint, null if there is none. */
+export function footOf(table: Table, geometry: Geometry): Ring | null {
+  if (geometry.type !== "point") return null;
+  const { x, y } = geometry;
+  const diameter = metres(table.diameter);
+  if (diameter !== null && diameter > 0) return ringOf({ type: "circle", at: [], centre: [x, y], radius: diameter / 2 });
+  const [width, depth] = [metres(table.width_x), metres(table.width_y)];
+  if (width === null || depth === null || width <= 0 || depth <= 0) return null;
+  return corners([x - width / 2, x + width / 2], [y - depth / 2, y + depth / 2]);
+}
+
+/** A geometry from the server's plan, which can be seen and moved as a whole, but not reshaped. */
+function fromPlan(plan: Table | null, path: Path): Geometry | null {
+  if (!plan) return null;
+  const words = pathWords(path);
+  for (const list of Object.values(plan)) {
+    const found = Array.isArray(list) ? list.find((each) => isTable(each) && each.path === words) : undefined;
+    if (!isTable(found)) continue;
+    if (typeof found.x === "number" && typeof found.y === "number") return { type: "point", at: path, x: found.x, y: found.y };
+    const line = found.points ?? (found.start && found.end ? [found.start, found.end] : undefined);
+    return drawnAs(found.ring ?? line, path, found.ring !== undefined);
+  }
+  return null;
+}
+
+function drawnAs(value: Json | undefined, at: Path, closed = true): Geometry | null {
+  if (!Array.isArray(value)) return null;
+  const points = value.flatMap((each): Point[] =>
+    Array.isArray(each) && typeof each[0] === "number" && typeof each[1] === "number" ? [[each[0], each[1]]] : [],
+  );
+  return points.length > 0 ? { type: "fixed", at, points, closed } : null;
+}
+
+/** The rectangle around everything drawn, null if there is nothing. */
+export function boundsOfItems(items: readonly Item[]): [number, number, number, number] | null {
+  return boundsOf(items.flatMap((item) => [...ringOf(item.geometry)]));
+}
+
+/** The places that others snap to: corners, centres, ends. */
+export function snapPoints(items: readonly Item[], without: Path | null): Point[] {
+  const points: Point[] = [[0, 0]];
+  for (const { geometry, path } of items) {
+    if (without && pathWords(path) === pathWords(without)) continue;
+    if (geometry.type === "circle") points.push(geometry.centre);
+    else points.push(...ringOf(geometry.type === "polygon" ? { ...geometry, bulges: [] } : geometry));
+  }
+  return points;
+}

@@ -1,0 +1,52 @@
+// What an edit does to the data, foreseen here so that form and drawing need not wait for the server.
+
+import type { Edit } from "../client/api";
+import { movedTable } from "./translation";
+import { isTable, type Json, type Path, type Table, valueAt } from "./paths";
+import { writtenLike } from "./quantities";
+
+/** The data after an edit; an edit that does not fit changes nothing, the server will say so. */
+export function foresee(data: Table, edit: Edit): Table {
+  switch (edit.op) {
+    case "text":
+      return data;
+    case "set":
+      return changed(data, edit.path, () => edit.value);
+    case "length":
+      return changed(data, edit.path, (old) => writtenLike(old, edit.value));
+    case "move":
+      return changed(data, edit.path, (old) => (old === undefined ? undefined : movedTable(old, edit.by)));
+    case "remove":
+      return changed(data, edit.path, () => undefined);
+    case "add": {
+      const list = valueAt(data, edit.path);
+      const items = Array.isArray(list) ? [...list] : [];
+      items.splice(edit.at ?? items.length, 0, edit.value);
+      return changed(data, edit.path, () => items);
+    }
+  }
+}
+
+/** A copy of the data with another value at a path; `undefined` takes the key or the item away. */
+function changed(data: Table, path: Path, make: (old: Json | undefined) => Json | undefined): Table {
+  const result = within(data, path, make);
+  return isTable(result) ? result : data;
+}
+
+function within(value: Json | undefined, path: Path, make: (old: Json | undefined) => Json | undefined): Json | undefined {
+  const [step, ...rest] = path;
+  if (step === undefined) return make(value);
+  if (typeof step === "number") {
+    if (!Array.isArray(value) || step >= value.length) return value;
+    const inner = within(value[step], rest, make);
+    return inner === undefined ? value.filter((_, n) => n !== step) : value.map((each, n) => (n === step ? inner : each));
+  }
+  if (value !== undefined && !isTable(value)) return value;
+  const table: Table = { ...value };
+  const inner = within(table[step], rest, make);
+  if (inner === undefined) {
+    if (value === undefined) return undefined;
+    delete table[step];
+  } else table[step] = inner;
+  return table;
+}

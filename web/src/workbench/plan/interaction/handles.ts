@@ -1,0 +1,134 @@
+// Handles of a geometry: the places that can be dragged, and what dragging them makes.
+
+import { corners, type Geometry, type Point, type Ring } from "../../model/geometry";
+
+export interface Handle {
+  kind: "corner" | "edge" | "add" | "radius" | "end";
+  /** Which of its kind. */
+  index: number;
+  at: Point;
+  /** Along which axis it moves; both by default. */
+  along?: "x" | "y";
+}
+
+/** All handles of a geometry. */
+export function handlesOf(geometry: Geometry): Handle[] {
+  switch (geometry.type) {
+    case "sides":
+      return boxHandles([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2]);
+    case "box":
+      return boxHandles(geometry.x, geometry.y);
+    case "polygon":
+      return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, true, geometry.bulges)];
+    case "line":
+      return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, false, geometry.bulges ?? [])];
+    case "circle":
+      return ([[1, 0], [0, 1], [-1, 0], [0, -1]] as const).map(([x, y], index) => ({
+        kind: "radius",
+        index,
+        at: [geometry.centre[0] + x * geometry.radius, geometry.centre[1] + y * geometry.radius],
+      }));
+    case "segment":
+      return [geometry.start, geometry.end].map((at, index) => ({ kind: "end", index, at }));
+    default:
+      return [];
+  }
+}
+
+function cornersOf(points: Ring, kind: "corner"): Handle[] {
+  return points.map((at, index) => ({ kind, index, at }));
+}
+
+/** Handles that add a corner; none on an arc, whose bulge would be lost. */
+function middles(points: Ring, closed: boolean, bulges: readonly number[]): Handle[] {
+  const last = closed ? points.length : points.length - 1;
+  return points.slice(0, last).flatMap((a, index): Handle[] => {
+    const b = points[(index + 1) % points.length];
+    if (!b || bulges[index]) return [];
+    return [{ kind: "add", index, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2] }];
+  });
+}
+
+function boxHandles(x: readonly [number, number], y: readonly [number, number]): Handle[] {
+  const [middleX, middleY] = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2];
+  const edges: Handle[] = [
+    { kind: "edge", index: 0, at: [x[0], middleY], along: "x" },
+    { kind: "edge", index: 1, at: [x[1], middleY], along: "x" },
+    { kind: "edge", index: 2, at: [middleX, y[0]], along: "y" },
+    { kind: "edge", index: 3, at: [middleX, y[1]], along: "y" },
+  ];
+  return [...corners(x, y).map((at, index): Handle => ({ kind: "corner", index, at })), ...edges];
+}
+
+/** The geometry after a handle was dragged to a place; null if that is no geometry, such as an empty rectangle. */
+export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry | null {
+  switch (geometry.type) {
+    case "sides": {
+      const box = draggedBox([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2], handle, to);
+      // the plate stays about the origin: the opposite edge goes the other way
+      const x = 2 * Math.abs(handle.at[0] < 0 ? box.x[0] : box.x[1]);
+      const y = 2 * Math.abs(handle.at[1] < 0 ? box.y[0] : box.y[1]);
+      return x > 0 && y > 0 ? { ...geometry, x: handle.along === "y" ? geometry.x : x, y: handle.along === "x" ? geometry.y : y } : null;
+    }
+    case "box": {
+      const { x, y } = draggedBox(geometry.x, geometry.y, handle, to);
+      if (x[0] === x[1] || y[0] === y[1]) return null;
+      return { ...geometry, x: rising(x), y: rising(y) };
+    }
+    case "circle": {
+      const radius = Math.hypot(to[0] - geometry.centre[0], to[1] - geometry.centre[1]);
+      return radius > 0 ? { ...geometry, radius } : null;
+    }
+    case "segment":
+      return handle.index === 0 ? { ...geometry, start: to } : { ...geometry, end: to };
+    case "line": {
+      const points = draggedPoints(geometry.points, handle, to);
+      return geometry.bulges ? { ...geometry, points, bulges: draggedBulges(geometry.bulges, handle) } : { ...geometry, points };
+    }
+    case "polygon":
+      return { ...geometry, points: draggedPoints(geometry.points, handle, to), bulges: draggedBulges(geometry.bulges, handle) };
+    default:
+      return geometry;
+  }
+}
+
+function draggedPoints(points: Ring, handle: Handle, to: Point): Ring {
+  return handle.kind === "add" ? points.toSpliced(handle.index + 1, 0, to) : points.with(handle.index, to);
+}
+
+/** The bulges after a handle was dragged: a new corner's edge is straight. */
+function draggedBulges(bulges: readonly number[], handle: Handle): readonly number[] {
+  return handle.kind === "add" && bulges.length > handle.index ? bulges.toSpliced(handle.index + 1, 0, 0) : bulges;
+}
+
+function draggedBox(
+  x: readonly [number, number],
+  y: readonly [number, number],
+  handle: Handle,
+  to: Point,
+): { x: [number, number]; y: [number, number] } {
+  const left = handle.kind === "edge" ? handle.index === 0 : handle.index === 0 || handle.index === 3;
+  const below = handle.kind === "edge" ? handle.index === 2 : handle.index < 2;
+  const movesX = handle.along !== "y";
+  const movesY = handle.along !== "x";
+  return {
+    x: [movesX && left ? to[0] : x[0], movesX && !left ? to[0] : x[1]],
+    y: [movesY && below ? to[1] : y[0], movesY && !below ? to[1] : y[1]],
+  };
+}
+
+function rising([a, b]: readonly [number, number]): [number, number] {
+  return a < b ? [a, b] : [b, a];
+}
+
+/** The geometry without one of its corners; null where too few would be left. */
+export function withoutCorner(geometry: Geometry, index: number): Geometry | null {
+  if (geometry.type === "line" && geometry.points.length > 2) {
+    const points = geometry.points.toSpliced(index, 1);
+    // with the last corner goes the edge before it, with another one that after it
+    return geometry.bulges ? { ...geometry, points, bulges: geometry.bulges.toSpliced(Math.min(index, geometry.points.length - 2), 1) } : { ...geometry, points };
+  }
+  if (geometry.type !== "polygon" || geometry.points.length <= 3) return null;
+  const bulges = geometry.bulges.length > index ? geometry.bulges.toSpliced(index, 1) : geometry.bulges;
+  return { ...geometry, points: geometry.points.toSpliced(index, 1), bulges };
+}
