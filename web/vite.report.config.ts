@@ -9,6 +9,12 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     rolldownOptions: { output: { postBanner: notice } },
-    lib: { entry: "src/report/main.ts", formats: ["iife"], name: "groundslabReport", fileName: () => "report.js", cssFileName: "report" },
+    lib: {
+      entry: "src/report/main.ts",
+      formats: ["iife"],
+      name: "groundslabReport",
+      fileName: () => "report.js",
+      cssFileName: "report",
+    },
   },
 });

@@ -1,7 +1,8 @@
 // The report's script: the viewer, where the page has a place for it. The page works without it.
-import { Viewer } from "../viewer/panels/viewer";
-import { fromGzipBase64, SceneError, type Scene } from "../viewer/data/scene";
+
 import type { Choice } from "../viewer/data/fields";
+import { fromGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
+import { Viewer } from "../viewer/panels/viewer";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
 import "./report.css";
@@ -19,11 +20,16 @@ async function start(): Promise<void> {
     const wanted = place.dataset["field"];
     const combination = combinationOf(scene, place.dataset["combination"]);
     const viewer = new Viewer(place, scene, {
-      themeSwitch: true, ...(wanted ? { field: wanted } : {}), ...(combination === undefined ? {} : { combination }),
+      themeSwitch: true,
+      ...(wanted ? { field: wanted } : {}),
+      ...(combination === undefined ? {} : { combination }),
     });
     follow(viewer, scene);
   } catch (error) {
-    place.textContent = error instanceof SceneError ? error.message : `The viewer cannot start: ${String(error)}. All tables of this report hold without it.`;
+    place.textContent =
+      error instanceof SceneError
+        ? error.message
+        : `The viewer cannot start: ${String(error)}. All tables of this report hold without it.`;
     place.classList.add("viewer-failed");
   }
 }

@@ -1,15 +1,16 @@
 // All that pages use of the view library.
-export * from "./data/scene";
+
+export { number } from "./data/color-scale";
 export * from "./data/fields";
 export { Locator, type Spot } from "./data/point-location";
-export { PlanView, type Range, type Shown, type Tool } from "./plan/plan-view";
-export type { Layers } from "./plan/overlay";
-export { SpaceView } from "./space/space-view";
-export { SectionChart, type Section } from "./panels/section-chart";
-export { Legend } from "./panels/legend";
-export { ValuePanel, sectionText } from "./panels/value-panel";
+export * from "./data/scene";
 export { fillCombinations, fillFields } from "./panels/controls";
-export { number } from "./data/color-scale";
-export { make, symbol, symbolText } from "./shared/dom";
-export { onTheme, setTheme, startTheme, theme, type Theme } from "./shared/theme";
+export { Legend } from "./panels/legend";
+export { type Section, SectionChart } from "./panels/section-chart";
+export { sectionText, ValuePanel } from "./panels/value-panel";
 export { Viewer, type ViewerOptions } from "./panels/viewer";
+export type { Layers } from "./plan/overlay";
+export { PlanView, type Range, type Shown, type Tool } from "./plan/plan-view";
+export { make, symbol, symbolText } from "./shared/dom";
+export { onTheme, setTheme, startTheme, type Theme, theme } from "./shared/theme";
+export { SpaceView } from "./space/space-view";

@@ -20,8 +20,19 @@ export class FakeApi {
   present(): DocState {
     const last = this.steps.at(-1);
     return {
-      version: this.version, text: JSON.stringify(this.data), data: this.unread > 0 ? null : this.data, checking: this.unread-- > 0, faults: this.faults, plan: null, file: "case.toml", dirty: this.version > 1,
-      can_undo: last !== undefined, can_redo: false, undo_text: last?.text ?? "", redo_text: "", offer: null,
+      version: this.version,
+      text: JSON.stringify(this.data),
+      data: this.unread > 0 ? null : this.data,
+      checking: this.unread-- > 0,
+      faults: this.faults,
+      plan: null,
+      file: "case.toml",
+      dirty: this.version > 1,
+      can_undo: last !== undefined,
+      can_redo: false,
+      undo_text: last?.text ?? "",
+      redo_text: "",
+      offer: null,
     };
   }
 

@@ -16,12 +16,37 @@ export interface Scale {
 
 /** Viridis (van der Walt and Smith 2015), at even distances. */
 const VIRIDIS = [
-  "440154", "48186a", "472d7b", "424086", "3b528b", "33638d", "2c728e", "26828e", "21918c",
-  "1fa088", "28ae80", "3fbc73", "5ec962", "84d44b", "addc30", "d8e219", "fde725",
+  "440154",
+  "48186a",
+  "472d7b",
+  "424086",
+  "3b528b",
+  "33638d",
+  "2c728e",
+  "26828e",
+  "21918c",
+  "1fa088",
+  "28ae80",
+  "3fbc73",
+  "5ec962",
+  "84d44b",
+  "addc30",
+  "d8e219",
+  "fde725",
 ].map(rgb);
 /** Blue, white, red: ColorBrewer's RdBu (Brewer 2003) turned round, so that uplift is blue. */
 const BLUE_RED = [
-  "053061", "2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b", "67001f",
+  "053061",
+  "2166ac",
+  "4393c3",
+  "92c5de",
+  "d1e5f0",
+  "f7f7f7",
+  "fddbc7",
+  "f4a582",
+  "d6604d",
+  "b2182b",
+  "67001f",
 ].map(rgb);
 const OVER: Rgb = [179, 0, 0];
 const UNDER: Rgb = [120, 120, 120];
@@ -70,7 +95,13 @@ function tidy(value: number, step: number): number {
  * `signed` fields that cross zero get two hues that part there. `range` is where the scale shall begin and end; values
  * beyond it have colours of their own.
  */
-export function scaleOf(min: number, max: number, signed: boolean, range?: readonly [number, number], most = 14): Scale {
+export function scaleOf(
+  min: number,
+  max: number,
+  signed: boolean,
+  range?: readonly [number, number],
+  most = 14,
+): Scale {
   const [low, high] = range ?? [min, max];
   const diverging = signed && crossesZero(low, high);
   const levels = roundLevels(low, high, most);
@@ -124,7 +155,9 @@ export function number(value: number, digits = 4): string {
 
 /** Write a measure without needless zeros: 0.5, 800, 12.25. */
 export function neat(value: number, digits = 4): string {
-  return number(Number(value.toPrecision(digits)) === 0 ? 0 : value, digits).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  return number(Number(value.toPrecision(digits)) === 0 ? 0 : value, digits)
+    .replace(/(\.\d*?)0+$/, "$1")
+    .replace(/\.$/, "");
 }
 
 /** Write the limits of a scale: all with the decimals that the finest of them needs. */

@@ -24,15 +24,25 @@ const MOMENTS = ["moment_x", "moment_y", "moment_xy"] as const;
 const DERIVED: readonly { name: string; symbol: string; meaning: string }[] = [
   { name: "m_1", symbol: "m_1", meaning: "larger principal moment" },
   { name: "m_2", symbol: "m_2", meaning: "smaller principal moment" },
-  { name: "bottom_x", symbol: "m_x bottom", meaning: "design moment bottom x, for reinforcement along x (Wood and Armer)" },
-  { name: "bottom_y", symbol: "m_y bottom", meaning: "design moment bottom y, for reinforcement along y (Wood and Armer)" },
+  {
+    name: "bottom_x",
+    symbol: "m_x bottom",
+    meaning: "design moment bottom x, for reinforcement along x (Wood and Armer)",
+  },
+  {
+    name: "bottom_y",
+    symbol: "m_y bottom",
+    meaning: "design moment bottom y, for reinforcement along y (Wood and Armer)",
+  },
   { name: "top_x", symbol: "m_x top", meaning: "design moment top x, for reinforcement along x (Wood and Armer)" },
   { name: "top_y", symbol: "m_y top", meaning: "design moment top y, for reinforcement along y (Wood and Armer)" },
 ];
 
 /** Return the fields that can be shown: those of the scene, then what is derived of the moments. */
 export function fieldsOf(scene: Scene): FieldInfo[] {
-  const basic = scene.head.fields.filter((field) => field.name !== CONTACT).map((field) => ({ ...field, derived: false }));
+  const basic = scene.head.fields
+    .filter((field) => field.name !== CONTACT)
+    .map((field) => ({ ...field, derived: false }));
   const moment = basic.find((field) => field.name === MOMENTS[0]);
   if (!moment || !MOMENTS.every((name) => basic.some((field) => field.name === name))) return basic;
   const averaged = "derived from m_x, m_y and m_xy at the nodes";
@@ -56,7 +66,9 @@ export function endsOf(scene: Scene, choice: Choice, name: string): Ends {
 
 /** Return the largest line force along the plate's edges in a combination or an envelope [kN/m], if there is any. */
 export function lineForceOf(scene: Scene, choice: Choice): Extreme | null {
-  const found = members(scene, choice).map((each) => scene.head.combinations[each]?.extremes.line_force?.max).filter((each) => each !== undefined);
+  const found = members(scene, choice)
+    .map((each) => scene.head.combinations[each]?.extremes.line_force?.max)
+    .filter((each) => each !== undefined);
   return found.length ? found.reduce((most, each) => (each[0] > most[0] ? each : most)) : null;
 }
 
@@ -92,13 +104,20 @@ export function woodArmer(mx: number, my: number, mxy: number): [number, number]
 /** Return one derived moment of m_x, m_y and m_xy. */
 export function derive(name: string, mx: number, my: number, mxy: number): number {
   switch (name) {
-    case "m_1": return principal(mx, my, mxy)[0];
-    case "m_2": return principal(mx, my, mxy)[1];
-    case "bottom_x": return woodArmer(mx, my, mxy)[0];
-    case "bottom_y": return woodArmer(mx, my, mxy)[1];
-    case "top_x": return 0 - woodArmer(-mx, -my, mxy)[0];
-    case "top_y": return 0 - woodArmer(-mx, -my, mxy)[1];
-    default: throw new RangeError(`no derived field ${name}`);
+    case "m_1":
+      return principal(mx, my, mxy)[0];
+    case "m_2":
+      return principal(mx, my, mxy)[1];
+    case "bottom_x":
+      return woodArmer(mx, my, mxy)[0];
+    case "bottom_y":
+      return woodArmer(mx, my, mxy)[1];
+    case "top_x":
+      return 0 - woodArmer(-mx, -my, mxy)[0];
+    case "top_y":
+      return 0 - woodArmer(-mx, -my, mxy)[1];
+    default:
+      throw new RangeError(`no derived field ${name}`);
   }
 }
 
@@ -226,7 +245,11 @@ function isDerived(name: string): boolean {
 
 function ofCombination(scene: Scene, index: number, name: string): Float32Array {
   if (isDerived(name)) {
-    const [mx, my, mxy] = MOMENTS.map((moment) => values(scene, index, moment)) as [Float32Array, Float32Array, Float32Array];
+    const [mx, my, mxy] = MOMENTS.map((moment) => values(scene, index, moment)) as [
+      Float32Array,
+      Float32Array,
+      Float32Array,
+    ];
     return mx.map((value, i) => derive(name, value, my[i]!, mxy[i]!));
   }
   const of = scene.head.combinations[index]?.values?.[name];
@@ -242,13 +265,18 @@ function envelope(scene: Scene, choice: Envelope, name: string): Float32Array {
   const result = ofCombination(scene, of[0]!, name).slice();
   for (const index of of.slice(1)) {
     const other = ofCombination(scene, index, name);
-    for (let i = 0; i < result.length; i++) if (largest ? other[i]! > result[i]! : other[i]! < result[i]!) result[i] = other[i]!;
+    for (let i = 0; i < result.length; i++)
+      if (largest ? other[i]! > result[i]! : other[i]! < result[i]!) result[i] = other[i]!;
   }
   return result;
 }
 
 function ofOne(scene: Scene, locator: Locator, index: number, name: string, spot: Spot): number {
   if (!isDerived(name)) return locator.interpolate(values(scene, index, name), spot);
-  const [mx, my, mxy] = MOMENTS.map((moment) => locator.interpolate(values(scene, index, moment), spot)) as [number, number, number];
+  const [mx, my, mxy] = MOMENTS.map((moment) => locator.interpolate(values(scene, index, moment), spot)) as [
+    number,
+    number,
+    number,
+  ];
   return derive(name, mx, my, mxy);
 }

@@ -45,11 +45,15 @@ export class Locator {
         for (let j = j0; j <= j1; j++) for (let i = i0; i <= i1; i++) act(j * this.count[0] + i, e);
       }
     };
-    each((bucket) => { this.first[bucket + 1]! += 1; });
+    each((bucket) => {
+      this.first[bucket + 1]! += 1;
+    });
     for (let b = 0; b + 1 < this.first.length; b++) this.first[b + 1]! += this.first[b]!;
     const next = this.first.slice();
     this.held = new Uint32Array(this.first[this.first.length - 1]!);
-    each((bucket, element) => { this.held[next[bucket]!++] = element; });
+    each((bucket, element) => {
+      this.held[next[bucket]!++] = element;
+    });
   }
 
   /** Return the element that holds a point [m] and the point's place in it, or null outside the mesh. */
@@ -81,7 +85,8 @@ export class Locator {
   }
 
   private bucket(x: number, y: number): [number, number] {
-    const cell = (offset: number, axis: 0 | 1) => Math.min(this.count[axis] - 1, Math.max(0, Math.floor(offset / this.size[axis])));
+    const cell = (offset: number, axis: 0 | 1) =>
+      Math.min(this.count[axis] - 1, Math.max(0, Math.floor(offset / this.size[axis])));
     return [cell(x - this.low[0], 0), cell(y - this.low[1], 1)];
   }
 

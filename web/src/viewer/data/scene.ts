@@ -11,10 +11,31 @@ export interface Block {
   shift: number;
 }
 
-export interface Opening { path: string; ring: Ring }
-export interface Zone { path: string; ring: Ring; thickness: number; name?: string }
-export interface Column { path: string; name: string; x: number; y: number; ring: Ring }
-export interface Support { path: string; name: string; kind: "point" | "line"; points: Point[]; acts: string; elastic: boolean }
+export interface Opening {
+  path: string;
+  ring: Ring;
+}
+export interface Zone {
+  path: string;
+  ring: Ring;
+  thickness: number;
+  name?: string;
+}
+export interface Column {
+  path: string;
+  name: string;
+  x: number;
+  y: number;
+  ring: Ring;
+}
+export interface Support {
+  path: string;
+  name: string;
+  kind: "point" | "line";
+  points: Point[];
+  acts: string;
+  elastic: boolean;
+}
 export interface Load {
   path: string;
   name: string;
@@ -27,10 +48,25 @@ export interface Load {
   parts: [string, number, string][]; // symbol, value without factor, unit
   varies?: boolean; // whether the pressure varies over the area
 }
-export interface Place { path: string; name: string; x: number; y: number }
-export interface Area { path: string; ring: Ring }
-export interface Line { path: string; name: string; start: Point; end: Point }
-export interface Strip extends Line { width: number }
+export interface Place {
+  path: string;
+  name: string;
+  x: number;
+  y: number;
+}
+export interface Area {
+  path: string;
+  ring: Ring;
+}
+export interface Line {
+  path: string;
+  name: string;
+  start: Point;
+  end: Point;
+}
+export interface Strip extends Line {
+  width: number;
+}
 
 export interface Plan {
   bounds: [number, number, number, number]; // x0, y0, x1, y1 of the plate [m]
@@ -60,7 +96,10 @@ export interface Field {
 
 export type Extreme = [value: number, x: number, y: number];
 
-interface Range { min: Extreme; max: Extreme }
+interface Range {
+  min: Extreme;
+  max: Extreme;
+}
 
 export interface Combination {
   name: string;
@@ -112,21 +151,30 @@ export function decode(buffer: ArrayBuffer): Scene {
   const length = new DataView(buffer).getUint32(0, true);
   if (4 + length > buffer.byteLength) throw new SceneError("The results are cut off.");
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))) as Head;
-  if (head.format !== FORMAT) throw new SceneError(`The results have format ${head.format}; this page reads format ${FORMAT}.`);
+  if (head.format !== FORMAT)
+    throw new SceneError(`The results have format ${head.format}; this page reads format ${FORMAT}.`);
   const start = Math.ceil((4 + length) / 8) * 8;
   const nodes = real(buffer, start, head.mesh.nodes);
   const raw = rawOf(buffer, start, head.mesh.elements);
   const elements = raw instanceof Uint32Array ? raw : Uint32Array.from(raw);
   const nodeCount = nodes.length / 2;
-  for (const node of elements) if (node >= nodeCount) throw new SceneError("The results are damaged: an element names a node that is not there.");
+  for (const node of elements)
+    if (node >= nodeCount) throw new SceneError("The results are damaged: an element names a node that is not there.");
   const section = head.mesh.section ? Uint16Array.from(rawOf(buffer, start, head.mesh.section)) : null;
-  return { head, data: buffer, start, mesh: { nodes, elements, section, nodeCount, elementCount: elements.length / 9 } };
+  return {
+    head,
+    data: buffer,
+    start,
+    mesh: { nodes, elements, section, nodeCount, elementCount: elements.length / 9 },
+  };
 }
 
 /** Read base64 of a gzipped packed scene, as a report holds it. */
 export async function fromGzipBase64(text: string): Promise<Scene> {
   if (typeof DecompressionStream === "undefined")
-    throw new SceneError("This browser is too old to unpack the results (it has no DecompressionStream). A version from 2023 or later can.");
+    throw new SceneError(
+      "This browser is too old to unpack the results (it has no DecompressionStream). A version from 2023 or later can.",
+    );
   const bytes = fromBase64(text);
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
   let buffer: ArrayBuffer;
@@ -152,16 +200,25 @@ function real(buffer: ArrayBuffer, start: number, of: Block): Float32Array {
   return values;
 }
 
-function rawOf(buffer: ArrayBuffer, start: number, of: Block): Uint8Array | Uint16Array | Uint32Array | Int32Array | Float32Array {
+function rawOf(
+  buffer: ArrayBuffer,
+  start: number,
+  of: Block,
+): Uint8Array | Uint16Array | Uint32Array | Int32Array | Float32Array {
   const count = of.shape.reduce((product, side) => product * side, 1);
   const offset = start + of.offset;
   if (offset + count * BYTES[of.type] > buffer.byteLength) throw new SceneError("The results are cut off.");
   switch (of.type) {
-    case "u8": return new Uint8Array(buffer, offset, count);
-    case "u16": return new Uint16Array(buffer, offset, count);
-    case "u32": return new Uint32Array(buffer, offset, count);
-    case "i32": return new Int32Array(buffer, offset, count);
-    case "f32": return new Float32Array(buffer, offset, count);
+    case "u8":
+      return new Uint8Array(buffer, offset, count);
+    case "u16":
+      return new Uint16Array(buffer, offset, count);
+    case "u32":
+      return new Uint32Array(buffer, offset, count);
+    case "i32":
+      return new Int32Array(buffer, offset, count);
+    case "f32":
+      return new Float32Array(buffer, offset, count);
   }
 }
 

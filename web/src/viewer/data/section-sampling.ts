@@ -50,16 +50,30 @@ export function sample(locator: Locator, start: Point, end: Point, count = 400):
   }
   // a border that falls on an even sample is met twice
   const once = parts.map((part, i) => i === 0 || part > parts[i - 1]!);
-  return { start, end, s: parts.filter((_, i) => once[i]).map((part) => part * length), spots: spots.filter((_, i) => once[i]) };
+  return {
+    start,
+    end,
+    s: parts.filter((_, i) => once[i]).map((part) => part * length),
+    spots: spots.filter((_, i) => once[i]),
+  };
 }
 
 /** Return a field along a line, null off the plate. */
-export function along(scene: Scene, locator: Locator, choice: Choice, field: string, samples: Samples): (number | null)[] {
+export function along(
+  scene: Scene,
+  locator: Locator,
+  choice: Choice,
+  field: string,
+  samples: Samples,
+): (number | null)[] {
   return samples.spots.map((spot) => (spot ? valueAt(scene, locator, choice, field, spot).value : null));
 }
 
 /** The smallest and largest value along a line, with their distances from its start; null if it misses the plate. */
-export function peaks(s: readonly number[], y: readonly (number | null)[]): { min: [number, number]; max: [number, number] } | null {
+export function peaks(
+  s: readonly number[],
+  y: readonly (number | null)[],
+): { min: [number, number]; max: [number, number] } | null {
   let min: [number, number] | null = null;
   let max: [number, number] | null = null;
   y.forEach((value, i) => {

@@ -12,7 +12,12 @@ export const TRIANGLES = [0, 4, 8, 4, 1, 8, 1, 5, 8, 5, 2, 8, 2, 6, 8, 6, 3, 8, 
 export const CORNERS = [0, 1, 2, 0, 2, 3] as const;
 
 /** The nodes of an element's four sides: end, end, middle. */
-export const SIDES = [[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]] as const;
+export const SIDES = [
+  [0, 1, 4],
+  [1, 2, 5],
+  [2, 3, 6],
+  [3, 0, 7],
+] as const;
 
 function lagrange(xi: number): [number, number, number] {
   return [(xi * (xi - 1)) / 2, 1 - xi * xi, (xi * (xi + 1)) / 2];

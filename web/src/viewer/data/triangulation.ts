@@ -6,7 +6,8 @@ import { CORNERS, SIDES, TRIANGLES } from "./shape-functions";
 export function facesOf(mesh: Mesh): Uint32Array {
   const { elements, elementCount } = mesh;
   const faces = new Uint32Array(24 * elementCount);
-  for (let e = 0; e < elementCount; e++) for (let k = 0; k < 24; k++) faces[24 * e + k] = elements[9 * e + TRIANGLES[k]!]!;
+  for (let e = 0; e < elementCount; e++)
+    for (let k = 0; k < 24; k++) faces[24 * e + k] = elements[9 * e + TRIANGLES[k]!]!;
   return faces;
 }
 
@@ -54,7 +55,10 @@ export function tilingOf(mesh: Mesh): Tiling {
   const across = Math.min(32, Math.max(1, Math.ceil((x1 - x0) / side)));
   const up = Math.min(32, Math.max(1, Math.ceil((y1 - y0) / side)));
   const tileOf = (e: number) => {
-    const [i, j] = [((boxes[4 * e]! + boxes[4 * e + 2]!) / 2 - x0) / (x1 - x0 || 1), ((boxes[4 * e + 1]! + boxes[4 * e + 3]!) / 2 - y0) / (y1 - y0 || 1)];
+    const [i, j] = [
+      ((boxes[4 * e]! + boxes[4 * e + 2]!) / 2 - x0) / (x1 - x0 || 1),
+      ((boxes[4 * e + 1]! + boxes[4 * e + 3]!) / 2 - y0) / (y1 - y0 || 1),
+    ];
     return Math.min(up - 1, Math.floor(j * up)) * across + Math.min(across - 1, Math.floor(i * across));
   };
   const members: number[][] = Array.from({ length: across * up }, () => []);
@@ -79,7 +83,11 @@ export function tilingOf(mesh: Mesh): Tiling {
 }
 
 /** Return the parts (start, count) of the faces to draw: of the tiles that a box touches; neighbours are joined. */
-export function partsIn(tiling: Tiling, [x0, y0, x1, y1]: readonly [number, number, number, number], coarse: boolean): [number, number][] {
+export function partsIn(
+  tiling: Tiling,
+  [x0, y0, x1, y1]: readonly [number, number, number, number],
+  coarse: boolean,
+): [number, number][] {
   const parts: [number, number][] = [];
   for (const tile of tiling.tiles) {
     if (tile.box[0] > x1 || tile.box[2] < x0 || tile.box[1] > y1 || tile.box[3] < y0) continue;

@@ -1,12 +1,12 @@
 // A field along a line through the plate, for one or several combinations.
 import uPlot from "uplot";
-import { make, symbolText } from "../shared/dom";
+import { neat, number } from "../data/color-scale";
 import { type Choice, choiceName, fieldOf, isEnvelope } from "../data/fields";
 import type { Locator } from "../data/point-location";
-import { type Look, look } from "../shared/palette";
-import { neat, number } from "../data/color-scale";
 import type { Point, Scene } from "../data/scene";
-import { type Samples, along, downwards, limits, peaks, sample } from "../data/section-sampling";
+import { along, downwards, limits, peaks, type Samples, sample } from "../data/section-sampling";
+import { make, symbolText } from "../shared/dom";
+import { type Look, look } from "../shared/palette";
 import { type Theme, theme } from "../shared/theme";
 import "uplot/dist/uPlot.min.css";
 import "./section-chart.css";
@@ -54,10 +54,16 @@ export class SectionChart {
   show(section: Section | null): void {
     const before = this.section;
     this.section = section;
-    const same = before && section && before.locator === section.locator && String([before.start, before.end]) === String([section.start, section.end]);
+    const same =
+      before &&
+      section &&
+      before.locator === section.locator &&
+      String([before.start, before.end]) === String([section.start, section.end]);
     if (!same) this.samples = section ? sample(section.locator, section.start, section.end) : null;
-    this.curves = section && this.samples
-      ? section.choices.map((choice) => along(section.scene, section.locator, choice, section.field, this.samples!)) : [];
+    this.curves =
+      section && this.samples
+        ? section.choices.map((choice) => along(section.scene, section.locator, choice, section.field, this.samples!))
+        : [];
     this.draw();
   }
 
@@ -72,7 +78,11 @@ export class SectionChart {
     const times = ratio / uPlot.pxRatio;
     const away = make("div", { class: "gs-chart gs-chart-away" });
     document.body.append(away);
-    const plot = new uPlot(this.options(width * times, height * times, times, "light"), [this.samples.s, ...this.curves], away);
+    const plot = new uPlot(
+      this.options(width * times, height * times, times, "light"),
+      [this.samples.s, ...this.curves],
+      away,
+    );
     plot.batch(() => undefined); // draws at once
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [plot.ctx.canvas.width, plot.ctx.canvas.height];
@@ -86,7 +96,12 @@ export class SectionChart {
   /** Return the curves' names with their colours, for a legend on paper. */
   names(): { name: string; colour: string }[] {
     const { section } = this;
-    return section ? section.choices.map((choice, i) => ({ name: choiceName(section.scene, choice), colour: CURVES.light[i % CURVES.light.length]! })) : [];
+    return section
+      ? section.choices.map((choice, i) => ({
+          name: choiceName(section.scene, choice),
+          colour: CURVES.light[i % CURVES.light.length]!,
+        }))
+      : [];
   }
 
   dispose(): void {
@@ -106,7 +121,10 @@ export class SectionChart {
   }
 
   private room(): number {
-    return Math.max(this.element.clientHeight - (this.element.querySelector<HTMLElement>(".u-legend")?.offsetHeight ?? 26), 90);
+    return Math.max(
+      this.element.clientHeight - (this.element.querySelector<HTMLElement>(".u-legend")?.offsetHeight ?? 26),
+      90,
+    );
   }
 
   private draw(): void {
@@ -121,7 +139,11 @@ export class SectionChart {
       return;
     }
     const width = Math.max(this.element.clientWidth, 200);
-    this.plot = new uPlot(this.options(width, Math.max(this.element.clientHeight - 26, 90), 1, this.theme), [samples.s, ...this.curves], this.element);
+    this.plot = new uPlot(
+      this.options(width, Math.max(this.element.clientHeight - 26, 90), 1, this.theme),
+      [samples.s, ...this.curves],
+      this.element,
+    );
     this.resize();
   }
 
@@ -132,38 +154,63 @@ export class SectionChart {
     const colours = look(dress);
     const font = `${12 * times}px ${FONT}`;
     const axis: uPlot.Axis = {
-      stroke: colours.ink, font, labelFont: font, gap: 4 * times, grid: { stroke: colours.line, width: 0.7 * times },
+      stroke: colours.ink,
+      font,
+      labelFont: font,
+      gap: 4 * times,
+      grid: { stroke: colours.line, width: 0.7 * times },
       ticks: { stroke: colours.line, width: times, size: 5 * times },
     };
     const curveColours = CURVES[dress];
     return {
-      width, height,
+      width,
+      height,
       scales: {
         x: { time: false, range: () => [0, Math.max(this.length(), 1e-9)] },
         y: { dir: downwards(field) ? -1 : 1, range: (_, low, high) => limits(low, high) },
       },
       axes: [
-        { ...axis, label: "distance s along the section [m]", labelSize: 18 * times, size: 26 * times, space: 60 * times, values: (_, ticks) => ticks.map((tick) => neat(tick, 6)) },
-        { ...axis, label: `${symbolText(info.symbol)} [${info.unit}]`, labelSize: 20 * times, size: 50 * times, space: 26 * times, values: (_, ticks) => ticks.map((tick) => neat(tick, 6)) },
+        {
+          ...axis,
+          label: "distance s along the section [m]",
+          labelSize: 18 * times,
+          size: 26 * times,
+          space: 60 * times,
+          values: (_, ticks) => ticks.map((tick) => neat(tick, 6)),
+        },
+        {
+          ...axis,
+          label: `${symbolText(info.symbol)} [${info.unit}]`,
+          labelSize: 20 * times,
+          size: 50 * times,
+          space: 26 * times,
+          values: (_, ticks) => ticks.map((tick) => neat(tick, 6)),
+        },
       ],
       legend: { show: times === 1 },
       cursor: { drag: { x: false, y: false }, points: { size: 7 } },
       padding: [10 * times, 14 * times, 0, 0],
       series: [
         { label: "s", value: (_, value: number | null) => (value === null ? "–" : `${value.toFixed(2)} m`) },
-        ...choices.map((choice, i): uPlot.Series => ({
-          label: choiceName(scene, choice) || symbolText(info.symbol),
-          stroke: curveColours[i % curveColours.length]!,
-          ...(choices.length === 1 ? { fill: `${curveColours[0]}1c` } : {}),
-          width: 1.7 * times,
-          ...(i >= curveColours.length ? { dash: DASH.map((part) => part * times) } : {}),
-          points: { show: false },
-          value: (_, value: number | null) => (value === null ? "–" : `${number(value)} ${info.unit}`),
-        })),
+        ...choices.map(
+          (choice, i): uPlot.Series => ({
+            label: choiceName(scene, choice) || symbolText(info.symbol),
+            stroke: curveColours[i % curveColours.length]!,
+            ...(choices.length === 1 ? { fill: `${curveColours[0]}1c` } : {}),
+            width: 1.7 * times,
+            ...(i >= curveColours.length ? { dash: DASH.map((part) => part * times) } : {}),
+            points: { show: false },
+            value: (_, value: number | null) => (value === null ? "–" : `${number(value)} ${info.unit}`),
+          }),
+        ),
       ],
       hooks: {
         draw: [(plot) => this.mark(plot, times, colours)],
-        setCursor: [(plot) => { if (times === 1) this.point(plot); }],
+        setCursor: [
+          (plot) => {
+            if (times === 1) this.point(plot);
+          },
+        ],
       },
     };
   }
@@ -219,7 +266,8 @@ export class SectionChart {
       ctx.fillStyle = colours.ink;
       ctx.fill();
       const choice = choices[peak.curve]!;
-      const from = choices.length > 1 && !isEnvelope(choice) ? ` (${scene.head.combinations[choice]?.number ?? ""})` : "";
+      const from =
+        choices.length > 1 && !isEnvelope(choice) ? ` (${scene.head.combinations[choice]?.number ?? ""})` : "";
       const text = `${peak === high ? "max" : "min"} ${number(peak.value)}${from}`;
       const long = ctx.measureText(text).width;
       const left = x + 8 * dot + long > bbox.left + bbox.width ? x - 8 * dot - long : x + 8 * dot;
@@ -234,4 +282,8 @@ export class SectionChart {
   }
 }
 
-interface Peak { s: number; value: number; curve: number }
+interface Peak {
+  s: number;
+  value: number;
+  curve: number;
+}

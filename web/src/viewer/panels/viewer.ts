@@ -1,17 +1,17 @@
 // A whole viewer of results: what to show, the plan or the view in space, the scale, values at a point, a section.
-import { make, symbolText } from "../shared/dom";
-import { type Choice, choiceName, fieldOf, isEnvelope, valueAt } from "../data/fields";
-import { fillCombinations, fillFields } from "./controls";
-import { Legend } from "./legend";
+
+import { neat, number } from "../data/color-scale";
+import { type Choice, choiceName, fieldOf, isEnvelope, parseChoice, valueAt } from "../data/fields";
 import { Locator } from "../data/point-location";
+import type { Point, Scene } from "../data/scene";
 import type { Layers } from "../plan/overlay";
 import { PlanView, type Shown, type Tool } from "../plan/plan-view";
-import { neat, number } from "../data/color-scale";
-import type { Point, Scene } from "../data/scene";
-import { SectionChart } from "./section-chart";
+import { make, symbolText } from "../shared/dom";
+import { onTheme, setTheme, type Theme, theme } from "../shared/theme";
 import { SpaceView } from "../space/space-view";
-import { type Theme, onTheme, setTheme, theme } from "../shared/theme";
-import { parseChoice } from "../data/fields";
+import { fillCombinations, fillFields } from "./controls";
+import { Legend } from "./legend";
+import { SectionChart } from "./section-chart";
 import { ValuePanel } from "./value-panel";
 import "./viewer.css";
 
@@ -48,7 +48,11 @@ export class Viewer {
   private readonly tools: Record<Tool, HTMLButtonElement>;
   private readonly modes: Record<Mode, HTMLButtonElement>;
   private readonly locator: Locator;
-  private readonly larger = make("button", { type: "button", title: "Fill the window with the viewer (Escape goes back)", click: () => this.enlarge() }, "Enlarge");
+  private readonly larger = make(
+    "button",
+    { type: "button", title: "Fill the window with the viewer (Escape goes back)", click: () => this.enlarge() },
+    "Enlarge",
+  );
   private readonly printed = make("div", { class: "gs-print" });
   private choice: Choice = 0;
   private field = "";
@@ -58,9 +62,14 @@ export class Viewer {
   private section: { start: Point; end: Point; name: string } | null = null;
   private readonly ended: (() => void)[] = [];
 
-  constructor(container: HTMLElement, private readonly scene: Scene, options: ViewerOptions = {}) {
+  constructor(
+    container: HTMLElement,
+    private readonly scene: Scene,
+    options: ViewerOptions = {},
+  ) {
     this.locator = new Locator(scene.mesh);
-    const button = (text: string, title: string, act: () => void) => make("button", { type: "button", title, click: act }, text);
+    const button = (text: string, title: string, act: () => void) =>
+      make("button", { type: "button", title, click: act }, text);
     const tool = (name: Tool, text: string, title: string) => button(text, title, () => this.setTool(name));
     this.tools = {
       pan: tool("pan", "Pan", "Drag to move, wheel or pinch to zoom"),
@@ -71,11 +80,15 @@ export class Viewer {
       plan: button("Plan", "The plate seen from above", () => this.setMode("plan")),
       space: button("3-D", "The bent plate in space", () => this.setMode("space")),
     };
-    const choices = make("div", { class: "gs-bar gs-choices" },
+    const choices = make(
+      "div",
+      { class: "gs-bar gs-choices" },
       make("label", {}, make("span", {}, "Field"), this.fields),
       make("label", {}, make("span", {}, "Combination"), this.combinations),
     );
-    const bar = make("div", { class: "gs-bar", role: "toolbar", "aria-label": "Viewer" },
+    const bar = make(
+      "div",
+      { class: "gs-bar", role: "toolbar", "aria-label": "Viewer" },
       make("div", { class: "gs-group", role: "group", "aria-label": "Tool" }, ...Object.values(this.tools)),
       make("div", { class: "gs-group", role: "group", "aria-label": "View" }, ...Object.values(this.modes)),
       button("Fit", "Show the whole plate (0)", () => this.fit()),
@@ -84,22 +97,39 @@ export class Viewer {
     );
     const named = scene.head.plan.lines;
     if (named.length) {
-      this.lines.append(make("option", { value: "" }, "Section along …"), ...named.map((line, i) => make("option", { value: i }, `Section ${line.name || i + 1}`)));
+      this.lines.append(
+        make("option", { value: "" }, "Section along …"),
+        ...named.map((line, i) => make("option", { value: i }, `Section ${line.name || i + 1}`)),
+      );
       this.lines.addEventListener("change", () => this.chooseLine());
       this.tools.section.parentElement!.after(this.lines);
     }
     if (options.themeSwitch) {
       const turn = button("", "Light or dark", () => setTheme(theme() === "dark" ? "light" : "dark"));
-      const name = (to: Theme) => { turn.textContent = to === "dark" ? "Light" : "Dark"; };
+      const name = (to: Theme) => {
+        turn.textContent = to === "dark" ? "Light" : "Dark";
+      };
       name(theme());
       this.ended.push(onTheme(name));
       bar.append(turn);
     }
-    const chartBar = make("div", { class: "gs-chart-bar" }, this.chartTitle, this.chartOf, button("Close", "Take the section away", () => this.cut(null)));
+    const chartBar = make(
+      "div",
+      { class: "gs-chart-bar" },
+      this.chartTitle,
+      this.chartOf,
+      button("Close", "Take the section away", () => this.cut(null)),
+    );
     const chartPlace = make("div", { class: "gs-chart-place" });
     this.chartBox.append(chartBar, chartPlace);
     this.stage.append(this.planBox, this.spaceBox, this.status);
-    this.element.append(choices, bar, make("div", { class: "gs-main" }, this.stage, this.scaleBox, this.side), this.chartBox, this.printed);
+    this.element.append(
+      choices,
+      bar,
+      make("div", { class: "gs-main" }, this.stage, this.scaleBox, this.side),
+      this.chartBox,
+      this.printed,
+    );
     container.append(this.element);
     this.plan = new PlanView(this.planBox);
     this.legend = new Legend(this.scaleBox);
@@ -158,10 +188,21 @@ export class Viewer {
     const { scene } = this;
     const [x0, y0, x1, y1] = scene.head.plan.bounds;
     const width = PAPER.width;
-    const height = Math.round(Math.min(PAPER.tallest, Math.max(220, ((width - 80) * (y1 - y0)) / Math.max(x1 - x0, 1e-6) + 70)));
-    const picture = this.mode === "plan" ? this.plan.snapshot(width, height, PAPER.ratio) : this.space?.snapshot(width, 400, PAPER.ratio);
+    const height = Math.round(
+      Math.min(PAPER.tallest, Math.max(220, ((width - 80) * (y1 - y0)) / Math.max(x1 - x0, 1e-6) + 70)),
+    );
+    const picture =
+      this.mode === "plan"
+        ? this.plan.snapshot(width, height, PAPER.ratio)
+        : this.space?.snapshot(width, 400, PAPER.ratio);
     const info = fieldOf(scene, this.field);
-    this.printed.replaceChildren(make("div", { class: "gs-print-title" }, `${symbolText(info.symbol)} [${info.unit}]: ${info.meaning}; ${choiceName(scene, this.choice)}`));
+    this.printed.replaceChildren(
+      make(
+        "div",
+        { class: "gs-print-title" },
+        `${symbolText(info.symbol)} [${info.unit}]: ${info.meaning}; ${choiceName(scene, this.choice)}`,
+      ),
+    );
     const row = make("div", { class: "gs-print-row" });
     if (picture) {
       picture.style.width = `${width}px`;
@@ -172,13 +213,39 @@ export class Viewer {
     const chart = this.section && this.chart.snapshot(660, 220, PAPER.ratio);
     if (chart) {
       const names = this.chart.names();
-      const key = names.length > 1 ? [make("div", { class: "gs-print-key" }, ...names.map(({ name, colour }) => make("span", {}, make("i", { style: `background:${colour}` }), name)))] : [];
-      this.printed.append(make("div", { class: "gs-print-part" }, make("div", { class: "gs-print-title" }, this.chartTitle.textContent ?? ""), chart, ...key));
+      const key =
+        names.length > 1
+          ? [
+              make(
+                "div",
+                { class: "gs-print-key" },
+                ...names.map(({ name, colour }) =>
+                  make("span", {}, make("i", { style: `background:${colour}` }), name),
+                ),
+              ),
+            ]
+          : [];
+      this.printed.append(
+        make(
+          "div",
+          { class: "gs-print-part" },
+          make("div", { class: "gs-print-title" }, this.chartTitle.textContent ?? ""),
+          chart,
+          ...key,
+        ),
+      );
     }
     if (this.pick) {
       const values = new ValuePanel(make("div", { class: "gs-print-part" }));
       values.show(scene, this.locator, this.choice, this.pick);
-      this.printed.append(make("div", { class: "gs-print-part" }, make("div", { class: "gs-print-title" }, "Values at a point"), values.element));
+      this.printed.append(
+        make(
+          "div",
+          { class: "gs-print-part" },
+          make("div", { class: "gs-print-title" }, "Values at a point"),
+          values.element,
+        ),
+      );
     }
   }
 
@@ -192,8 +259,14 @@ export class Viewer {
 
   private connect(): void {
     const { plan, panel } = this;
-    this.fields.addEventListener("change", () => { this.field = this.fields.value; this.update(); });
-    this.combinations.addEventListener("change", () => { this.choice = parseChoice(this.combinations.value); this.update(); });
+    this.fields.addEventListener("change", () => {
+      this.field = this.fields.value;
+      this.update();
+    });
+    this.combinations.addEventListener("change", () => {
+      this.choice = parseChoice(this.combinations.value);
+      this.update();
+    });
     this.chartOf.addEventListener("change", () => this.drawChart());
     plan.onShow = (shown) => this.legend.show(shown, this.scene);
     plan.onPick = (x, y) => this.setPick([x, y]);
@@ -206,7 +279,11 @@ export class Viewer {
     addEventListener("beforeprint", before);
     addEventListener("afterprint", after);
     this.ended.push(
-      onTheme((to) => { plan.setTheme(to); this.space?.setTheme(to); this.chart.setTheme(to); }),
+      onTheme((to) => {
+        plan.setTheme(to);
+        this.space?.setTheme(to);
+        this.chart.setTheme(to);
+      }),
       () => removeEventListener("beforeprint", before),
       () => removeEventListener("afterprint", after),
     );
@@ -262,7 +339,9 @@ export class Viewer {
     this.chartOf.replaceChildren(
       make("option", { value: "this" }, "the combination shown"),
       ...(of.length > 1 ? [make("option", { value: "all" }, "all combinations")] : []),
-      ...(state.length > 1 ? state.map((each) => make("option", { value: `state:${each}` }, `all ${each} combinations`)) : []),
+      ...(state.length > 1
+        ? state.map((each) => make("option", { value: `state:${each}` }, `all ${each} combinations`))
+        : []),
     );
     this.chartOf.hidden = of.length < 2;
     if ([...this.chartOf.options].some((option) => option.value === before)) this.chartOf.value = before;
@@ -274,7 +353,9 @@ export class Viewer {
     if (!section) return;
     const { start, end, name } = section;
     const wanted = this.chartOf.value;
-    const several = scene.head.combinations.flatMap((each, i) => (each.values !== null && (wanted === "all" || wanted === `state:${each.limit_state}`) ? [i] : []));
+    const several = scene.head.combinations.flatMap((each, i) =>
+      each.values !== null && (wanted === "all" || wanted === `state:${each.limit_state}`) ? [i] : [],
+    );
     const choices: Choice[] = wanted === "this" || !several.length ? [this.choice] : several;
     const place = ([x, y]: Point) => `(${neat(x, 5)}, ${neat(y, 5)})`;
     const info = fieldOf(scene, field);
@@ -316,18 +397,40 @@ export class Viewer {
       this.plan.setRange(same.checked ? "common" : "auto");
       this.space?.setRange(same.checked ? "common" : "auto");
     });
-    const menu = make("details", { class: "gs-menu" }, make("summary", {}, "Show"), make("div", {},
-      layer("loads", "loads"), layer("columns", "columns"), layer("supports", "supports"), layer("zones", "zones"),
-      layer("ground", "ground"), layer("output", "lines and points"), layer("labels", "names and sizes"), layer("extremes", "largest and smallest"),
-      option("lines", "lines between colours", true), option("contact", "contact boundary", true), option("mesh", "elements", false),
-      make("label", {}, same, "one scale for all combinations")));
+    const menu = make(
+      "details",
+      { class: "gs-menu" },
+      make("summary", {}, "Show"),
+      make(
+        "div",
+        {},
+        layer("loads", "loads"),
+        layer("columns", "columns"),
+        layer("supports", "supports"),
+        layer("zones", "zones"),
+        layer("ground", "ground"),
+        layer("output", "lines and points"),
+        layer("labels", "names and sizes"),
+        layer("extremes", "largest and smallest"),
+        option("lines", "lines between colours", true),
+        option("contact", "contact boundary", true),
+        option("mesh", "elements", false),
+        make("label", {}, same, "one scale for all combinations"),
+      ),
+    );
     const shut = (event: Event) => {
-      const outside = event instanceof KeyboardEvent ? event.key === "Escape" : !(event.target instanceof Node && menu.contains(event.target));
+      const outside =
+        event instanceof KeyboardEvent
+          ? event.key === "Escape"
+          : !(event.target instanceof Node && menu.contains(event.target));
       if (outside) menu.open = false;
     };
     document.addEventListener("pointerdown", shut);
     document.addEventListener("keydown", shut);
-    this.ended.push(() => document.removeEventListener("pointerdown", shut), () => document.removeEventListener("keydown", shut));
+    this.ended.push(
+      () => document.removeEventListener("pointerdown", shut),
+      () => document.removeEventListener("keydown", shut),
+    );
     return menu;
   }
 

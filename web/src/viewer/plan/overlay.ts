@@ -1,10 +1,11 @@
 // What is drawn above the field: outline, openings, columns, supports, loads, marks, axes. Pure drawing on a 2-D canvas.
-import { plainWords } from "../shared/dom";
-import { shownLoads } from "../data/load-labels";
-import type { Look } from "../shared/palette";
-import type { Camera } from "../renderer/renderer";
+
 import { neat, roundStep, roundTicks, tickTexts } from "../data/color-scale";
+import { shownLoads } from "../data/load-labels";
 import type { Plan, Point, Ring } from "../data/scene";
+import type { Camera } from "../renderer/renderer";
+import { plainWords } from "../shared/dom";
+import type { Look } from "../shared/palette";
 
 /** What of the plan is drawn. */
 export interface Layers {
@@ -20,7 +21,15 @@ export interface Layers {
 }
 
 export const ALL_LAYERS: Layers = {
-  loads: true, columns: true, supports: true, zones: true, ground: true, output: true, labels: true, extremes: true, axes: true,
+  loads: true,
+  columns: true,
+  supports: true,
+  zones: true,
+  ground: true,
+  output: true,
+  labels: true,
+  extremes: true,
+  axes: true,
 };
 
 /** Marks that the user sets, and those of the field. */
@@ -76,7 +85,14 @@ export function drawOverlay(sheet: Sheet, plan: Plan | null, layers: Layers, mar
 /** Texts that are drawn last, each only if it has room. */
 class Labels {
   private readonly boxes: [number, number, number, number][] = [];
-  private readonly texts: { text: string; x: number; y: number; colour: string; weight: number; align: CanvasTextAlign }[] = [];
+  private readonly texts: {
+    text: string;
+    x: number;
+    y: number;
+    colour: string;
+    weight: number;
+    align: CanvasTextAlign;
+  }[] = [];
 
   constructor(private readonly sheet: Sheet) {}
 
@@ -98,7 +114,8 @@ class Labels {
       // a text that would leave the view goes to its mark's other side
       if (align === "left" && left + long > width - 2 && x < width) left = x - long - 16;
       const box: [number, number, number, number] = [left - 2, y - 8, left + long + 2, y + 8];
-      if (this.boxes.some((other) => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3])) continue;
+      if (this.boxes.some((other) => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3]))
+        continue;
       this.boxes.push(box);
       context.textAlign = "left";
       context.strokeText(text, left, y);
@@ -118,7 +135,15 @@ function trace(sheet: Sheet, ring: readonly Point[], closed = true): void {
   if (closed) context.closePath();
 }
 
-function stroke(sheet: Sheet, rings: readonly (readonly Point[])[], colour: string, width: number, dash: number[] = [], closed = true, halo = 0): void {
+function stroke(
+  sheet: Sheet,
+  rings: readonly (readonly Point[])[],
+  colour: string,
+  width: number,
+  dash: number[] = [],
+  closed = true,
+  halo = 0,
+): void {
   if (!rings.length) return;
   const { context, look } = sheet;
   context.beginPath();
@@ -147,14 +172,38 @@ function drawOutline(sheet: Sheet, plan: Plan): void {
     context.save();
     context.clip();
     const [x0, y0, x1, y1] = boundsOf(ring);
-    stroke(sheet, [[[x0, y0], [x1, y1]], [[x0, y1], [x1, y0]]], look.ink2, 0.8, [], false);
+    stroke(
+      sheet,
+      [
+        [
+          [x0, y0],
+          [x1, y1],
+        ],
+        [
+          [x0, y1],
+          [x1, y0],
+        ],
+      ],
+      look.ink2,
+      0.8,
+      [],
+      false,
+    );
     context.restore();
   }
   stroke(sheet, [plan.outline, ...plan.openings.map((each) => each.ring)], look.ink, 1.6);
 }
 
 function drawZones(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): void {
-  stroke(sheet, plan.zones.map((zone) => zone.ring), sheet.look.ink, 1.1, [7, 4], true, 1.5);
+  stroke(
+    sheet,
+    plan.zones.map((zone) => zone.ring),
+    sheet.look.ink,
+    1.1,
+    [7, 4],
+    true,
+    1.5,
+  );
   if (!layers.labels) return;
   for (const zone of plan.zones) {
     const [x0, , , y1] = boundsOf(zone.ring);
@@ -165,8 +214,22 @@ function drawZones(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): vo
 
 function drawGround(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): void {
   const { context, look } = sheet;
-  stroke(sheet, plan.soil_zones.map((each) => each.ring), look.soil, 1.2, [2, 4]);
-  stroke(sheet, plan.voids.map((each) => each.ring), look.soil, 1.4, [4, 3], true, 1.5);
+  stroke(
+    sheet,
+    plan.soil_zones.map((each) => each.ring),
+    look.soil,
+    1.2,
+    [2, 4],
+  );
+  stroke(
+    sheet,
+    plan.voids.map((each) => each.ring),
+    look.soil,
+    1.4,
+    [4, 3],
+    true,
+    1.5,
+  );
   for (const { name, x, y } of plan.boreholes) {
     const [px, py] = pixel(sheet, x, y);
     // a circle with two of its quarters filled
@@ -190,14 +253,24 @@ function drawGround(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): v
 
 function drawOutput(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): void {
   const { context, look } = sheet;
-  stroke(sheet, plan.lines.map(({ start, end }) => [start, end]), look.section, 1.2, [12, 3, 2, 3], false, 2);
+  stroke(
+    sheet,
+    plan.lines.map(({ start, end }) => [start, end]),
+    look.section,
+    1.2,
+    [12, 3, 2, 3],
+    false,
+    2,
+  );
   for (const strip of plan.strips) {
     const [dx, dy] = [strip.end[0] - strip.start[0], strip.end[1] - strip.start[1]];
     const length = Math.hypot(dx, dy) || 1;
-    const [nx, ny] = [(-dy / length) * strip.width / 2, (dx / length) * strip.width / 2];
+    const [nx, ny] = [((-dy / length) * strip.width) / 2, ((dx / length) * strip.width) / 2];
     const ring: Ring = [
-      [strip.start[0] + nx, strip.start[1] + ny], [strip.end[0] + nx, strip.end[1] + ny],
-      [strip.end[0] - nx, strip.end[1] - ny], [strip.start[0] - nx, strip.start[1] - ny],
+      [strip.start[0] + nx, strip.start[1] + ny],
+      [strip.end[0] + nx, strip.end[1] + ny],
+      [strip.end[0] - nx, strip.end[1] - ny],
+      [strip.start[0] - nx, strip.start[1] - ny],
     ];
     stroke(sheet, [ring], look.section, 1, [3, 3], true, 1.5);
   }
@@ -208,7 +281,10 @@ function drawOutput(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): v
     context.lineTo(px + 4, py + 4);
     context.moveTo(px - 4, py + 4);
     context.lineTo(px + 4, py - 4);
-    for (const [width, colour] of [[4.5, look.halo], [1.7, look.section]] as const) {
+    for (const [width, colour] of [
+      [4.5, look.halo],
+      [1.7, look.section],
+    ] as const) {
       context.lineWidth = width;
       context.strokeStyle = colour;
       context.stroke();
@@ -277,7 +353,7 @@ function drawColumns(sheet: Sheet, plan: Plan, labels: Labels, layers: Layers): 
     context.lineWidth = 1.3;
     context.strokeStyle = look.ink;
     context.stroke();
-    const size = Math.max((x1 - x0), (y1 - y0)) * sheet.camera.scale;
+    const size = Math.max(x1 - x0, y1 - y0) * sheet.camera.scale;
     if (layers.labels && column.name) labels.add(column.name, [px + size / 2 + 4, py + 9], look.ink, 1.1);
   }
 }
@@ -313,12 +389,20 @@ function drawExtreme(sheet: Sheet, mark: Marks["extremes"][number], labels: Labe
 function drawPick(sheet: Sheet, point: Point): void {
   const { context, look } = sheet;
   const [px, py] = pixel(sheet, ...point);
-  for (const [width, colour] of [[4, look.halo], [1.5, look.accent]] as const) {
+  for (const [width, colour] of [
+    [4, look.halo],
+    [1.5, look.accent],
+  ] as const) {
     context.lineWidth = width;
     context.strokeStyle = colour;
     context.beginPath();
     context.arc(px, py, 7, 0, 2 * Math.PI);
-    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
+    for (const [dx, dy] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ] as const) {
       context.moveTo(px + 3 * dx, py + 3 * dy);
       context.lineTo(px + 12 * dx, py + 12 * dy);
     }
@@ -344,13 +428,19 @@ function drawSection(sheet: Sheet, [start, end]: [Point, Point]): void {
   const [bx, by] = pixel(sheet, ...end);
   const length = Math.hypot(bx - ax, by - ay) || 1;
   const [nx, ny] = [(-(by - ay) / length) * 6, ((bx - ax) / length) * 6];
-  for (const [width, colour] of [[4.5, look.halo], [2, look.section]] as const) {
+  for (const [width, colour] of [
+    [4.5, look.halo],
+    [2, look.section],
+  ] as const) {
     context.lineWidth = width;
     context.strokeStyle = colour;
     context.beginPath();
     context.moveTo(ax, ay);
     context.lineTo(bx, by);
-    for (const [x, y] of [[ax, ay], [bx, by]] as const) {
+    for (const [x, y] of [
+      [ax, ay],
+      [bx, by],
+    ] as const) {
       context.moveTo(x - nx, y - ny);
       context.lineTo(x + nx, y + ny);
     }
@@ -373,8 +463,16 @@ export function drawAxes(sheet: Sheet): void {
   context.moveTo(left + 0.5, 0);
   context.lineTo(left + 0.5, height - bottom + 0.5);
   context.lineTo(width, height - bottom + 0.5);
-  const across = roundTicks(camera.x + (left - width / 2) / camera.scale, camera.x + width / 2 / camera.scale, width / 90);
-  const upwards = roundTicks(camera.y + (bottom - height / 2) / camera.scale, camera.y + height / 2 / camera.scale, height / 70);
+  const across = roundTicks(
+    camera.x + (left - width / 2) / camera.scale,
+    camera.x + width / 2 / camera.scale,
+    width / 90,
+  );
+  const upwards = roundTicks(
+    camera.y + (bottom - height / 2) / camera.scale,
+    camera.y + height / 2 / camera.scale,
+    height / 70,
+  );
   context.textAlign = "center";
   context.textBaseline = "top";
   tickTexts(across).forEach((text, i) => {

@@ -1,13 +1,25 @@
 // The plate in plan: a field in colours, and above it the outline, columns, supports, loads, axes.
-import { CONTACT, type Choice, type Ends, type FieldInfo, endsOf, extremes, fieldOf, isEnvelope, members, values } from "../data/fields";
-import { GlPainter } from "../renderer/webgl-renderer";
-import { look } from "../shared/palette";
-import { ALL_LAYERS, AXES, type Layers, type Marks, STRIP, drawAxes, drawOverlay } from "./overlay";
+
+import { number, type Scale, scaleOf } from "../data/color-scale";
+import {
+  type Choice,
+  CONTACT,
+  type Ends,
+  endsOf,
+  extremes,
+  type FieldInfo,
+  fieldOf,
+  isEnvelope,
+  members,
+  values,
+} from "../data/fields";
+import type { Extreme, Plan, Point, Scene } from "../data/scene";
 import type { Camera, Painter, Picture } from "../renderer/renderer";
 import { RasterPainter } from "../renderer/software-renderer";
-import { type Scale, number, scaleOf } from "../data/color-scale";
-import type { Extreme, Plan, Point, Scene } from "../data/scene";
+import { GlPainter } from "../renderer/webgl-renderer";
+import { look } from "../shared/palette";
 import { type Theme, theme } from "../shared/theme";
+import { ALL_LAYERS, AXES, drawAxes, drawOverlay, type Layers, type Marks, STRIP } from "./overlay";
 import "./plan-view.css";
 
 export type Tool = "pan" | "pick" | "section";
@@ -190,7 +202,10 @@ export class PlanView {
   /** Return the plan's point [m] under a pixel, counted from the view's left top. */
   toPlan(px: number, py: number): Point {
     const [width, height] = this.size;
-    return [this.camera.x + (px - width / 2) / this.camera.scale, this.camera.y - (py - height / 2) / this.camera.scale];
+    return [
+      this.camera.x + (px - width / 2) / this.camera.scale,
+      this.camera.y - (py - height / 2) / this.camera.scale,
+    ];
   }
 
   /** Return the pixel of a point [m], counted from the view's left top. */
@@ -211,7 +226,8 @@ export class PlanView {
     const context = canvas.getContext("2d")!;
     // the part that is seen now, wholly
     const scale = this.camera.scale * Math.min(width / Math.max(this.size[0], 1), height / Math.max(this.size[1], 1));
-    const camera = this.fitted && this.plan ? fitted(this.plan.bounds, width, height, this.layers.axes) : { ...this.camera, scale };
+    const camera =
+      this.fitted && this.plan ? fitted(this.plan.bounds, width, height, this.layers.axes) : { ...this.camera, scale };
     const painter = this.painter;
     painter.setTheme("light");
     painter.draw(camera, width, height, ratio);
@@ -248,7 +264,13 @@ export class PlanView {
       const contact = hasContact ? values(scene, what.choice, CONTACT) : null;
       const lifted = contact !== null && extremes(contact).max > 0;
       const scale = scaleFor(scene, what.choice, field, this.range);
-      this.picture = { values: of, contact: this.options.contact && lifted ? contact : null, scale, lines: this.options.lines, mesh: this.options.mesh };
+      this.picture = {
+        values: of,
+        contact: this.options.contact && lifted ? contact : null,
+        scale,
+        lines: this.options.lines,
+        mesh: this.options.mesh,
+      };
       this.seen = { choice: what.choice, field, scale, lifted };
       this.marks.extremes = extremeMarks(endsOf(scene, what.choice, what.field));
       const factors = isEnvelope(what.choice) ? null : scene.head.combinations[what.choice]?.factors;
@@ -399,59 +421,87 @@ export class PlanView {
       const box = element.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
     };
-    element.addEventListener("pointerdown", (event) => {
-      const at = place(event);
-      if (this.onPointer?.(event, ...this.toPlan(...at))) return;
-      if (event.button > 1) return;
-      element.setPointerCapture(event.pointerId);
-      this.pointers.set(event.pointerId, at);
-      this.pressed = { at, moved: this.pointers.size > 1 };
-    }, options);
-    element.addEventListener("pointermove", (event) => {
-      const at = place(event);
-      if (this.onPointer?.(event, ...this.toPlan(...at))) return;
-      const before = this.pointers.get(event.pointerId);
-      if (!before) {
-        this.hover(this.toPlan(...at), event.shiftKey);
-        return;
-      }
-      const others = [...this.pointers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
-      this.pointers.set(event.pointerId, at);
-      const other = others[0];
-      if (other) {
-        // two fingers: the point between them stays under them
-        const far = (point: Point) => Math.max(Math.hypot(point[0] - other[0], point[1] - other[1]), 1);
-        this.move((at[0] - before[0]) / 2, (at[1] - before[1]) / 2);
-        this.zoomAt([(at[0] + other[0]) / 2, (at[1] + other[1]) / 2], far(at) / far(before));
-        return;
-      }
-      const { pressed } = this;
-      if (pressed && !pressed.moved && Math.hypot(at[0] - pressed.at[0], at[1] - pressed.at[1]) < CLICK) return;
-      if (pressed && !pressed.moved) {
-        pressed.moved = true;
-        this.move(at[0] - pressed.at[0], at[1] - pressed.at[1]);
-        return;
-      }
-      this.move(at[0] - before[0], at[1] - before[1]);
-    }, options);
+    element.addEventListener(
+      "pointerdown",
+      (event) => {
+        const at = place(event);
+        if (this.onPointer?.(event, ...this.toPlan(...at))) return;
+        if (event.button > 1) return;
+        element.setPointerCapture(event.pointerId);
+        this.pointers.set(event.pointerId, at);
+        this.pressed = { at, moved: this.pointers.size > 1 };
+      },
+      options,
+    );
+    element.addEventListener(
+      "pointermove",
+      (event) => {
+        const at = place(event);
+        if (this.onPointer?.(event, ...this.toPlan(...at))) return;
+        const before = this.pointers.get(event.pointerId);
+        if (!before) {
+          this.hover(this.toPlan(...at), event.shiftKey);
+          return;
+        }
+        const others = [...this.pointers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
+        this.pointers.set(event.pointerId, at);
+        const other = others[0];
+        if (other) {
+          // two fingers: the point between them stays under them
+          const far = (point: Point) => Math.max(Math.hypot(point[0] - other[0], point[1] - other[1]), 1);
+          this.move((at[0] - before[0]) / 2, (at[1] - before[1]) / 2);
+          this.zoomAt([(at[0] + other[0]) / 2, (at[1] + other[1]) / 2], far(at) / far(before));
+          return;
+        }
+        const { pressed } = this;
+        if (pressed && !pressed.moved && Math.hypot(at[0] - pressed.at[0], at[1] - pressed.at[1]) < CLICK) return;
+        if (pressed && !pressed.moved) {
+          pressed.moved = true;
+          this.move(at[0] - pressed.at[0], at[1] - pressed.at[1]);
+          return;
+        }
+        this.move(at[0] - before[0], at[1] - before[1]);
+      },
+      options,
+    );
     const release = (event: PointerEvent) => {
       const at = place(event);
       if (this.onPointer?.(event, ...this.toPlan(...at))) return;
       if (!this.pointers.delete(event.pointerId)) return;
       const { pressed } = this;
       if (!this.pointers.size) this.pressed = null;
-      if (event.type === "pointerup" && pressed && !pressed.moved && event.button === 0) this.click(this.toPlan(...at), event.shiftKey);
+      if (event.type === "pointerup" && pressed && !pressed.moved && event.button === 0)
+        this.click(this.toPlan(...at), event.shiftKey);
     };
     element.addEventListener("pointerup", release, options);
     element.addEventListener("pointercancel", release, options);
     element.addEventListener("pointerleave", () => this.hover(null), options);
-    element.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      const lines = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 160 : 1;
-      this.zoomAt(place(event), Math.exp(-Math.min(Math.max(event.deltaY * lines, -300), 300) * (event.ctrlKey ? 0.01 : 0.0015)));
-    }, { ...options, passive: false });
-    element.addEventListener("dblclick", () => { if (this.tool === "pan") this.fit(); }, options);
-    element.addEventListener("keydown", (event) => { if (this.key(event)) event.preventDefault(); }, options);
+    element.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        const lines = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 160 : 1;
+        this.zoomAt(
+          place(event),
+          Math.exp(-Math.min(Math.max(event.deltaY * lines, -300), 300) * (event.ctrlKey ? 0.01 : 0.0015)),
+        );
+      },
+      { ...options, passive: false },
+    );
+    element.addEventListener(
+      "dblclick",
+      () => {
+        if (this.tool === "pan") this.fit();
+      },
+      options,
+    );
+    element.addEventListener(
+      "keydown",
+      (event) => {
+        if (this.key(event)) event.preventDefault();
+      },
+      options,
+    );
   }
 
   /** Return a point rounded to what a pixel can mean; `straight`: along x or y from the section's start. */
@@ -496,38 +546,67 @@ export class PlanView {
     const step = event.shiftKey ? 200 : 50;
     const middle: Point = [this.size[0] / 2, this.size[1] / 2];
     switch (event.key) {
-      case "ArrowLeft": this.move(step, 0); return true;
-      case "ArrowRight": this.move(-step, 0); return true;
-      case "ArrowUp": this.move(0, step); return true;
-      case "ArrowDown": this.move(0, -step); return true;
-      case "+": case "=": this.zoomAt(middle, 1.25); return true;
-      case "-": this.zoomAt(middle, 0.8); return true;
-      case "0": this.fit(); return true;
+      case "ArrowLeft":
+        this.move(step, 0);
+        return true;
+      case "ArrowRight":
+        this.move(-step, 0);
+        return true;
+      case "ArrowUp":
+        this.move(0, step);
+        return true;
+      case "ArrowDown":
+        this.move(0, -step);
+        return true;
+      case "+":
+      case "=":
+        this.zoomAt(middle, 1.25);
+        return true;
+      case "-":
+        this.zoomAt(middle, 0.8);
+        return true;
+      case "0":
+        this.fit();
+        return true;
       case "Escape":
         if (!this.sectionStart) return false;
         this.sectionStart = null;
         this.markSection(null);
         return true;
-      default: return false;
+      default:
+        return false;
     }
   }
 }
 
 export type Range = "auto" | "common" | readonly [number, number];
 
-function fitted([x0, y0, x1, y1]: readonly [number, number, number, number], width: number, height: number, axes: boolean): Camera {
+function fitted(
+  [x0, y0, x1, y1]: readonly [number, number, number, number],
+  width: number,
+  height: number,
+  axes: boolean,
+): Camera {
   const [left, bottom] = axes ? [AXES.left, AXES.bottom] : [0, 0];
   const rim = 22;
   const bar = axes ? 14 : 0; // more, for the scale bar
-  const scale = Math.max(1e-6, Math.min(
-    (width - left - 2 * rim) / Math.max(x1 - x0, 1e-6), (height - bottom - bar - 2 * rim) / Math.max(y1 - y0, 1e-6),
-  ));
+  const scale = Math.max(
+    1e-6,
+    Math.min(
+      (width - left - 2 * rim) / Math.max(x1 - x0, 1e-6),
+      (height - bottom - bar - 2 * rim) / Math.max(y1 - y0, 1e-6),
+    ),
+  );
   return { x: (x0 + x1) / 2 - left / 2 / scale, y: (y0 + y1) / 2 - (bottom + bar) / 2 / scale, scale };
 }
 
 /** Return the marks of the smallest and the largest value; none of a zero, which a whole part of the plate may have. */
 function extremeMarks({ min, max }: Ends): Marks["extremes"] {
-  const mark = ([value, x, y]: Extreme, word: string, largest: boolean) => ({ point: [x, y] as Point, text: `${word} ${number(value)}`, largest });
+  const mark = ([value, x, y]: Extreme, word: string, largest: boolean) => ({
+    point: [x, y] as Point,
+    text: `${word} ${number(value)}`,
+    largest,
+  });
   const small = 1e-6 * Math.max(Math.abs(min[0]), Math.abs(max[0]));
   return [
     ...(max[0] - min[0] > small && Math.abs(max[0]) > small ? [mark(max, "max", true)] : []),

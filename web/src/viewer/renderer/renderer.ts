@@ -1,6 +1,7 @@
 // What draws a field on the mesh: WebGL where there is one, else the processor (see raster.ts).
-import type { Mesh } from "../data/scene";
+
 import type { Scale } from "../data/color-scale";
+import type { Mesh } from "../data/scene";
 import type { Theme } from "../shared/theme";
 
 /** Which part of the plan is seen: its centre [m] and pixels (of style sheets) per metre. */

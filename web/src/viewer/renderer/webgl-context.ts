@@ -8,7 +8,8 @@
 export function contextOf(canvas: HTMLCanvasElement, attributes: WebGLContextAttributes): WebGL2RenderingContext {
   const wanted = document.documentElement.dataset["painter"];
   const any = wanted === "webgl";
-  const gl = wanted === "processor" ? null : canvas.getContext("webgl2", { ...attributes, failIfMajorPerformanceCaveat: !any });
+  const gl =
+    wanted === "processor" ? null : canvas.getContext("webgl2", { ...attributes, failIfMajorPerformanceCaveat: !any });
   if (!gl) throw new Error("no WebGL 2");
   if (!any && isImitated(gl)) {
     gl.getExtension("WEBGL_lose_context")?.loseContext();

@@ -1,14 +1,25 @@
 // A field on the mesh, drawn by the graphics card through WebGL: one vertex for each node, eight triangles for each element, colours by bands.
 import {
-  BufferAttribute, BufferGeometry, DataTexture, GLSL3, LineBasicMaterial, LineSegments, Mesh as Faces, NearestFilter,
-  OrthographicCamera, RawShaderMaterial, Scene as World, Vector2, WebGLRenderer,
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  Mesh as Faces,
+  GLSL3,
+  LineBasicMaterial,
+  LineSegments,
+  NearestFilter,
+  OrthographicCamera,
+  RawShaderMaterial,
+  Vector2,
+  WebGLRenderer,
+  Scene as World,
 } from "three";
-import type { Camera, Painter, Picture } from "./renderer";
 import { BEYOND, type Scale } from "../data/color-scale";
 import type { Mesh } from "../data/scene";
-import { SMALL, type Tiling, linesOf, partsIn, tilingOf } from "../data/triangulation";
+import { linesOf, partsIn, SMALL, type Tiling, tilingOf } from "../data/triangulation";
 import { look, rgbOf } from "../shared/palette";
 import type { Theme } from "../shared/theme";
+import type { Camera, Painter, Picture } from "./renderer";
 import { STRIPES } from "./software-renderer";
 import { contextOf } from "./webgl-context";
 
@@ -76,9 +87,16 @@ void main() {
 /** Return the shader's inputs for colours, to be filled by `setBands`. */
 export function bandUniforms() {
   return {
-    uBands: { value: null as DataTexture | null }, uOrigin: { value: 0 }, uStep: { value: 1 }, uCount: { value: 1 },
-    uLow: { value: 0 }, uHigh: { value: 1 }, uLines: { value: 1 }, uRatio: { value: 1 },
-    uOver: { value: [1, 0, 1] }, uUnder: { value: [0, 1, 0] },
+    uBands: { value: null as DataTexture | null },
+    uOrigin: { value: 0 },
+    uStep: { value: 1 },
+    uCount: { value: 1 },
+    uLow: { value: 0 },
+    uHigh: { value: 1 },
+    uLines: { value: 1 },
+    uRatio: { value: 1 },
+    uOver: { value: [1, 0, 1] },
+    uUnder: { value: [0, 1, 0] },
   };
 }
 
@@ -106,13 +124,28 @@ export class GlPainter implements Painter {
   private readonly renderer: WebGLRenderer;
   private readonly world = new World();
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
-  private readonly uniforms = { ...bandUniforms(), uContact: { value: 0 }, uAnchor: { value: new Vector2() }, uPaper: { value: [1, 1, 1] }, uHatch: { value: [0.25, 0.25, 0.25] } };
+  private readonly uniforms = {
+    ...bandUniforms(),
+    uContact: { value: 0 },
+    uAnchor: { value: new Vector2() },
+    uPaper: { value: [1, 1, 1] },
+    uHatch: { value: [0.25, 0.25, 0.25] },
+  };
   private readonly material = new RawShaderMaterial({
-    glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, depthTest: false, depthWrite: false, side: 2,
+    glslVersion: GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: this.uniforms,
+    depthTest: false,
+    depthWrite: false,
+    side: 2,
   });
   // a list of materials: then only the geometry's groups are drawn
   private readonly faces = new Faces(new BufferGeometry(), [this.material]);
-  private readonly sides = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.28, depthTest: false }));
+  private readonly sides = new LineSegments(
+    new BufferGeometry(),
+    new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.28, depthTest: false }),
+  );
   private mesh: Mesh | null = null;
   private tiling: Tiling | null = null;
   private costs: number[] = [];
@@ -187,16 +220,28 @@ export class GlPainter implements Painter {
       this.size = size;
     }
     const [dx, dy] = [width / 2 / camera.scale, height / 2 / camera.scale];
-    Object.assign(this.camera, { left: camera.x - dx, right: camera.x + dx, bottom: camera.y - dy, top: camera.y + dy });
+    Object.assign(this.camera, {
+      left: camera.x - dx,
+      right: camera.x + dx,
+      bottom: camera.y - dy,
+      top: camera.y + dy,
+    });
     this.camera.updateProjectionMatrix();
     this.uniforms.uRatio.value = ratio;
     // stripes stay where they are on the plate while it is moved
-    this.uniforms.uAnchor.value.set((width / 2 - camera.x * camera.scale) * ratio, (height / 2 - camera.y * camera.scale) * ratio);
+    this.uniforms.uAnchor.value.set(
+      (width / 2 - camera.x * camera.scale) * ratio,
+      (height / 2 - camera.y * camera.scale) * ratio,
+    );
     if (this.tiling && this.faces.visible) {
       const { geometry } = this.faces;
       geometry.clearGroups();
       const coarse = this.tiling.side * camera.scale * ratio < SMALL;
-      for (const [start, count] of partsIn(this.tiling, [camera.x - dx, camera.y - dy, camera.x + dx, camera.y + dy], coarse))
+      for (const [start, count] of partsIn(
+        this.tiling,
+        [camera.x - dx, camera.y - dy, camera.x + dx, camera.y + dy],
+        coarse,
+      ))
         geometry.addGroup(start, count, 0);
     }
     this.renderer.render(this.world, this.camera);

@@ -4,7 +4,9 @@ type Attributes = Record<string, string | number | boolean | ((event: Event) => 
 
 /** Make an HTML element: attributes (functions become listeners, false leaves out), then children. */
 export function make<K extends keyof HTMLElementTagNameMap>(
-  tag: K, attributes: Attributes = {}, ...children: (Node | string)[]
+  tag: K,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
 ): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {

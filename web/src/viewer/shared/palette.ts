@@ -17,12 +17,30 @@ export interface Look {
 }
 
 const LIGHT: Look = {
-  paper: "#ffffff", ink: "#1b1f23", ink2: "#545c66", line: "#d3d8dd", halo: "rgb(255 255 255 / 0.85)", hatch: "#404040",
-  load: "#b3135f", support: "#16703a", soil: "#7a5a1e", section: "#0b5fa5", accent: "#0b5fa5",
+  paper: "#ffffff",
+  ink: "#1b1f23",
+  ink2: "#545c66",
+  line: "#d3d8dd",
+  halo: "rgb(255 255 255 / 0.85)",
+  hatch: "#404040",
+  load: "#b3135f",
+  support: "#16703a",
+  soil: "#7a5a1e",
+  section: "#0b5fa5",
+  accent: "#0b5fa5",
 };
 const DARK: Look = {
-  paper: "#16191d", ink: "#e6e9ec", ink2: "#a7b0ba", line: "#343a42", halo: "rgb(16 19 23 / 0.85)", hatch: "#c8d0d8",
-  load: "#ff7eb6", support: "#6fce8d", soil: "#d2ac69", section: "#6fb3ef", accent: "#6fb3ef",
+  paper: "#16191d",
+  ink: "#e6e9ec",
+  ink2: "#a7b0ba",
+  line: "#343a42",
+  halo: "rgb(16 19 23 / 0.85)",
+  hatch: "#c8d0d8",
+  load: "#ff7eb6",
+  support: "#6fce8d",
+  soil: "#d2ac69",
+  section: "#6fb3ef",
+  accent: "#6fb3ef",
 };
 
 /** Return the parts, 0 .. 255, of a colour written as #rrggbb. */

@@ -1,14 +1,14 @@
 // The plate in space, bent by its settlement many times enlarged, with a field in colours.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { make } from "../shared/dom";
-import { SMALL, type Tiling, tilingOf } from "../data/triangulation";
-import { type Choice, endsOf, fieldOf, values } from "../data/fields";
-import { type Range, type Shown, scaleFor } from "../plan/plan-view";
 import { neat, roundStep } from "../data/color-scale";
+import { type Choice, endsOf, fieldOf, values } from "../data/fields";
 import type { Scene } from "../data/scene";
-import { CpuSpacePainter, GlSpacePainter, type SpacePainter } from "./space-renderer";
+import { SMALL, type Tiling, tilingOf } from "../data/triangulation";
+import { type Range, type Shown, scaleFor } from "../plan/plan-view";
+import { make } from "../shared/dom";
 import { type Theme, theme } from "../shared/theme";
+import { CpuSpacePainter, GlSpacePainter, type SpacePainter } from "./space-renderer";
 import "./space-view.css";
 
 const FIELD_OF_VIEW = 32;
@@ -17,10 +17,18 @@ export class SpaceView {
   /** Another field, combination or scale is shown; null: none. */
   onShow?: (shown: Shown | null) => void;
   readonly element = make("div", {
-    class: "gs-space", tabindex: 0, role: "application",
+    class: "gs-space",
+    tabindex: 0,
+    role: "application",
     "aria-label": "View in space. Drag or arrow keys turn it, the wheel or plus and minus zoom, 0 shows all.",
   });
-  private readonly slider = make("input", { type: "range", min: 0, max: 100, value: 50, "aria-label": "Enlargement of the settlement" });
+  private readonly slider = make("input", {
+    type: "range",
+    min: 0,
+    max: 100,
+    value: 50,
+    "aria-label": "Enlargement of the settlement",
+  });
   private readonly times = make("output", {});
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
   private readonly stage = make("div", { class: "gs-space-stage" });
@@ -42,14 +50,21 @@ export class SpaceView {
   constructor(container: HTMLElement) {
     this.painter = this.makePainter();
     this.stage.append(this.painter.canvas);
-    this.element.append(this.stage, make("label", { class: "gs-space-times" }, "settlement enlarged", this.slider, this.times));
+    this.element.append(
+      this.stage,
+      make("label", { class: "gs-space-times" }, "settlement enlarged", this.slider, this.times),
+    );
     container.append(this.element);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.stage);
     this.controls.addEventListener("change", () => this.request());
-    this.controls.addEventListener("start", () => { this.fitted = false; });
+    this.controls.addEventListener("start", () => {
+      this.fitted = false;
+    });
     this.slider.addEventListener("input", () => this.enlarge());
-    this.element.addEventListener("keydown", (event) => { if (this.key(event)) event.preventDefault(); });
+    this.element.addEventListener("keydown", (event) => {
+      if (this.key(event)) event.preventDefault();
+    });
     this.resized = new ResizeObserver(() => (this.fitted ? this.fit() : this.request()));
     this.resized.observe(this.element);
     this.painter.setTheme(this.theme);
@@ -80,7 +95,11 @@ export class SpaceView {
     if (!scene) return;
     const info = fieldOf(scene, field);
     const scale = scaleFor(scene, choice, info, this.range);
-    this.painter.setPicture({ settlement: values(scene, choice, "settlement"), values: values(scene, choice, field), scale });
+    this.painter.setPicture({
+      settlement: values(scene, choice, "settlement"),
+      values: values(scene, choice, field),
+      scale,
+    });
     const ends = endsOf(scene, choice, "settlement");
     const most = Math.max(Math.abs(ends.min[0]), Math.abs(ends.max[0]), 1e-9) / 1000;
     this.base = roundStep((0.06 * this.extent()) / most);
@@ -176,10 +195,14 @@ export class SpaceView {
   private flatLines(): Float32Array {
     const { plan } = this.scene!.head;
     const rings = [plan.outline, ...plan.openings.map((each) => each.ring)];
-    return Float32Array.from(rings.flatMap((ring) => ring.flatMap(([x, y], i) => {
-      const [u, v] = ring[(i + 1) % ring.length]!;
-      return [x, y, 0, u, v, 0];
-    })));
+    return Float32Array.from(
+      rings.flatMap((ring) =>
+        ring.flatMap(([x, y], i) => {
+          const [u, v] = ring[(i + 1) % ring.length]!;
+          return [x, y, 0, u, v, 0];
+        }),
+      ),
+    );
   }
 
   /** Return each column as an upright prism that stands on the bent plate. */
@@ -187,15 +210,17 @@ export class SpaceView {
     const { scene, what } = this;
     const settlement = values(scene!, what!.choice, "settlement");
     const tall = 0.07 * this.extent();
-    return Float32Array.from(scene!.head.plan.columns.flatMap(({ ring }, k) => {
-      const foot = (-settlement[this.feet[k]!]! * this.enlarged) / 1000; // settlements are in mm
-      // corners of a rectangle; of a round one every few
-      const corners = ring.length > 8 ? ring.filter((_, i) => i % Math.ceil(ring.length / 8) === 0) : ring;
-      return corners.flatMap(([u, v], i) => {
-        const [s, t] = corners[(i + 1) % corners.length]!;
-        return [u, v, foot, u, v, foot + tall, u, v, foot + tall, s, t, foot + tall];
-      });
-    }));
+    return Float32Array.from(
+      scene!.head.plan.columns.flatMap(({ ring }, k) => {
+        const foot = (-settlement[this.feet[k]!]! * this.enlarged) / 1000; // settlements are in mm
+        // corners of a rectangle; of a round one every few
+        const corners = ring.length > 8 ? ring.filter((_, i) => i % Math.ceil(ring.length / 8) === 0) : ring;
+        return corners.flatMap(([u, v], i) => {
+          const [s, t] = corners[(i + 1) % corners.length]!;
+          return [u, v, foot, u, v, foot + tall, u, v, foot + tall, s, t, foot + tall];
+        });
+      }),
+    );
   }
 
   private key(event: KeyboardEvent): boolean {
@@ -203,14 +228,30 @@ export class SpaceView {
     const { controls } = this;
     const turn = Math.PI / 24;
     switch (event.key) {
-      case "ArrowLeft": controls.rotateLeft(turn); break;
-      case "ArrowRight": controls.rotateLeft(-turn); break;
-      case "ArrowUp": controls.rotateUp(turn); break;
-      case "ArrowDown": controls.rotateUp(-turn); break;
-      case "+": case "=": controls.dollyIn(0.85); break;
-      case "-": controls.dollyOut(0.85); break;
-      case "0": this.fit(); return true;
-      default: return false;
+      case "ArrowLeft":
+        controls.rotateLeft(turn);
+        break;
+      case "ArrowRight":
+        controls.rotateLeft(-turn);
+        break;
+      case "ArrowUp":
+        controls.rotateUp(turn);
+        break;
+      case "ArrowDown":
+        controls.rotateUp(-turn);
+        break;
+      case "+":
+      case "=":
+        controls.dollyIn(0.85);
+        break;
+      case "-":
+        controls.dollyOut(0.85);
+        break;
+      case "0":
+        this.fit();
+        return true;
+      default:
+        return false;
     }
     this.fitted = false;
     controls.update();
@@ -225,7 +266,11 @@ export class SpaceView {
     });
   }
 
-  private draw(width = this.stage.clientWidth, height = this.stage.clientHeight, ratio = Math.min(window.devicePixelRatio || 1, 2)): void {
+  private draw(
+    width = this.stage.clientWidth,
+    height = this.stage.clientHeight,
+    ratio = Math.min(window.devicePixelRatio || 1, 2),
+  ): void {
     const { camera } = this;
     if (!width || !height) return;
     if (camera.aspect !== width / height) {

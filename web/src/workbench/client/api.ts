@@ -107,7 +107,12 @@ export class Outdated extends Error {
 
 /** The server says no; the message is for people. `kind` names what stands in the way, `url` another workbench. */
 export class Refused extends Error {
-  constructor(message: string, readonly status: number, readonly kind = "", readonly url = "") {
+  constructor(
+    message: string,
+    readonly status: number,
+    readonly kind = "",
+    readonly url = "",
+  ) {
     super(message);
   }
 }
@@ -171,7 +176,10 @@ export class HttpApi implements Api {
     try {
       response = await fetch(`api/${name}`, {
         method: body === undefined ? "GET" : "POST",
-        headers: { "X-Groundslab-Token": this.token, ...(body === undefined ? {} : { "Content-Type": "application/json" }) },
+        headers: {
+          "X-Groundslab-Token": this.token,
+          ...(body === undefined ? {} : { "Content-Type": "application/json" }),
+        },
         ...(body === undefined ? {} : { body: JSON.stringify(body) }),
         signal: AbortSignal.timeout(patience),
       });
@@ -186,7 +194,8 @@ export class HttpApi implements Api {
 /** The error that an answer stands for. */
 async function refusal(response: Response): Promise<Error> {
   if (response.status === 403 || response.status === 401) return new Stranger("the server does not know this page");
-  if (response.status === 502 || response.status === 503 || response.status === 504) return new Unreachable(`status ${response.status}`);
+  if (response.status === 502 || response.status === 503 || response.status === 504)
+    return new Unreachable(`status ${response.status}`);
   let body: unknown;
   try {
     body = await response.json();
@@ -200,7 +209,10 @@ async function refusal(response: Response): Promise<Error> {
 
 /** A text in the error of an answer, empty if there is none. */
 function partOf(body: unknown, name: string): string {
-  const error = typeof body === "object" && body !== null && "error" in body ? (body.error as Record<string, unknown> | null) : null;
+  const error =
+    typeof body === "object" && body !== null && "error" in body
+      ? (body.error as Record<string, unknown> | null)
+      : null;
   const part = error?.[name];
   return typeof part === "string" ? part : "";
 }
@@ -212,7 +224,13 @@ function isState(body: unknown): body is DocState {
 /** The words in an answer that says no: {"error": {...}} with a fault's parts or a message, or {"detail": ...}. */
 export function messageOf(body: unknown): string | null {
   if (typeof body === "string") return body;
-  if (Array.isArray(body)) return body.map(messageOf).filter((each) => each !== null).join("; ") || null;
+  if (Array.isArray(body))
+    return (
+      body
+        .map(messageOf)
+        .filter((each) => each !== null)
+        .join("; ") || null
+    );
   if (typeof body !== "object" || body === null) return null;
   const table = body as Record<string, unknown>;
   if (typeof table.got === "string" && typeof table.expected === "string") {

@@ -106,7 +106,10 @@ export class Connection {
     } else if (what === "differs" && own) {
       this.queue.hold();
       if ((await this.hooks.differs(state, own.text)) === "page") {
-        taken = await this.api.edit({ edits: [{ op: "text", value: own.text }], text: "keep the page's text" }, state.version);
+        taken = await this.api.edit(
+          { edits: [{ op: "text", value: own.text }], text: "keep the page's text" },
+          state.version,
+        );
       } else this.queue.clear();
     }
     if (this.another) this.store.setSolved(null);
@@ -121,18 +124,40 @@ export class Connection {
     const source = this.events(this.api.eventsAddress());
     this.source = source;
     const on = (name: string, take: (about: Record<string, unknown>) => void) =>
-      source.addEventListener(name, (event) => take(JSON.parse((event as MessageEvent<string>).data) as Record<string, unknown>));
+      source.addEventListener(name, (event) =>
+        take(JSON.parse((event as MessageEvent<string>).data) as Record<string, unknown>),
+      );
     on("state", (about) => void this.refreshFrom(Number(about.version)));
     on("saved", () => void this.refreshFrom(-1));
-    on("solving", (about) => this.store.setRun({ kind: "solving", run: Number(about.run), version: Number(about.version), text: "", share: null }));
+    on("solving", (about) =>
+      this.store.setRun({
+        kind: "solving",
+        run: Number(about.run),
+        version: Number(about.version),
+        text: "",
+        share: null,
+      }),
+    );
     on("progress", (about) => this.progress(about));
     on("solved", (about) => {
       this.store.setRun({ kind: "idle" });
-      this.store.setSolved({ run: Number(about.run), version: Number(about.version), seconds: Number(about.seconds), design: String(about.design ?? "") });
+      this.store.setSolved({
+        run: Number(about.run),
+        version: Number(about.version),
+        seconds: Number(about.seconds),
+        design: String(about.design ?? ""),
+      });
     });
     on("refused", (about) => {
-      const faults = Array.isArray(about.faults) ? (about.faults as { where: string; got: string; expected: string; mend: string }[]) : [];
-      this.store.setRun({ kind: "refused", version: Number(about.version), message: String(about.message ?? ""), faults });
+      const faults = Array.isArray(about.faults)
+        ? (about.faults as { where: string; got: string; expected: string; mend: string }[])
+        : [];
+      this.store.setRun({
+        kind: "refused",
+        version: Number(about.version),
+        message: String(about.message ?? ""),
+        faults,
+      });
     });
     on("cancelled", () => this.store.setRun({ kind: "cancelled" }));
     source.addEventListener("error", () => {

@@ -24,13 +24,17 @@ export class EditQueue {
   private held = false;
   private repeated = false; // the first one may have arrived although no answer came
 
-  constructor(private readonly api: Pick<Api, "edit">, private readonly hooks: QueueHooks) {}
+  constructor(
+    private readonly api: Pick<Api, "edit">,
+    private readonly hooks: QueueHooks,
+  ) {}
 
   /** Add an edit and send it as soon as its turn comes. */
   push(change: Change): void {
     const last = this.waiting.at(-1);
     const underWay = this.busy !== null && this.waiting.length === 1;
-    if (last && !underWay && joins(last, change)) this.waiting[this.waiting.length - 1] = last.merge ? change : alone(change);
+    if (last && !underWay && joins(last, change))
+      this.waiting[this.waiting.length - 1] = last.merge ? change : alone(change);
     else this.waiting.push(change);
     this.hooks.changed();
     void this.run();
@@ -92,7 +96,8 @@ export class EditQueue {
 
   private afterNo(change: Change, error: unknown): void {
     if (error instanceof Outdated) {
-      const arrived = this.repeated && error.state.undo_text === change.text && error.state.version === this.hooks.base() + 1;
+      const arrived =
+        this.repeated && error.state.undo_text === change.text && error.state.version === this.hooks.base() + 1;
       const fits = arrived || this.hooks.fits(change, error.state);
       if (arrived || !fits) this.done(change);
       this.hooks.adopt(error.state, this.waiting);
@@ -119,7 +124,12 @@ function alone(change: Change): Change {
 /** Whether a later edit stands for an earlier one that waits as well: typing on in one field, or in the text. */
 export function joins(earlier: Change, later: Change): boolean {
   if (!later.merge || earlier.text !== later.text) return false;
-  const places = (change: Change) => JSON.stringify(change.edits.map((edit) => [edit.op === "remove" ? "set" : edit.op, "path" in edit ? edit.path : null]));
-  const replaces = later.edits.every((edit) => edit.op === "set" || edit.op === "remove" || edit.op === "length" || edit.op === "text");
+  const places = (change: Change) =>
+    JSON.stringify(
+      change.edits.map((edit) => [edit.op === "remove" ? "set" : edit.op, "path" in edit ? edit.path : null]),
+    );
+  const replaces = later.edits.every(
+    (edit) => edit.op === "set" || edit.op === "remove" || edit.op === "length" || edit.op === "text",
+  );
   return replaces && places(earlier) === places(later);
 }

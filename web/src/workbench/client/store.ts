@@ -1,8 +1,8 @@
 // What the page knows, and who wants to hear of changes. No elements here.
 
-import type { Change, DocState, Edit } from "./api";
 import { foresee } from "../model/optimistic-edits";
 import { type Json, type Path, samePath, type Table } from "../model/paths";
+import type { Change, DocState, Edit } from "./api";
 
 /** How the page stands with the server. */
 export type Connection = "ok" | "away" | "stranger";
@@ -11,7 +11,12 @@ export type Connection = "ok" | "away" | "stranger";
 export type Run =
   | { kind: "idle" }
   | { kind: "solving"; run: number; version: number; text: string; share: number | null }
-  | { kind: "refused"; version: number; message: string; faults: readonly { where: string; got: string; expected: string; mend: string }[] }
+  | {
+      kind: "refused";
+      version: number;
+      message: string;
+      faults: readonly { where: string; got: string; expected: string; mend: string }[];
+    }
   | { kind: "cancelled" };
 
 /** The result shown. */

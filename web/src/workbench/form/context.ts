@@ -3,9 +3,9 @@
 import type { Change, Edit, Fault } from "../client/api";
 import { titleAt } from "../model/items";
 import { type Json, type Path, sameValue, type Table, valueAt } from "../model/paths";
-import type { Memory } from "../model/variants";
 import { isCalled, renames } from "../model/references";
 import type { Schema } from "../model/schema";
+import type { Memory } from "../model/variants";
 
 export interface FormContext {
   readonly schema: Schema;

@@ -1,14 +1,14 @@
 // The whole case file as a form: one section that folds for each key at the top of the file.
 
 import type { Fault } from "../client/api";
-import { fill, h, setText } from "../shell/elements";
 import { isTable, type Json, type Path, type Table } from "../model/paths";
+import type { Field } from "../model/schema";
+import { fill, h, setText } from "../shell/elements";
 import type { FormContext, Widget } from "./context";
 import { faultsAt, faultsOfPart, faultWords } from "./errors";
+import { heading, shortValue } from "./labels";
 import { listWidget } from "./lists/list";
 import { nodeWidget, subPart } from "./section";
-import type { Field } from "../model/schema";
-import { heading, shortValue } from "./labels";
 
 /** The sections in the order of thought: what there is, what acts, what is wanted, how it is computed. */
 const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
@@ -20,12 +20,19 @@ const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
   { title: "Analysis", keys: ["mesh", "analysis"] },
 ];
 const HEADINGS: Record<string, string> = {
-  plate: "Slab", cases: "Load cases", combine: "Combinations by EN 1990", beyond: "Ground beyond the slab", output: "Points, lines and strips",
+  plate: "Slab",
+  cases: "Load cases",
+  combine: "Combinations by EN 1990",
+  beyond: "Ground beyond the slab",
+  output: "Points, lines and strips",
 };
 const OPEN_AT_FIRST = ["plate", "ground"];
 
 /** The form, and how to get to one of its fields. */
-export function formPanel(ctx: FormContext, openKeys: { read(): string[] | null; write(keys: string[]): void }): Widget {
+export function formPanel(
+  ctx: FormContext,
+  openKeys: { read(): string[] | null; write(keys: string[]): void },
+): Widget {
   const root = ctx.schema.part("");
   const named = new Set(GROUPS.flatMap((group) => group.keys));
   const others = root.fields.filter((field) => !named.has(field.name)).map((field) => field.name);
@@ -42,7 +49,9 @@ export function formPanel(ctx: FormContext, openKeys: { read(): string[] | null;
     const fields = group.keys.flatMap((key) => root.fields.find((field) => field.name === key) ?? []);
     if (fields.length > 0 && group.title) element.append(h("h3", { class: "group-title" }, group.title));
     for (const field of fields) {
-      const widget = isSimple(field) ? nodeWidget(ctx, [field.name], field) : section(ctx, field, open.has(field.name), opened);
+      const widget = isSimple(field)
+        ? nodeWidget(ctx, [field.name], field)
+        : section(ctx, field, open.has(field.name), opened);
       sections.push(widget);
       element.append(widget.element);
     }
@@ -64,7 +73,11 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
   const path: Path = [field.name];
   const digest = h("span", { class: "digest" });
   const badge = h("span", { class: "badge" });
-  const element = h("details", { class: "section", "data-section": field.name }, h("summary", {}, h("span", { class: "section-title" }, HEADINGS[field.name] ?? heading(field.name)), digest, badge));
+  const element = h(
+    "details",
+    { class: "section", "data-section": field.name },
+    h("summary", {}, h("span", { class: "section-title" }, HEADINGS[field.name] ?? heading(field.name)), digest, badge),
+  );
   let body: Widget | null = null;
   const build = () => {
     if (!element.open || body) return;
@@ -98,7 +111,9 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
 function bareWidget(ctx: FormContext, path: Path, field: Field): Widget {
   const { node } = field;
   if (node.is === "part" || node.is === "kinds") return subPart(ctx, path, field, node, true);
-  return node.is === "list" ? listWidget(ctx, path, node.of, HEADINGS[field.name] ?? heading(field.name), field.hint, true) : nodeWidget(ctx, path, field);
+  return node.is === "list"
+    ? listWidget(ctx, path, node.of, HEADINGS[field.name] ?? heading(field.name), field.hint, true)
+    : nodeWidget(ctx, path, field);
 }
 
 function faultCount(count: number): string {
@@ -107,7 +122,9 @@ function faultCount(count: number): string {
 
 /** Whether a section does nothing unless it is there. */
 function isOptional(ctx: FormContext, field: Field): boolean {
-  return !field.needed && field.node.is === "part" && ctx.schema.part(field.node.part).fields.some((each) => each.needed);
+  return (
+    !field.needed && field.node.is === "part" && ctx.schema.part(field.node.part).fields.some((each) => each.needed)
+  );
 }
 
 /** What a section holds, in a few words; `optional` is one that does nothing unless it is there. */
@@ -117,16 +134,26 @@ export function digestOf(field: Field, data: Table, optional: boolean): string {
   if (Array.isArray(value)) return value.length > 0 ? String(value.length) : "none";
   if (!isTable(value)) return field.needed ? "missing" : optional ? "not used" : "by default";
   if (field.name === "plate") {
-    const outline = isTable(value.outline) ? String(value.outline.kind ?? "outline") : [value.length_x, value.length_y].map(shortValue).join(" × ");
+    const outline = isTable(value.outline)
+      ? String(value.outline.kind ?? "outline")
+      : [value.length_x, value.length_y].map(shortValue).join(" × ");
     return [outline, `t = ${shortValue(value.thickness)}`].filter(Boolean).join(", ");
   }
   if (field.name === "output") {
-    return Object.entries(value).map(([key, list]) => `${Array.isArray(list) ? list.length : 0} ${key}`).join(", ");
+    return Object.entries(value)
+      .map(([key, list]) => `${Array.isArray(list) ? list.length : 0} ${key}`)
+      .join(", ");
   }
-  const layers = Array.isArray(value.layers) ? `${value.layers.length} layer${value.layers.length === 1 ? "" : "s"}` : "";
-  const simple = Object.entries(value).filter(([key, each]) => key !== "kind" && !isTable(each) && !(Array.isArray(each) && isTable(each[0])));
+  const layers = Array.isArray(value.layers)
+    ? `${value.layers.length} layer${value.layers.length === 1 ? "" : "s"}`
+    : "";
+  const simple = Object.entries(value).filter(
+    ([key, each]) => key !== "kind" && !isTable(each) && !(Array.isArray(each) && isTable(each[0])),
+  );
   const pieces = simple.slice(0, 3).map(([key, each]) => `${key.replaceAll("_", " ")} ${shortValue(each)}`);
-  return [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean).join(", ") || "by default";
+  return (
+    [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean).join(", ") || "by default"
+  );
 }
 
 /** A fault in one line for the list of all faults. */

@@ -1,11 +1,19 @@
 // How keys, symbols and values are written for people.
 
-import { h } from "../shell/elements";
 import { isTable, type Json, type Table } from "../model/paths";
 import type { Field, Part } from "../model/schema";
+import { h } from "../shell/elements";
 
 const GREEK: Record<string, string> = {
-  alpha: "α", beta: "β", gamma: "γ", delta: "δ", kappa: "κ", nu: "ν", psi: "ψ", mu: "μ", phi: "φ",
+  alpha: "α",
+  beta: "β",
+  gamma: "γ",
+  delta: "δ",
+  kappa: "κ",
+  nu: "ν",
+  psi: "ψ",
+  mu: "μ",
+  phi: "φ",
 };
 const LONGEST_LABEL = 30;
 
@@ -27,7 +35,10 @@ export function labelOf(field: Field): string {
   if (name === "x" || name === "y") return name;
   const short = name.length <= 2 || name === field.symbol || /^[A-Za-z]{1,2}_/.test(name);
   if (!short) return name.replaceAll("_", " ");
-  const phrase = (hint.split(/[,;:]/)[0] ?? "").replace(/^its /, "").replace(/ there$/, "").trim();
+  const phrase = (hint.split(/[,;:]/)[0] ?? "")
+    .replace(/^its /, "")
+    .replace(/ there$/, "")
+    .trim();
   return phrase && phrase.length <= LONGEST_LABEL ? phrase : "";
 }
 
@@ -49,7 +60,9 @@ export function shortValue(value: Json | undefined): string {
 /** A default as the placeholder of a field: without needless digits. */
 export function defaultText(value: Json | undefined): string {
   if (value === undefined || value === "") return "";
-  return shortValue(value).replace(/(\d)\.0(?= |$)/, "$1").replace(/^1e-05/, "1e-5");
+  return shortValue(value)
+    .replace(/(\d)\.0(?= |$)/, "$1")
+    .replace(/^1e-05/, "1e-5");
 }
 
 /** What a table holds, in one line: name, kind, and the values that matter most. */
@@ -61,10 +74,16 @@ export function summaryOf(table: Table, part: Part | null): string {
     if (pieces.length >= 5 || ["name", "kind", "case", "column"].includes(field.name)) continue;
     const value = table[field.name];
     const simple = ["quantity", "number", "whole", "choice", "tuple"].includes(field.node.is);
-    if (value !== undefined && simple) pieces.push(`${field.symbol && field.name.length > 2 ? "" : `${field.name} `}${shortValue(value)}`.trim());
+    if (value !== undefined && simple)
+      pieces.push(`${field.symbol && field.name.length > 2 ? "" : `${field.name} `}${shortValue(value)}`.trim());
   }
   if (isTable(table.shape)) pieces.push(String(table.shape.kind ?? ""));
-  if (isTable(table.factors)) pieces.push(Object.entries(table.factors).map(([name, factor]) => `${shortValue(factor)} ${name}`).join(" + "));
+  if (isTable(table.factors))
+    pieces.push(
+      Object.entries(table.factors)
+        .map(([name, factor]) => `${shortValue(factor)} ${name}`)
+        .join(" + "),
+    );
   if (typeof table.column === "string" && table.column) pieces.push(`on ${table.column}`);
   if (typeof table.case === "string" && table.case) pieces.push(`(${table.case})`);
   return pieces.filter(Boolean).join("  ·  ");

@@ -1,15 +1,15 @@
 // The slab's outline: a rectangle about the origin, or a shape that is drawn where it lies.
 
-import { fill, h, newId } from "../shell/elements";
+import type { Edit } from "../client/api";
+import { readSides, ringOf } from "../model/geometry";
 import { type Path, pathKey, startsWith, type Table, tableAt } from "../model/paths";
 import { written } from "../model/quantities";
-import { readSides, ringOf } from "../model/geometry";
-import { outlineEdits } from "../plan/tools";
-import type { Edit } from "../client/api";
-import type { FormContext, Widget } from "./context";
 import { placed } from "../model/variants";
-import { partWidget } from "./section";
+import { outlineEdits } from "../plan/tools";
+import { fill, h, newId } from "../shell/elements";
+import type { FormContext, Widget } from "./context";
 import { valueField } from "./inputs/value-field";
+import { partWidget } from "./section";
 
 /** Keys of the plate that this element shows in place of the plain list of fields. */
 export const SHAPE_KEYS = ["length_x", "length_y", "outline"] as const;
@@ -24,22 +24,37 @@ export function plateShape(ctx: FormContext): Widget {
   fill(
     select,
     h("option", { value: SIDES }, "rectangle about the origin"),
-    ...SHAPES.map((name) => h("option", { value: name }, name === "Rectangle" ? "rectangle anywhere" : name.toLowerCase())),
+    ...SHAPES.map((name) =>
+      h("option", { value: name }, name === "Rectangle" ? "rectangle anywhere" : name.toLowerCase()),
+    ),
   );
   const plate = ctx.schema.part("Plate");
-  const sides = plate.fields.filter((field) => field.name === "length_x" || field.name === "length_y").map((field) => valueField(ctx, ["plate", field.name], field));
-  const row = h("div", { class: "field", "data-path": pathKey(OUTLINE) }, h("label", { class: "label needed", for: select.id }, "outline"), select);
+  const sides = plate.fields
+    .filter((field) => field.name === "length_x" || field.name === "length_y")
+    .map((field) => valueField(ctx, ["plate", field.name], field));
+  const row = h(
+    "div",
+    { class: "field", "data-path": pathKey(OUTLINE) },
+    h("label", { class: "label needed", for: select.id }, "outline"),
+    select,
+  );
   const element = h("div", { class: "plate-shape" }, row, ...sides.map((side) => side.element));
   select.addEventListener("change", () => {
     const edits = select.value === SIDES ? sidesEdits(ctx.data()) : shapeEdits(ctx, select.value);
-    ctx.change({ edits, text: `change the slab's outline to ${select.value === SIDES ? "a rectangle about the origin" : `a ${select.value.toLowerCase()}`}` });
+    ctx.change({
+      edits,
+      text: `change the slab's outline to ${select.value === SIDES ? "a rectangle about the origin" : `a ${select.value.toLowerCase()}`}`,
+    });
   });
   const update = () => {
     const table = tableAt(ctx.data(), ["plate"]);
     const chosen = table.outline === undefined ? null : ctx.schema.chosen(SHAPES, tableAt(ctx.data(), OUTLINE));
     select.value = table.outline === undefined ? SIDES : (chosen?.name ?? "");
     // a length that stands beside an outline is shown, so that its fault is
-    sides.forEach((side, n) => (side.element.hidden = table.outline !== undefined && table[n === 0 ? "length_x" : "length_y"] === undefined));
+    sides.forEach(
+      (side, n) =>
+        (side.element.hidden = table.outline !== undefined && table[n === 0 ? "length_x" : "length_y"] === undefined),
+    );
     for (const side of sides) side.update();
   };
   return { element, update, reveal: (target) => sides.some((side) => side.reveal(target)) };
@@ -66,14 +81,21 @@ export function shapeEdits(ctx: Pick<FormContext, "schema" | "data">, name: stri
 
 /** The edits that make the slab a rectangle about the origin, as large as it was. */
 function sidesEdits(data: Table): Edit[] {
-  const box = placed(data, ["plate", "outline"], { name: "Rectangle", about: "", kind: "rectangle", fields: [] }, tableAt(data, ["plate", "outline"]));
+  const box = placed(
+    data,
+    ["plate", "outline"],
+    { name: "Rectangle", about: "", kind: "rectangle", fields: [] },
+    tableAt(data, ["plate", "outline"]),
+  );
   const old = readSides(data);
   const size = (key: "x" | "y") => {
     const [from, to] = (box[key] as string[]).map((each) => parseFloat(each));
     return written((to ?? 3) - (from ?? -3));
   };
   const ring = old ? ringOf(old) : null;
-  const [x, y] = ring ? [written(2 * Math.abs(ring[0]?.[0] ?? 3)), written(2 * Math.abs(ring[0]?.[1] ?? 2))] : [size("x"), size("y")];
+  const [x, y] = ring
+    ? [written(2 * Math.abs(ring[0]?.[0] ?? 3)), written(2 * Math.abs(ring[0]?.[1] ?? 2))]
+    : [size("x"), size("y")];
   return [
     { op: "remove", path: ["plate", "outline"] },
     { op: "set", path: ["plate", "length_x"], value: x },

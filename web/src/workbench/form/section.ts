@@ -1,17 +1,17 @@
 // A table of the case file: its fields, and the choice of its kind.
 
+import { starter } from "../model/defaults";
 import { titleAt } from "../model/items";
-import { fill, h, newId } from "../shell/elements";
 import { type Path, pathKey, startsWith, tableAt, valueAt } from "../model/paths";
+import type { Field, Node, Part } from "../model/schema";
+import { placed, switchKind } from "../model/variants";
+import { fill, h, newId } from "../shell/elements";
 import type { FormContext, Widget } from "./context";
 import { faultsOfPart, faultWords } from "./errors";
-import { placed, switchKind } from "../model/variants";
-import { listWidget } from "./lists/list";
-import { plateOutline, plateShape, SHAPE_KEYS } from "./plate-shape";
-import type { Field, Node, Part } from "../model/schema";
-import { starter } from "../model/defaults";
 import { valueField } from "./inputs/value-field";
 import { heading, labelOf } from "./labels";
+import { listWidget } from "./lists/list";
+import { plateOutline, plateShape, SHAPE_KEYS } from "./plate-shape";
 
 /** Anything that a node can be: a value, a part, one of several kinds, a list. */
 export function nodeWidget(ctx: FormContext, path: Path, field: Field): Widget {
@@ -52,7 +52,9 @@ export function partWidget(ctx: FormContext, path: Path, node: Node, without: re
     }
     kinds?.update();
     for (const widget of widgets) widget.update();
-    const words = faultsOfPart(ctx.faults(), path, part).filter((fault) => fault.path[path.length] !== "kind" || !kinds).map(faultWords);
+    const words = faultsOfPart(ctx.faults(), path, part)
+      .filter((fault) => fault.path[path.length] !== "kind" || !kinds)
+      .map(faultWords);
     if (messages.textContent !== words.join("")) fill(messages, ...words.map((each) => h("p", {}, each)));
   };
   const reveal = (target: Path) => {
@@ -75,7 +77,14 @@ export function kindChoice(ctx: FormContext, path: Path, names: readonly string[
   const hint = h("span", { class: "hint" });
   select.setAttribute("aria-describedby", messages.id);
   const label = h("label", { class: "label needed", for: select.id }, tagged ? "kind" : "given by");
-  const element = h("div", { class: "field kind", "data-path": pathKey([...path, "kind"]) }, label, select, hint, messages);
+  const element = h(
+    "div",
+    { class: "field kind", "data-path": pathKey([...path, "kind"]) },
+    label,
+    select,
+    hint,
+    messages,
+  );
   select.addEventListener("change", () => {
     const to = parts.find((part) => part.name === select.value);
     const from = ctx.schema.chosen(names, tableAt(ctx.data(), path));
@@ -111,7 +120,10 @@ function isLong(field: Field): boolean {
 /** What a kind is called in a choice. */
 export function optionWords(part: Part): string {
   if (part.kind) return part.kind;
-  return part.fields.filter((field) => field.needed).map((field) => field.name).join(", ");
+  return part.fields
+    .filter((field) => field.needed)
+    .map((field) => field.name)
+    .join(", ");
 }
 
 function aboutKind(part: Part): string {
@@ -126,13 +138,31 @@ export function subPart(ctx: FormContext, path: Path, field: Field, node: Node, 
   const optional = !field.needed && (node.is === "kinds" || whole?.fields.some((each) => each.needed) === true);
   const add = h("button", { type: "button", class: "small" }, `Add ${labelOf(field) || field.name}`);
   const drop = h("button", { type: "button", class: "small quiet" }, "Remove");
-  const title = h("h4", { title: field.hint }, heading(labelOf(field) || field.name), h("span", { class: "hint" }, field.hint));
-  const head = bare && !optional ? null : h("div", { class: "sub-head" }, bare ? h("span", { class: "hint" }, field.hint) : title, optional ? drop : null, optional ? add : null);
+  const title = h(
+    "h4",
+    { title: field.hint },
+    heading(labelOf(field) || field.name),
+    h("span", { class: "hint" }, field.hint),
+  );
+  const head =
+    bare && !optional
+      ? null
+      : h(
+          "div",
+          { class: "sub-head" },
+          bare ? h("span", { class: "hint" }, field.hint) : title,
+          optional ? drop : null,
+          optional ? add : null,
+        );
   const element = h("div", { class: "sub-part" }, head, inner.element);
   const words = labelOf(field) || field.name;
   add.addEventListener("click", () => {
     if (!whole) return;
-    const value = { ...(whole.kind ? { kind: whole.kind } : {}), ...starter(whole.name, ctx.data()), ...placed(ctx.data(), path, whole) };
+    const value = {
+      ...(whole.kind ? { kind: whole.kind } : {}),
+      ...starter(whole.name, ctx.data()),
+      ...placed(ctx.data(), path, whole),
+    };
     ctx.change({ edits: [{ op: "set", path, value }], text: `add ${words}` });
   });
   drop.addEventListener("click", () => ctx.change({ edits: [{ op: "remove", path }], text: `remove ${words}` }));

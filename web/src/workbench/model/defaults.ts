@@ -1,8 +1,7 @@
 // Values that a new thing starts with, so that it can be solved at once and changed at leisure.
 
-import { isTable, listAt, type Table } from "./paths";
+import { isTable, listAt, type Table, valueAt } from "./paths";
 import { metres, written } from "./quantities";
-import { valueAt } from "./paths";
 
 const LAYER: Table = { E: "20 MPa", nu: 0.3, thickness: "4 m" };
 

@@ -27,7 +27,10 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
     return start && end ? { type: "segment", at, start, end } : null;
   }
   if (table.radius !== undefined) {
-    const [centre, radius] = [table.centre === undefined ? ([0, 0] as const) : place(table.centre), metres(table.radius)];
+    const [centre, radius] = [
+      table.centre === undefined ? ([0, 0] as const) : place(table.centre),
+      metres(table.radius),
+    ];
     return centre && radius !== null && radius > 0 ? { type: "circle", at, centre, radius } : null;
   }
   if (Array.isArray(table.x)) {
@@ -38,7 +41,8 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
     const points = places(table.points);
     if (!points || points.length === 0) return null;
     const bulges = Array.isArray(table.bulges) ? table.bulges.map((each) => (typeof each === "number" ? each : 0)) : [];
-    if (table.kind !== "polygon") return bulges.some((each) => each !== 0) ? { type: "line", at, points, bulges } : { type: "line", at, points };
+    if (table.kind !== "polygon")
+      return bulges.some((each) => each !== 0) ? { type: "line", at, points, bulges } : { type: "line", at, points };
     return { type: "polygon", at, points, bulges };
   }
   const [x, y] = [metres(table.x), metres(table.y)];
@@ -69,7 +73,10 @@ export function ringOf(geometry: Geometry): Ring {
     case "circle":
       return Array.from({ length: 180 }, (_, n): Point => {
         const angle = n * CHORD_ANGLE;
-        return [geometry.centre[0] + geometry.radius * Math.cos(angle), geometry.centre[1] + geometry.radius * Math.sin(angle)];
+        return [
+          geometry.centre[0] + geometry.radius * Math.cos(angle),
+          geometry.centre[1] + geometry.radius * Math.sin(angle),
+        ];
       });
     case "line":
       return geometry.points.flatMap((point, n) => {
@@ -87,7 +94,12 @@ export function ringOf(geometry: Geometry): Ring {
 
 /** The four corners of a rectangle, counter-clockwise from the lower left. */
 export function corners(x: readonly [number, number], y: readonly [number, number]): Ring {
-  return [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
+  return [
+    [x[0], y[0]],
+    [x[1], y[0]],
+    [x[1], y[1]],
+    [x[0], y[1]],
+  ];
 }
 
 /** Points on an arc between two corners, without its ends; bulge is tan of a quarter of its angle. */
@@ -98,7 +110,7 @@ function arc(from: Point, to: Point, bulge: number): Point[] {
   if (length === 0) return [];
   const sweep = 4 * Math.atan(bulge);
   // the centre lies on the chord's normal, to its left for a counter-clockwise arc below a half circle
-  const off = (length / 2) / Math.tan(sweep / 2);
+  const off = length / 2 / Math.tan(sweep / 2);
   const centre: Point = [
     (from[0] + to[0]) / 2 - (chord[1] / length) * off,
     (from[1] + to[1]) / 2 + (chord[0] / length) * off,

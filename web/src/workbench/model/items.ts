@@ -1,12 +1,23 @@
 // All things of the case file that have a place in plan.
 
+import { boundsOf, corners, type Geometry, type Point, type Ring, readGeometry, readSides, ringOf } from "./geometry";
 import { isTable, type Json, listAt, type Path, pathWords, type Table, tableAt, valueAt } from "./paths";
 import { metres } from "./quantities";
-import { boundsOf, corners, type Geometry, type Point, readGeometry, readSides, type Ring, ringOf } from "./geometry";
 
 export type Kind =
-  | "slab" | "opening" | "zone" | "column" | "support" | "load" | "borehole" | "soil zone" | "void"
-  | "gap" | "output point" | "section line" | "strip";
+  | "slab"
+  | "opening"
+  | "zone"
+  | "column"
+  | "support"
+  | "load"
+  | "borehole"
+  | "soil zone"
+  | "void"
+  | "gap"
+  | "output point"
+  | "section line"
+  | "strip";
 
 export interface Item {
   kind: Kind;
@@ -75,19 +86,24 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
     const at = source.below ? [...path, source.below] : path;
     const drawn = readGeometry(data, at) ?? (table.shape === undefined ? null : readGeometry(data, [...path, "shape"]));
     const geometry = drawn ?? fromPlan(plan, path);
-    return geometry ? [{ kind: source.kind, path, title, table, geometry, foot: footOf(table, geometry), movable: true }] : [];
+    return geometry
+      ? [{ kind: source.kind, path, title, table, geometry, foot: footOf(table, geometry), movable: true }]
+      : [];
   });
 }
 
 /** What people call a thing: its word and its name, else its number. */
 export function titleOf(word: string, table: Table, position: number): string {
-  const kinds = word === "load" || word === "support" ? `${typeof table.kind === "string" ? table.kind : ""} ${word}`.trim() : word;
+  const kinds =
+    word === "load" || word === "support" ? `${typeof table.kind === "string" ? table.kind : ""} ${word}`.trim() : word;
   return typeof table.name === "string" && table.name ? `${kinds} ${table.name}` : `${kinds} ${position + 1}`;
 }
 
 /** What people call the thing at a path, also one without a place in plan. */
 export function titleAt(data: Table, path: Path): string {
-  const source = SOURCES.find((each) => each.list.length + 1 === path.length && each.list.every((step, n) => step === path[n]));
+  const source = SOURCES.find(
+    (each) => each.list.length + 1 === path.length && each.list.every((step, n) => step === path[n]),
+  );
   const position = path.at(-1);
   if (source && typeof position === "number") return titleOf(source.word, tableAt(data, path), position);
   return path[0] === "plate" && path.length < 3 ? "slab" : pathWords(path);
@@ -106,7 +122,8 @@ export function footOf(table: Table, geometry: Geometry): Ring | null {
   if (geometry.type !== "point") return null;
   const { x, y } = geometry;
   const diameter = metres(table.diameter);
-  if (diameter !== null && diameter > 0) return ringOf({ type: "circle", at: [], centre: [x, y], radius: diameter / 2 });
+  if (diameter !== null && diameter > 0)
+    return ringOf({ type: "circle", at: [], centre: [x, y], radius: diameter / 2 });
   const [width, depth] = [metres(table.width_x), metres(table.width_y)];
   if (width === null || depth === null || width <= 0 || depth <= 0) return null;
   return corners([x - width / 2, x + width / 2], [y - depth / 2, y + depth / 2]);
@@ -119,7 +136,8 @@ function fromPlan(plan: Table | null, path: Path): Geometry | null {
   for (const list of Object.values(plan)) {
     const found = Array.isArray(list) ? list.find((each) => isTable(each) && each.path === words) : undefined;
     if (!isTable(found)) continue;
-    if (typeof found.x === "number" && typeof found.y === "number") return { type: "point", at: path, x: found.x, y: found.y };
+    if (typeof found.x === "number" && typeof found.y === "number")
+      return { type: "point", at: path, x: found.x, y: found.y };
     const line = found.points ?? (found.start && found.end ? [found.start, found.end] : undefined);
     return drawnAs(found.ring ?? line, path, found.ring !== undefined);
   }

@@ -1,9 +1,9 @@
 // What an edit does to the data, foreseen here so that form and drawing need not wait for the server.
 
 import type { Edit } from "../client/api";
-import { movedTable } from "./translation";
 import { isTable, type Json, type Path, type Table, valueAt } from "./paths";
 import { writtenLike } from "./quantities";
+import { movedTable } from "./translation";
 
 /** The data after an edit; an edit that does not fit changes nothing, the server will say so. */
 export function foresee(data: Table, edit: Edit): Table {
@@ -33,13 +33,19 @@ function changed(data: Table, path: Path, make: (old: Json | undefined) => Json 
   return isTable(result) ? result : data;
 }
 
-function within(value: Json | undefined, path: Path, make: (old: Json | undefined) => Json | undefined): Json | undefined {
+function within(
+  value: Json | undefined,
+  path: Path,
+  make: (old: Json | undefined) => Json | undefined,
+): Json | undefined {
   const [step, ...rest] = path;
   if (step === undefined) return make(value);
   if (typeof step === "number") {
     if (!Array.isArray(value) || step >= value.length) return value;
     const inner = within(value[step], rest, make);
-    return inner === undefined ? value.filter((_, n) => n !== step) : value.map((each, n) => (n === step ? inner : each));
+    return inner === undefined
+      ? value.filter((_, n) => n !== step)
+      : value.map((each, n) => (n === step ? inner : each));
   }
   if (value !== undefined && !isTable(value)) return value;
   const table: Table = { ...value };

@@ -4,8 +4,18 @@
 import type { Json } from "./paths";
 
 const METRES: Record<string, number> = {
-  m: 1, mm: 1e-3, cm: 1e-2, dm: 0.1, km: 1e3,
-  ft: 0.3048, foot: 0.3048, feet: 0.3048, in: 0.0254, inch: 0.0254, yd: 0.9144, yard: 0.9144,
+  m: 1,
+  mm: 1e-3,
+  cm: 1e-2,
+  dm: 0.1,
+  km: 1e3,
+  ft: 0.3048,
+  foot: 0.3048,
+  feet: 0.3048,
+  in: 0.0254,
+  inch: 0.0254,
+  yd: 0.9144,
+  yard: 0.9144,
 };
 const LENGTH = /^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z]+)\s*$/;
 

@@ -1,9 +1,9 @@
 // Names that other parts of the file call: renamed and removed together with those who call them.
 
 import type { Change, Edit } from "../client/api";
-import { isTable, type Json, listAt, type Path, type Table } from "./paths";
 import { namesIn } from "../client/store";
 import { titleAt } from "./items";
+import { isTable, type Json, listAt, type Path, type Table } from "./paths";
 
 /** Which key of which list calls the names of a list. */
 const CALLERS: readonly { names: string; list: string; key: string }[] = [
@@ -32,16 +32,27 @@ export function renames(data: Table, path: Path, to: string): Edit[] {
   const from = isTable(table) ? table.name : undefined;
   const names = namesIn(listAt(data, [path[0] as string]));
   // of two with the same name none can be told apart
-  if (typeof from !== "string" || !from || from === to || names.filter((name) => name === from).length > 1 || names.includes(to)) return [];
+  if (
+    typeof from !== "string" ||
+    !from ||
+    from === to ||
+    names.filter((name) => name === from).length > 1 ||
+    names.includes(to)
+  )
+    return [];
   const edits: Edit[] = [];
   for (const caller of CALLERS.filter((each) => each.names === path[0])) {
-    callersOf(data, caller, from).forEach((n) => edits.push({ op: "set", path: [caller.list, n, caller.key], value: to }));
+    callersOf(data, caller, from).forEach((n) =>
+      edits.push({ op: "set", path: [caller.list, n, caller.key], value: to }),
+    );
   }
   if (path[0] === "cases") {
     listAt(data, ["combinations"]).forEach((each, n) => {
       const factors = isTable(each) && isTable(each.factors) ? each.factors : {};
       if (!(from in factors)) return;
-      const renamed = Object.fromEntries(Object.entries(factors).map(([name, factor]) => [name === from ? to : name, factor]));
+      const renamed = Object.fromEntries(
+        Object.entries(factors).map(([name, factor]) => [name === from ? to : name, factor]),
+      );
       edits.push({ op: "set", path: ["combinations", n, "factors"], value: renamed });
     });
   }
@@ -49,7 +60,9 @@ export function renames(data: Table, path: Path, to: string): Edit[] {
 }
 
 function callersOf(data: Table, caller: { list: string; key: string }, name: string): number[] {
-  return listAt(data, [caller.list]).flatMap((each: Json, n) => (isTable(each) && each[caller.key] === name ? [n] : []));
+  return listAt(data, [caller.list]).flatMap((each: Json, n) =>
+    isTable(each) && each[caller.key] === name ? [n] : [],
+  );
 }
 
 /** The change that removes a thing and the loads that stand on it. */
@@ -59,9 +72,10 @@ export function removal(data: Table, path: Path): Change {
   const table = typeof path[1] === "number" && path.length === 2 ? listAt(data, [list as string])[path[1]] : undefined;
   const name = isTable(table) && typeof table.name === "string" ? table.name : "";
   const alone = namesIn(listAt(data, [String(list)])).filter((each) => each === name).length === 1;
-  const loads = name && alone && (list === "columns" || list === "supports")
-    ? CALLERS.filter((each) => each.names === list).flatMap((caller) => callersOf(data, caller, name))
-    : [];
+  const loads =
+    name && alone && (list === "columns" || list === "supports")
+      ? CALLERS.filter((each) => each.names === list).flatMap((caller) => callersOf(data, caller, name))
+      : [];
   // from the last on, so that the positions of the others stay
   const edits: Edit[] = [...loads].sort((a, b) => b - a).map((n) => ({ op: "remove", path: ["loads", n] }));
   edits.push({ op: "remove", path });

@@ -97,7 +97,9 @@ export class Schema {
 function readPart(name: string, source: Table): Part {
   const properties = isTable(source.properties) ? source.properties : {};
   const needed = Array.isArray(source.required) ? source.required : [];
-  const fields = Object.entries(properties).flatMap(([key, value]) => (isTable(value) ? [readField(key, value, needed.includes(key))] : []));
+  const fields = Object.entries(properties).flatMap(([key, value]) =>
+    isTable(value) ? [readField(key, value, needed.includes(key))] : [],
+  );
   const tag = fields.find((field) => field.node.is === "tag");
   return { name, about: text(source.description), kind: tag?.node.is === "tag" ? tag.node.word : "", fields };
 }
@@ -168,7 +170,12 @@ function number(value: Json | undefined): number | null {
 }
 
 function rangeOf(source: Table): string {
-  const signs = [["exclusiveMinimum", ">"], ["minimum", "≥"], ["exclusiveMaximum", "<"], ["maximum", "≤"]] as const;
+  const signs = [
+    ["exclusiveMinimum", ">"],
+    ["minimum", "≥"],
+    ["exclusiveMaximum", "<"],
+    ["maximum", "≤"],
+  ] as const;
   return signs
     .flatMap(([key, sign]) => {
       const limit = number(source[key]);

@@ -1,11 +1,11 @@
 // Switching a table to another kind: what both kinds share stays, what the other needs is filled in.
 
 import type { Edit } from "../client/api";
-import { boundsOf, readGeometry, readSides, type Point, ringOf } from "./geometry";
+import { starter } from "./defaults";
+import { boundsOf, type Point, readGeometry, readSides, ringOf } from "./geometry";
 import { type Json, type Path, sameValue, type Table, tableAt, valueAt } from "./paths";
 import { written } from "./quantities";
 import type { Field, Node, Part } from "./schema";
-import { starter } from "./defaults";
 
 /** Values that a switch of kind took away, by path and kind, to be put back by switching back. */
 export type Memory = Map<string, Table>;
@@ -51,7 +51,10 @@ function newTable(data: Table, path: Path, old: Table, from: Part | null, to: Pa
 /** Whether a value of one field means the same in another: same kind of value, same dimension, parts in common. */
 function alike(a: Field, b: Field): boolean {
   const [parts, others] = [partsOf(a.node), partsOf(b.node)];
-  return JSON.stringify(a.node) === JSON.stringify(b.node) || (a.node.is === b.node.is && parts.some((part) => others.includes(part)));
+  return (
+    JSON.stringify(a.node) === JSON.stringify(b.node) ||
+    (a.node.is === b.node.is && parts.some((part) => others.includes(part)))
+  );
 }
 
 function partsOf(node: Node): readonly string[] {
@@ -96,11 +99,34 @@ export function placed(data: Table, path: Path, part: Part, old: Table = {}): Ta
 }
 
 /** Corners of a rectangle; of a circle the ends of its quarters, which stay arcs: the tangent of a quarter of each. */
-function cornersFor(data: Table, path: Path, [x0, y0, x1, y1]: readonly [number, number, number, number], text: (at: Point) => Json[]): Table {
+function cornersFor(
+  data: Table,
+  path: Path,
+  [x0, y0, x1, y1]: readonly [number, number, number, number],
+  text: (at: Point) => Json[],
+): Table {
   const geometry = path.length > 0 ? readGeometry(data, path) : null;
-  if (geometry?.type !== "circle") return { points: ([[x0, y0], [x1, y0], [x1, y1], [x0, y1]] as const).map(text) };
-  const { centre: [x, y], radius } = geometry;
-  const ends = [[x + radius, y], [x, y + radius], [x - radius, y], [x, y - radius]] as const;
+  if (geometry?.type !== "circle")
+    return {
+      points: (
+        [
+          [x0, y0],
+          [x1, y0],
+          [x1, y1],
+          [x0, y1],
+        ] as const
+      ).map(text),
+    };
+  const {
+    centre: [x, y],
+    radius,
+  } = geometry;
+  const ends = [
+    [x + radius, y],
+    [x, y + radius],
+    [x - radius, y],
+    [x, y - radius],
+  ] as const;
   return { points: ends.map(text), bulges: ends.map(() => Math.tan(Math.PI / 8)) };
 }
 

@@ -1,17 +1,17 @@
 // The drawing on the screen: what is seen, what is drawn, which part of it answers to the pointer.
 
 import type { Store } from "../client/store";
-import { svg } from "../shell/elements";
-import { type Path, samePath } from "../model/paths";
-import { Camera } from "./camera";
 import { isClosed, type Point, ringOf } from "../model/geometry";
+import { boundsOfItems, footOf, type Item, itemsOf, snapPoints } from "../model/items";
+import { type Path, samePath } from "../model/paths";
+import { svg } from "../shell/elements";
+import { Camera } from "./camera";
+import { MARGIN, paintFigures, paintGrid, snapStep } from "./grid-and-rulers";
+import type { Ghost } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
-import { boundsOfItems, footOf, type Item, itemsOf, snapPoints } from "../model/items";
+import { type Snapped, snap } from "./interaction/snapping";
 import { type Look, label, paintDimensions, paintItems, path } from "./rendering";
-import type { Ghost } from "./interaction/gestures";
-import { snapStep, MARGIN, paintFigures, paintGrid } from "./grid-and-rulers";
-import { snap, type Snapped } from "./interaction/snapping";
 
 const REACH = 9; // px: how near is near enough
 const HANDLE = 8; // px: side of a handle
@@ -32,7 +32,17 @@ export class Canvas {
   private frame = 0;
 
   constructor(private readonly store: Store) {
-    this.element = svg("svg", { class: "drawing", role: "application", tabindex: 0, "aria-label": "drawing of the slab in plan", "aria-roledescription": "drawing" }, ...this.layers);
+    this.element = svg(
+      "svg",
+      {
+        class: "drawing",
+        role: "application",
+        tabindex: 0,
+        "aria-label": "drawing of the slab in plan",
+        "aria-roledescription": "drawing",
+      },
+      ...this.layers,
+    );
   }
 
   /** The size of the element has changed. */
@@ -128,7 +138,9 @@ export class Canvas {
       faulty: (this.store.doc?.faults ?? []).map((fault) => fault.path),
       loadCase: this.loadCase,
     };
-    const shown = this.items.map((item) => (ghost?.item && samePath(ghost.item.path, item.path) ? withGeometry(item, ghost) : item));
+    const shown = this.items.map((item) =>
+      ghost?.item && samePath(ghost.item.path, item.path) ? withGeometry(item, ghost) : item,
+    );
     sheet.replaceChildren(...paintGrid(camera));
     things.replaceChildren(...paintItems(camera, shown, look));
     marks.replaceChildren(...this.marks(shown));
@@ -139,7 +151,8 @@ export class Canvas {
     const { camera, ghost } = this;
     const selected = shown.find((item) => samePath(item.path, this.store.selection));
     const marks: SVGElement[] = [];
-    if (selected && selected.geometry.type !== "point") marks.push(...paintDimensions(camera, dimensionRing(selected), isClosed(selected.geometry)));
+    if (selected && selected.geometry.type !== "point")
+      marks.push(...paintDimensions(camera, dimensionRing(selected), isClosed(selected.geometry)));
     if (selected?.geometry.type === "point" && !selected.foot) {
       const [x, y] = camera.toPixel([selected.geometry.x, selected.geometry.y]);
       marks.push(svg("circle", { class: "halo", cx: x, cy: y, r: 11 }));

@@ -1,16 +1,16 @@
 // The drawing with its tools, keys and properties.
 
 import type { Change } from "../client/api";
-import { fill, h } from "../shell/elements";
-import type { FormContext } from "../form/context";
-import { removal } from "../model/references";
-import { starter } from "../model/defaults";
-import { listAt, type Path, samePath, valueAt } from "../model/paths";
 import { namesIn, type Store } from "../client/store";
-import { Canvas } from "./canvas";
+import type { FormContext } from "../form/context";
+import { starter } from "../model/defaults";
 import { editsBetween } from "../model/geometry";
-import { withoutCorner } from "./interaction/handles";
 import { EVERYWHERE, type Item } from "../model/items";
+import { listAt, type Path, samePath, valueAt } from "../model/paths";
+import { removal } from "../model/references";
+import { fill, h } from "../shell/elements";
+import { Canvas } from "./canvas";
+import { withoutCorner } from "./interaction/handles";
 import { Nudge, Pointer, whyFixed } from "./interaction/pointer";
 import { properties } from "./properties";
 import { hintLine, toolBar, toolForKey } from "./tool-bar";
@@ -53,14 +53,36 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
     canvas.paint();
   });
   const everywhere = h("div", { class: "everywhere" });
-  const fit = h("button", { type: "button", class: "small", title: "Show everything (0)", onclick: () => canvas.fit() }, "Fit");
+  const fit = h(
+    "button",
+    { type: "button", class: "small", title: "Show everything (0)", onclick: () => canvas.fit() },
+    "Fit",
+  );
   const corner = h("div", { class: "drawing-corner" }, cases.element, fit);
-  const empty = h("p", { class: "drawing-empty" }, "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.");
+  const empty = h(
+    "p",
+    { class: "drawing-empty" },
+    "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.",
+  );
   box.append(corner, empty);
-  const element = h("div", { class: "plan-editor" }, tools.element, h("div", { class: "plan-middle" }, box, everywhere, hint.element), panel.element);
+  const element = h(
+    "div",
+    { class: "plan-editor" },
+    tools.element,
+    h("div", { class: "plan-middle" }, box, everywhere, hint.element),
+    panel.element,
+  );
   hint.say(tools.current().hint);
 
-  const keys = new Keys(canvas, pointer, nudge, store, push, (name) => tools.choose(name), () => tools.current().name);
+  const keys = new Keys(
+    canvas,
+    pointer,
+    nudge,
+    store,
+    push,
+    (name) => tools.choose(name),
+    () => tools.current().name,
+  );
   canvas.element.addEventListener("keydown", (event) => {
     if (keys.down(event)) event.preventDefault();
   });
@@ -85,11 +107,16 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
     showEverywhere(everywhere, store, push);
     if (store.selection) {
       const item = canvas.selected;
-      if (item) hint.say(`${item.title} is selected. ${item.movable ? "Drag it, or move it with the arrow keys; Delete removes it." : whyFixed(item)}`);
+      if (item)
+        hint.say(
+          `${item.title} is selected. ${item.movable ? "Drag it, or move it with the arrow keys; Delete removes it." : whyFixed(item)}`,
+        );
     } else hint.say(tools.current().hint);
   });
   const reveal = (path: Path) => {
-    const item = canvas.items.findLast((each) => each.kind !== "slab" && each.path.every((step, n) => step === path[n]));
+    const item = canvas.items.findLast(
+      (each) => each.kind !== "slab" && each.path.every((step, n) => step === path[n]),
+    );
     if (item) store.select(item.path);
     else if (path[0] === "plate") store.select(null);
     else return false;
@@ -100,12 +127,19 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
 
 /** The choice of the load case that is drawn strongly, and that new loads belong to. */
 function caseChoice(store: Store, chosen: (name: string) => void): { element: HTMLElement; update(): void } {
-  const select = h("select", { "aria-label": "load case shown", title: "Loads of this case are drawn strongly, and new loads belong to it" });
+  const select = h("select", {
+    "aria-label": "load case shown",
+    title: "Loads of this case are drawn strongly, and new loads belong to it",
+  });
   select.addEventListener("change", () => chosen(select.value));
   const update = () => {
     const names = namesIn(listAt(store.data, ["cases"]));
     const before = select.value;
-    fill(select, h("option", { value: "" }, "all load cases"), ...names.map((name) => h("option", { value: name }, name)));
+    fill(
+      select,
+      h("option", { value: "" }, "all load cases"),
+      ...names.map((name) => h("option", { value: name }, name)),
+    );
     select.value = names.includes(before) ? before : "";
     select.hidden = names.length === 0;
     if (select.value !== before) chosen(select.value);
@@ -122,21 +156,56 @@ function showEverywhere(element: HTMLElement, store: Store, push: (change: Chang
     const name = table.name ? String(table.name) : String(table.kind);
     const path: Path = ["loads", n];
     const words = `${name} ${value}${table.case ? ` (${String(table.case)})` : ""}`;
-    return [h("button", { type: "button", class: "chip", "aria-pressed": samePath(path, store.selection) ? "true" : "false", title: "Load on the whole slab", onclick: () => store.select(path) }, words)];
+    return [
+      h(
+        "button",
+        {
+          type: "button",
+          class: "chip",
+          "aria-pressed": samePath(path, store.selection) ? "true" : "false",
+          title: "Load on the whole slab",
+          onclick: () => store.select(path),
+        },
+        words,
+      ),
+    ];
   });
-  const chips = h("span", { class: "chips" }, ...(loads.length > 0 ? loads : [h("span", { class: "quiet" }, "no loads")]));
+  const chips = h(
+    "span",
+    { class: "chips" },
+    ...(loads.length > 0 ? loads : [h("span", { class: "quiet" }, "no loads")]),
+  );
   fill(element, h("span", {}, "Whole slab:"), chips, addLoad(store, push));
 }
 
 /** Buttons that add a load without a place. */
 function addLoad(store: Store, push: (change: Change) => void): HTMLElement {
   const button = (definition: string, words: string) =>
-    h("button", { type: "button", class: "chip add", disabled: store.broken, title: `Add ${words}`, onclick: () => {
-      const first = namesIn(listAt(store.data, ["cases"]))[0];
-      const path: Path = ["loads", listAt(store.data, ["loads"]).length];
-      push({ edits: [{ op: "add", path: ["loads"], value: { ...starter(definition, store.data), ...(first ? { case: first } : {}) } }], text: `add ${words}` });
-      store.select(path);
-    } }, `+ ${words}`);
+    h(
+      "button",
+      {
+        type: "button",
+        class: "chip add",
+        disabled: store.broken,
+        title: `Add ${words}`,
+        onclick: () => {
+          const first = namesIn(listAt(store.data, ["cases"]))[0];
+          const path: Path = ["loads", listAt(store.data, ["loads"]).length];
+          push({
+            edits: [
+              {
+                op: "add",
+                path: ["loads"],
+                value: { ...starter(definition, store.data), ...(first ? { case: first } : {}) },
+              },
+            ],
+            text: `add ${words}`,
+          });
+          store.select(path);
+        },
+      },
+      `+ ${words}`,
+    );
   return h("span", { class: "chip-adds" }, button("UniformLoad", "uniform load"), button("SelfWeight", "own weight"));
 }
 
@@ -215,7 +284,7 @@ class Keys {
       }
     }
     const path = this.store.selection;
-    if (!path || path[0] === "plate" && path.length < 3) return true;
+    if (!path || (path[0] === "plate" && path.length < 3)) return true;
     this.push(removal(this.store.data, path));
     this.store.select(null);
     return true;
@@ -243,5 +312,8 @@ class Keys {
 }
 
 const ARROWS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
 };

@@ -1,13 +1,13 @@
 // The selected thing's properties below the drawing; the slab's where nothing is selected.
 
 import type { Change } from "../client/api";
-import { fill, h } from "../shell/elements";
 import type { FormContext, Widget } from "../form/context";
-import { partWidget } from "../form/section";
 import { shapeEdits } from "../form/plate-shape";
-import { removal } from "../model/references";
-import { type Path, pathKey, valueAt } from "../model/paths";
+import { partWidget } from "../form/section";
 import { titleAt } from "../model/items";
+import { type Path, pathKey, valueAt } from "../model/paths";
+import { removal } from "../model/references";
+import { fill, h } from "../shell/elements";
 import { duplicateOf } from "./tools";
 
 export interface Properties {
@@ -32,11 +32,17 @@ export function properties(ctx: FormContext, actions: PropertyActions): Properti
   const title = h("h3", {});
   const buttons = h("div", { class: "property-acts" });
   const body = h("div", { class: "property-body" });
-  const element = h("section", { class: "properties", "aria-label": "properties" }, h("div", { class: "property-head" }, title, buttons), body);
+  const element = h(
+    "section",
+    { class: "properties", "aria-label": "properties" },
+    h("div", { class: "property-head" }, title, buttons),
+    body,
+  );
   let shown = "";
   let widget: Widget | null = null;
 
-  const act = (words: string, run: () => void, hint: string) => h("button", { type: "button", class: "small", title: hint, onclick: run }, words);
+  const act = (words: string, run: () => void, hint: string) =>
+    h("button", { type: "button", class: "small", title: hint, onclick: run }, words);
   const show = (path: Path | null) => {
     const isSlab = path === null || (path[0] === "plate" && path.length < 3);
     const at: Path = isSlab ? ["plate"] : path;
@@ -60,20 +66,32 @@ export function properties(ctx: FormContext, actions: PropertyActions): Properti
     element.scrollTop = 0;
   };
   const slabActs = () => [
-    act("Change into polygon", () => actions.push({ edits: shapeEdits(ctx, "Polygon"), text: "change the slab into a polygon" }), "Draw the outline by its corners, so that they can be moved one by one"),
+    act(
+      "Change into polygon",
+      () => actions.push({ edits: shapeEdits(ctx, "Polygon"), text: "change the slab into a polygon" }),
+      "Draw the outline by its corners, so that they can be moved one by one",
+    ),
   ];
   const thingActs = (path: Path) => [
-    act("Duplicate", () => {
-      const step = actions.step();
-      const made = duplicateOf(ctx.data(), path, titleAt(ctx.data(), path), hasPlace(path) ? [step, step] : [0, 0]);
-      if (!made) return;
-      actions.push(made.change);
-      actions.select(made.path);
-    }, "Make a copy beside it (Ctrl+D)"),
-    act("Remove", () => {
-      actions.push(removal(ctx.data(), path));
-      actions.select(null);
-    }, "Remove it (Delete)"),
+    act(
+      "Duplicate",
+      () => {
+        const step = actions.step();
+        const made = duplicateOf(ctx.data(), path, titleAt(ctx.data(), path), hasPlace(path) ? [step, step] : [0, 0]);
+        if (!made) return;
+        actions.push(made.change);
+        actions.select(made.path);
+      },
+      "Make a copy beside it (Ctrl+D)",
+    ),
+    act(
+      "Remove",
+      () => {
+        actions.push(removal(ctx.data(), path));
+        actions.select(null);
+      },
+      "Remove it (Delete)",
+    ),
   ];
   const hasPlace = (path: Path) => typeof valueAt(ctx.data(), [...path, "column"]) !== "string";
   const update = () => {
@@ -82,7 +100,10 @@ export function properties(ctx: FormContext, actions: PropertyActions): Properti
     const isSlab = at.length === 1;
     title.textContent = isSlab ? "Slab" : titleAt(ctx.data(), at);
     const sides = valueAt(ctx.data(), ["plate", "outline"]) === undefined;
-    if (isSlab) for (const button of buttons.children) if (button instanceof HTMLElement) button.hidden = !sides && valueAt(ctx.data(), ["plate", "outline", "kind"]) === "polygon";
+    if (isSlab)
+      for (const button of buttons.children)
+        if (button instanceof HTMLElement)
+          button.hidden = !sides && valueAt(ctx.data(), ["plate", "outline", "kind"]) === "polygon";
     widget.update();
   };
   return { element, show, update, reveal: (path) => widget?.reveal(path) ?? false };

@@ -1,11 +1,11 @@
 // The drawing of the model: what each thing looks like in plan.
 
-import { svg } from "../shell/elements";
+import { isClosed, nearest, type Point, type Ring, readGeometry, ringOf } from "../model/geometry";
+import type { Item } from "../model/items";
 import { listAt, type Path, pathKey, pathWords, type Table } from "../model/paths";
 import { metres, plain } from "../model/quantities";
+import { svg } from "../shell/elements";
 import type { Camera } from "./camera";
-import { isClosed, nearest, type Point, readGeometry, type Ring, ringOf } from "../model/geometry";
-import type { Item } from "../model/items";
 
 const GLYPH = 26; // px: length of a load's arrow
 
@@ -43,7 +43,11 @@ function classesOf(item: Item, look: Look): string {
   const marks = [
     look.selected && pathWords(look.selected) === words ? "selected" : "",
     look.hovered && pathWords(look.hovered) === words ? "hovered" : "",
-    look.faulty.some((path) => pathWords(path).startsWith(words) && path.length >= item.path.length && item.kind !== "slab") ? "faulty" : "",
+    look.faulty.some(
+      (path) => pathWords(path).startsWith(words) && path.length >= item.path.length && item.kind !== "slab",
+    )
+      ? "faulty"
+      : "",
     item.kind === "load" && look.loadCase && item.table.case !== look.loadCase ? "faint" : "",
   ];
   return ["thing", item.kind.replaceAll(" ", "-"), ...marks.filter(Boolean)].join(" ");
@@ -57,14 +61,21 @@ function shapesOf(camera: Camera, item: Item, loadsAt: ReadonlyMap<string, Item[
     case "opening":
       return [area(ring), ...cross(ring)];
     case "zone":
-      return [area(ring), ...(item.table.thickness === undefined ? [] : [label(topMiddle(ring), `t = ${String(item.table.thickness)}`, [0, 13], "label middle")])];
+      return [
+        area(ring),
+        ...(item.table.thickness === undefined
+          ? []
+          : [label(topMiddle(ring), `t = ${String(item.table.thickness)}`, [0, 13], "label middle")]),
+      ];
     case "soil zone":
     case "void":
       return [area(ring), label(leftTop(ring), item.title, [5, 13])];
     case "column":
       return column(camera, item, ring);
     case "support":
-      return item.geometry.type === "point" ? pointSupport(ring[0] ?? [0, 0], item.table) : [path(ring, false), ...comb(ring), label(middle(ring), nameOf(item), [6, 14])];
+      return item.geometry.type === "point"
+        ? pointSupport(ring[0] ?? [0, 0], item.table)
+        : [path(ring, false), ...comb(ring), label(middle(ring), nameOf(item), [6, 14])];
     case "load":
       return load(camera, item, ring, loadsAt, look);
     case "borehole":
@@ -125,24 +136,57 @@ function cross(ring: readonly Pixel[]): SVGElement[] {
 function column(camera: Camera, item: Item, ring: readonly Pixel[]): SVGElement[] {
   const at = ring[0] ?? [0, 0];
   const foot = item.foot?.map((point) => camera.toPixel(point)) ?? [];
-  const size = foot.length > 0 ? Math.max(...foot.map(([x, y]) => Math.max(Math.abs(x - at[0]), Math.abs(y - at[1])))) : 0;
+  const size =
+    foot.length > 0 ? Math.max(...foot.map(([x, y]) => Math.max(Math.abs(x - at[0]), Math.abs(y - at[1])))) : 0;
   const body = size < 3.5 ? svg("rect", { x: at[0] - 3.5, y: at[1] - 3.5, width: 7, height: 7 }) : area(foot);
   return [body, label(at, nameOf(item), [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
 }
 
 function pointSupport([x, y]: Pixel, table: Table): SVGElement[] {
-  const triangle = area([[x, y], [x - 7, y + 12], [x + 7, y + 12]]);
+  const triangle = area([
+    [x, y],
+    [x - 7, y + 12],
+    [x + 7, y + 12],
+  ]);
   const elastic = table.stiffness !== undefined;
   const ground = elastic
-    ? path([[x - 7, y + 15], [x - 3.5, y + 19], [x, y + 15], [x + 3.5, y + 19], [x + 7, y + 15]], false, "fine")
-    : path([[x - 9, y + 15], [x + 9, y + 15]], false, "fine");
+    ? path(
+        [
+          [x - 7, y + 15],
+          [x - 3.5, y + 19],
+          [x, y + 15],
+          [x + 3.5, y + 19],
+          [x + 7, y + 15],
+        ],
+        false,
+        "fine",
+      )
+    : path(
+        [
+          [x - 9, y + 15],
+          [x + 9, y + 15],
+        ],
+        false,
+        "fine",
+      );
   return [triangle, ground, label([x, y], typeof table.name === "string" ? table.name : "", [11, 16])];
 }
 
 /** Short strokes along a line support. */
 function comb(ring: readonly Pixel[]): SVGElement[] {
   const strokes: SVGElement[] = [];
-  along(ring, 9, ([x, y], [dx, dy]) => strokes.push(path([[x, y], [x - dy * 5 - dx * 5, y + dx * 5 - dy * 5]], false, "fine")));
+  along(ring, 9, ([x, y], [dx, dy]) =>
+    strokes.push(
+      path(
+        [
+          [x, y],
+          [x - dy * 5 - dx * 5, y + dx * 5 - dy * 5],
+        ],
+        false,
+        "fine",
+      ),
+    ),
+  );
   return strokes;
 }
 
@@ -160,7 +204,13 @@ function along(ring: readonly Pixel[], spacing: number, visit: (at: Pixel, direc
   });
 }
 
-function load(camera: Camera, item: Item, ring: readonly Pixel[], loadsAt: ReadonlyMap<string, Item[]>, look: Look): SVGElement[] {
+function load(
+  camera: Camera,
+  item: Item,
+  ring: readonly Pixel[],
+  loadsAt: ReadonlyMap<string, Item[]>,
+  look: Look,
+): SVGElement[] {
   const here = loadsAt.get(placeKey(item)) ?? [item];
   const strong = here.filter((each) => !look.loadCase || each.table.case === look.loadCase);
   const marked = here.find((each) => isOne(look.selected, each) || isOne(look.hovered, each));
@@ -174,18 +224,56 @@ function load(camera: Camera, item: Item, ring: readonly Pixel[], loadsAt: Reado
   const labels = (at: Pixel, dx: number, dy: number, up: boolean) =>
     words.map((each, n) => label(at, each, [dx, dy + 12 * (up ? n - words.length + 1 : n)]));
   const wall = item.table.kind === "line";
-  if (isClosed(item.geometry) && !wall) return [area(ring), ...holes(camera, item), ...labels(leftTop(ring), 5, 13, false)];
+  if (isClosed(item.geometry) && !wall)
+    return [area(ring), ...holes(camera, item), ...labels(leftTop(ring), 5, 13, false)];
   if (isClosed(item.geometry)) ring = [...ring, ...ring.slice(0, 1)];
   const arrows: SVGElement[] = [];
-  along(ring, 16, ([x, y]) => arrows.push(path([[x, y], [x, y - 11]], false, "fine"), path([[x - 2.5, y - 4.5], [x, y], [x + 2.5, y - 4.5]], false, "fine")));
-  return [path(ring, false, "wall"), path(ring.map(([x, y]): Pixel => [x, y - 11]), false, "fine"), ...arrows, ...labels(ring[0] ?? [0, 0], 4, -15, true)];
+  along(ring, 16, ([x, y]) =>
+    arrows.push(
+      path(
+        [
+          [x, y],
+          [x, y - 11],
+        ],
+        false,
+        "fine",
+      ),
+      path(
+        [
+          [x - 2.5, y - 4.5],
+          [x, y],
+          [x + 2.5, y - 4.5],
+        ],
+        false,
+        "fine",
+      ),
+    ),
+  );
+  return [
+    path(ring, false, "wall"),
+    path(
+      ring.map(([x, y]): Pixel => [x, y - 11]),
+      false,
+      "fine",
+    ),
+    ...arrows,
+    ...labels(ring[0] ?? [0, 0], 4, -15, true),
+  ];
 }
 
 /** The edges of the parts of an area that are not loaded. */
 function holes(camera: Camera, item: Item): SVGElement[] {
   return listAt(item.table, ["holes"]).flatMap((_, n) => {
     const hole = readGeometry(item.table, ["holes", n]);
-    return hole ? [path(ringOf(hole).map((point) => camera.toPixel(point)), true, "hole")] : [];
+    return hole
+      ? [
+          path(
+            ringOf(hole).map((point) => camera.toPixel(point)),
+            true,
+            "hole",
+          ),
+        ]
+      : [];
   });
 }
 
@@ -193,9 +281,15 @@ function holes(camera: Camera, item: Item): SVGElement[] {
 function pointLoad(item: Item, [x, y]: Pixel, words: readonly string[]): SVGElement[] {
   const near: Pixel = [x - 3, y - 3];
   const far: Pixel = [x - 3 - GLYPH * 0.62, y - 3 - GLYPH];
-  const upwards = String(item.table.P ?? "").trim().startsWith("-");
+  const upwards = String(item.table.P ?? "")
+    .trim()
+    .startsWith("-");
   const [head, tail] = upwards ? [far, near] : [near, far];
-  return [path([tail, head], false), arrowHead(tail, head), ...words.map((each, n) => label(far, each, [0, -4 - 12 * (words.length - 1 - n)], "label middle"))];
+  return [
+    path([tail, head], false),
+    arrowHead(tail, head),
+    ...words.map((each, n) => label(far, each, [0, -4 - 12 * (words.length - 1 - n)], "label middle")),
+  ];
 }
 
 function isOne(chosen: Path | null, item: Item): boolean {
@@ -204,8 +298,11 @@ function isOne(chosen: Path | null, item: Item): boolean {
 
 /** A load's name and size. */
 function loadWords(item: Item): string {
-  if (item.table.kind !== "point") return [nameOf(item), String(item.table.q ?? "")].filter(Boolean).join("  ").replace("-", "−");
-  const moments = ["M_x", "M_y"].filter((key) => item.table[key] !== undefined).map((key) => `, ${key.replace("_", "")} ${String(item.table[key])}`);
+  if (item.table.kind !== "point")
+    return [nameOf(item), String(item.table.q ?? "")].filter(Boolean).join("  ").replace("-", "−");
+  const moments = ["M_x", "M_y"]
+    .filter((key) => item.table[key] !== undefined)
+    .map((key) => `, ${key.replace("_", "")} ${String(item.table[key])}`);
   return `${String(item.table.P ?? "")}${moments.join("")}`.replace("-", "−");
 }
 
@@ -219,7 +316,10 @@ function arrowHead(from: Pixel, to: Pixel): SVGElement {
 function borehole([x, y]: Pixel, name: string): SVGElement[] {
   return [
     svg("circle", { cx: x, cy: y, r: 7 }),
-    svg("path", { d: `M${x} ${y}L${x} ${y - 7}A7 7 0 0 1 ${x + 7} ${y}ZM${x} ${y}L${x} ${y + 7}A7 7 0 0 1 ${x - 7} ${y}Z`, class: "filled" }),
+    svg("path", {
+      d: `M${x} ${y}L${x} ${y - 7}A7 7 0 0 1 ${x + 7} ${y}ZM${x} ${y}L${x} ${y + 7}A7 7 0 0 1 ${x - 7} ${y}Z`,
+      class: "filled",
+    }),
     label([x, y], name, [10, -4]),
   ];
 }
@@ -231,7 +331,12 @@ function strip(camera: Camera, item: Item, ring: readonly Pixel[]): SVGElement[]
   const half = ((metres(item.table.width) ?? 0) / 2) * camera.scale;
   if (length === 0) return [];
   const [nx, ny] = [(-(b[1] - a[1]) / length) * half, ((b[0] - a[0]) / length) * half];
-  const outline: Pixel[] = [[a[0] + nx, a[1] + ny], [b[0] + nx, b[1] + ny], [b[0] - nx, b[1] - ny], [a[0] - nx, a[1] - ny]];
+  const outline: Pixel[] = [
+    [a[0] + nx, a[1] + ny],
+    [b[0] + nx, b[1] + ny],
+    [b[0] - nx, b[1] - ny],
+    [a[0] - nx, a[1] - ny],
+  ];
   return [area(outline), path(ring, false), label(a, nameOf(item), [6, -6])];
 }
 
@@ -241,11 +346,34 @@ function ends(ring: readonly Pixel[]): SVGElement[] {
   if (!a || !b) return [];
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
   const [nx, ny] = [(-(b[1] - a[1]) / length) * 6, ((b[0] - a[0]) / length) * 6];
-  return [a, b].map(([x, y]) => path([[x - nx, y - ny], [x + nx, y + ny]], false));
+  return [a, b].map(([x, y]) =>
+    path(
+      [
+        [x - nx, y - ny],
+        [x + nx, y + ny],
+      ],
+      false,
+    ),
+  );
 }
 
 function plus([x, y]: Pixel): SVGElement[] {
-  return [path([[x - 5, y], [x + 5, y]], false), path([[x, y - 5], [x, y + 5]], false)];
+  return [
+    path(
+      [
+        [x - 5, y],
+        [x + 5, y],
+      ],
+      false,
+    ),
+    path(
+      [
+        [x, y - 5],
+        [x, y + 5],
+      ],
+      false,
+    ),
+  ];
 }
 
 /** Lengths of a shape's edges, or of a line, written beside them. */
@@ -264,7 +392,14 @@ export function paintDimensions(camera: Camera, ring: Ring, closed: boolean): SV
     const steep = Math.abs(q[1] - p[1]) > Math.abs(q[0] - p[0]);
     const middle: Pixel = [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
     const right = middle[0] > centre;
-    marks.push(label(middle, `${plain(length, 3)} m`, steep ? [right ? -8 : 8, -8] : [0, -8], `label dimension ${!steep ? "middle" : right ? "end" : ""}`));
+    marks.push(
+      label(
+        middle,
+        `${plain(length, 3)} m`,
+        steep ? [right ? -8 : 8, -8] : [0, -8],
+        `label dimension ${!steep ? "middle" : right ? "end" : ""}`,
+      ),
+    );
   }
   return marks;
 }
@@ -272,10 +407,15 @@ export function paintDimensions(camera: Camera, ring: Ring, closed: boolean): SV
 /** Whether a ring is a rectangle along x and y. */
 function isBox(ring: Ring): boolean {
   const [a, b, c, d] = ring;
-  return ring.length === 4 && !!a && !!b && !!c && !!d && a[1] === b[1] && b[0] === c[0] && c[1] === d[1] && d[0] === a[0];
+  return (
+    ring.length === 4 && !!a && !!b && !!c && !!d && a[1] === b[1] && b[0] === c[0] && c[1] === d[1] && d[0] === a[0]
+  );
 }
 
 /** The place of a ring nearest to a place, for pulling a thing by its corner. */
 export function nearestCorner(ring: Ring, at: Point): Point {
-  return ring.reduce<Point>((best, each) => (nearest(each, each, at).distance < nearest(best, best, at).distance ? each : best), ring[0] ?? at);
+  return ring.reduce<Point>(
+    (best, each) => (nearest(each, each, at).distance < nearest(best, best, at).distance ? each : best),
+    ring[0] ?? at,
+  );
 }

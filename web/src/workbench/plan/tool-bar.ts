@@ -32,15 +32,31 @@ export function toolBar(changed: (tool: Tool) => void): ToolBar {
     changed(current);
   };
   const make = (tool: Tool) => {
-    const button = h("button", { type: "button", class: "tool", title: `${tool.label} (${tool.key}). ${tool.hint}`, "aria-pressed": tool.name === "select", "aria-keyshortcuts": tool.key, "data-tool": tool.name, onclick: () => choose(tool.name) },
-      toolIcon(tool.name), h("span", {}, tool.label), h("kbd", {}, tool.key));
+    const button = h(
+      "button",
+      {
+        type: "button",
+        class: "tool",
+        title: `${tool.label} (${tool.key}). ${tool.hint}`,
+        "aria-pressed": tool.name === "select",
+        "aria-keyshortcuts": tool.key,
+        "data-tool": tool.name,
+        onclick: () => choose(tool.name),
+      },
+      toolIcon(tool.name),
+      h("span", {}, tool.label),
+      h("kbd", {}, tool.key),
+    );
     button.setAttribute("aria-pressed", String(tool.name === current.name));
     button.tabIndex = tool.name === current.name ? 0 : -1;
     buttons.set(tool.name, button);
     return button;
   };
-  const element = h("div", { class: "tools", role: "toolbar", "aria-label": "drawing tools", "aria-orientation": "vertical" },
-    ...GROUPS.map((names) => h("div", { class: "tool-group" }, ...names.map((name) => make(toolOf(name))))));
+  const element = h(
+    "div",
+    { class: "tools", role: "toolbar", "aria-label": "drawing tools", "aria-orientation": "vertical" },
+    ...GROUPS.map((names) => h("div", { class: "tool-group" }, ...names.map((name) => make(toolOf(name))))),
+  );
   element.addEventListener("keydown", (event) => {
     const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
     if (by === 0) return;

@@ -1,16 +1,28 @@
 // The tools of the drawing: what each one draws and what its drawing becomes in the case file.
 
 import type { Change, Edit } from "../client/api";
-import { starter } from "../model/defaults";
-import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../model/paths";
-import { metres, written } from "../model/quantities";
 import { namesIn } from "../client/store";
+import { starter } from "../model/defaults";
 import { inside, type Point, type Ring } from "../model/geometry";
 import { footOf } from "../model/items";
+import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../model/paths";
+import { metres, written } from "../model/quantities";
 
 export type ToolName =
-  | "select" | "slab" | "opening" | "zone" | "column" | "point load" | "line load" | "area load"
-  | "support" | "wall" | "borehole" | "soil zone" | "void" | "section line";
+  | "select"
+  | "slab"
+  | "opening"
+  | "zone"
+  | "column"
+  | "point load"
+  | "line load"
+  | "area load"
+  | "support"
+  | "wall"
+  | "borehole"
+  | "soil zone"
+  | "void"
+  | "section line";
 
 /** What a tool takes from the pointer: one place, a line through places, two ends, or a closed shape. */
 export type Draws = "nothing" | "point" | "line" | "segment" | "shape";
@@ -27,20 +39,50 @@ const SHAPE = "Drag a rectangle, or click corner after corner and close with Ent
 const LINE = "Drag a straight line, or click place after place and end with Enter.";
 
 export const TOOLS: readonly Tool[] = [
-  { name: "select", label: "Select", key: "V", draws: "nothing", hint: "Click to select, drag to move; drag the empty plan to shift it, turn the wheel to zoom." },
+  {
+    name: "select",
+    label: "Select",
+    key: "V",
+    draws: "nothing",
+    hint: "Click to select, drag to move; drag the empty plan to shift it, turn the wheel to zoom.",
+  },
   { name: "slab", label: "Slab", key: "B", draws: "shape", hint: `Draw the slab's outline anew. ${SHAPE}` },
   { name: "opening", label: "Opening", key: "O", draws: "shape", hint: `Cut an opening. ${SHAPE}` },
   { name: "zone", label: "Thickness", key: "T", draws: "shape", hint: `Draw a zone of another thickness. ${SHAPE}` },
   { name: "column", label: "Column", key: "C", draws: "point", hint: "Click where columns stand. Escape ends." },
-  { name: "point load", label: "Point load", key: "P", draws: "point", hint: "Click a place or a column. Escape ends." },
+  {
+    name: "point load",
+    label: "Point load",
+    key: "P",
+    draws: "point",
+    hint: "Click a place or a column. Escape ends.",
+  },
   { name: "line load", label: "Line load", key: "L", draws: "line", hint: LINE },
   { name: "area load", label: "Area load", key: "A", draws: "shape", hint: SHAPE },
-  { name: "support", label: "Support", key: "S", draws: "point", hint: "Click where the slab is supported at a point. Escape ends." },
+  {
+    name: "support",
+    label: "Support",
+    key: "S",
+    draws: "point",
+    hint: "Click where the slab is supported at a point. Escape ends.",
+  },
   { name: "wall", label: "Line support", key: "W", draws: "line", hint: LINE },
   { name: "borehole", label: "Borehole", key: "H", draws: "point", hint: "Click where layers are known. Escape ends." },
-  { name: "soil zone", label: "Soil zone", key: "G", draws: "shape", hint: `Draw a part of the plan with other ground. ${SHAPE}` },
+  {
+    name: "soil zone",
+    label: "Soil zone",
+    key: "G",
+    draws: "shape",
+    hint: `Draw a part of the plan with other ground. ${SHAPE}`,
+  },
   { name: "void", label: "Void", key: "U", draws: "shape", hint: `Draw where the ground lies deeper. ${SHAPE}` },
-  { name: "section line", label: "Section", key: "X", draws: "segment", hint: "Drag the line along which values are listed." },
+  {
+    name: "section line",
+    label: "Section",
+    key: "X",
+    draws: "segment",
+    hint: "Drag the line along which values are listed.",
+  },
 ];
 
 export type Shape = { kind: "rectangle"; from: Point; to: Point } | { kind: "polygon"; points: Ring };
@@ -55,7 +97,9 @@ const text = (point: Point): Json[] => [written(point[0]), written(point[1])];
 /** A drawn shape as a table of the case file. */
 function shapeTable(shape: Shape): Table {
   if (shape.kind === "polygon") return { kind: "polygon", points: shape.points.map(text) };
-  const [x, y] = [0, 1].map((n) => [shape.from[n] ?? 0, shape.to[n] ?? 0].sort((a, b) => a - b).map((each) => written(each)));
+  const [x, y] = [0, 1].map((n) =>
+    [shape.from[n] ?? 0, shape.to[n] ?? 0].sort((a, b) => a - b).map((each) => written(each)),
+  );
   return { kind: "rectangle", x: x ?? [], y: y ?? [] };
 }
 
@@ -66,7 +110,10 @@ export interface Made {
 }
 
 function adding(data: Table, list: Path, value: Table, what: string): Made {
-  return { change: { edits: [{ op: "add", path: list, value }], text: `add ${what}` }, path: [...list, listAt(data, list).length] };
+  return {
+    change: { edits: [{ op: "add", path: list, value }], text: `add ${what}` },
+    path: [...list, listAt(data, list).length],
+  };
 }
 
 /** The edit that a drawn shape makes. */
@@ -80,7 +127,15 @@ export function madeOfShape(tool: ToolName, data: Table, shape: Shape, loadCase:
     case "soil zone":
       return adding(data, ["soil_zones"], { shape: drawn, ground: starterGround(data) }, "soil zone");
     case "void":
-      return adding(data, ["contact", "voids"], { ...starter("Void", data), ...(drawn.kind === "rectangle" ? { x: drawn.x as Json, y: drawn.y as Json } : { shape: drawn }) }, "void");
+      return adding(
+        data,
+        ["contact", "voids"],
+        {
+          ...starter("Void", data),
+          ...(drawn.kind === "rectangle" ? { x: drawn.x as Json, y: drawn.y as Json } : { shape: drawn }),
+        },
+        "void",
+      );
     case "area load": {
       const patch = drawn.kind === "rectangle";
       const value = patch
@@ -96,7 +151,9 @@ export function madeOfShape(tool: ToolName, data: Table, shape: Shape, loadCase:
 /** The edits that give the slab another outline, and what a slab needs beside it if nothing is there. */
 export function outlineEdits(data: Table, outline: Table): Edit[] {
   const plate = tableAt(data, ["plate"]);
-  const edits: Edit[] = ["length_x", "length_y"].filter((key) => key in plate).map((key) => ({ op: "remove", path: ["plate", key] }));
+  const edits: Edit[] = ["length_x", "length_y"]
+    .filter((key) => key in plate)
+    .map((key) => ({ op: "remove", path: ["plate", key] }));
   for (const [key, value] of Object.entries(starter("Plate", data))) {
     if (!(key in plate) && !key.startsWith("length")) edits.push({ op: "set", path: ["plate", key], value });
   }
@@ -119,7 +176,8 @@ export function madeOfLine(tool: ToolName, data: Table, points: Ring, loadCase: 
 /** The edit that a click makes. */
 export function madeAtPoint(tool: ToolName, data: Table, at: Point, loadCase: string): Made {
   const value = { x: written(at[0]), y: written(at[1]) };
-  if (tool === "support") return adding(data, ["supports"], { ...starter("PointSupport", data), ...value }, "point support");
+  if (tool === "support")
+    return adding(data, ["supports"], { ...starter("PointSupport", data), ...value }, "point support");
   if (tool === "borehole") {
     const name = freeName(namesIn(listAt(data, ["boreholes"])), "B1");
     const layers = listAt(data, ["boreholes", 0, "layers"]);
@@ -130,9 +188,10 @@ export function madeAtPoint(tool: ToolName, data: Table, at: Point, loadCase: st
   if (tool === "column") {
     const like = listAt(data, ["columns"]).findLast(isTable);
     const name = freeName(namesIn(listAt(data, ["columns"])), "C1");
-    const size = like && (like.diameter ?? like.width_x) !== undefined
-      ? Object.fromEntries(Object.entries(like).filter(([key]) => ["diameter", "width_x", "width_y"].includes(key)))
-      : { width_x: "400 mm", width_y: "400 mm" };
+    const size =
+      like && (like.diameter ?? like.width_x) !== undefined
+        ? Object.fromEntries(Object.entries(like).filter(([key]) => ["diameter", "width_x", "width_y"].includes(key)))
+        : { width_x: "400 mm", width_y: "400 mm" };
     return adding(data, ["columns"], { name, ...value, ...size }, `column ${name}`);
   }
   const column = columnAt(data, at);

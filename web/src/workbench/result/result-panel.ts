@@ -1,21 +1,38 @@
 // The right half of the page: the result as a picture, as figures, as values at places and along lines.
 
-import { type Choice, decode, fieldOf, isEnvelope, onTheme, number, type Point, SceneError, SectionChart, symbolText, ValuePanel } from "../../viewer";
+import {
+  type Choice,
+  decode,
+  fieldOf,
+  isEnvelope,
+  number,
+  onTheme,
+  type Point,
+  SceneError,
+  SectionChart,
+  symbolText,
+  ValuePanel,
+} from "../../viewer";
 import { type Api, Refused, Stranger, type Summary, Unreachable } from "../client/api";
+import type { Store } from "../client/store";
 import { fill, h } from "../shell/elements";
 import { splitter } from "../shell/splitter";
-import type { Store } from "../client/store";
 import { tabs } from "../shell/tabs";
-import { Stage } from "./view-switcher";
 import { emptyResult, freshness, statusLine } from "./status";
 import { showCertificates, showSummary, verdictOf } from "./summary";
+import { Stage } from "./view-switcher";
 
 export interface ResultPanel {
   readonly element: HTMLElement;
 }
 
 /** The panel of results, kept the same as the store's `solved`. */
-export function resultPanel(store: Store, api: Pick<Api, "scene" | "summary">, solve: () => void, lost: (error: Unreachable | Stranger) => void): ResultPanel {
+export function resultPanel(
+  store: Store,
+  api: Pick<Api, "scene" | "summary">,
+  solve: () => void,
+  lost: (error: Unreachable | Stranger) => void,
+): ResultPanel {
   const element = h("section", { class: "result", "aria-label": "result" });
   return new Panel(element, store, api, solve, lost);
 }
@@ -39,7 +56,13 @@ class Panel implements ResultPanel {
   private fetching = 0;
   private shownRun: number | null = null;
 
-  constructor(readonly element: HTMLElement, private readonly store: Store, private readonly api: Pick<Api, "scene" | "summary">, solve: () => void, private readonly lost: (error: Unreachable | Stranger) => void) {
+  constructor(
+    readonly element: HTMLElement,
+    private readonly store: Store,
+    private readonly api: Pick<Api, "scene" | "summary">,
+    solve: () => void,
+    private readonly lost: (error: Unreachable | Stranger) => void,
+  ) {
     this.stage = new Stage({
       picked: (at) => this.picked(at),
       cut: (start, end) => this.cut({ start, end, name: "" }),
@@ -47,22 +70,43 @@ class Panel implements ResultPanel {
     });
     const valueBox = h("div", { class: "lower-panel value-box" });
     const chartPlace = h("div", { class: "chart-place" });
-    const sectionBox = h("div", { class: "lower-panel section-box" }, h("div", { class: "chart-bar" }, this.chartTitle, this.lines, this.chartOf), chartPlace);
+    const sectionBox = h(
+      "div",
+      { class: "lower-panel section-box" },
+      h("div", { class: "chart-bar" }, this.chartTitle, this.lines, this.chartOf),
+      chartPlace,
+    );
     this.values = new ValuePanel(valueBox);
     this.values.onField = (field) => this.stage.show(this.stage.choice, field);
     this.chart = new SectionChart(chartPlace);
     this.chart.onPlace = (at) => this.stage.plan.markPlace(at);
     onTheme((theme) => this.chart.setTheme(theme));
-    this.lower = tabs([
-      { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
-      { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
-      { name: "values", label: "Values", panel: valueBox },
-      { name: "section", label: "Section", panel: sectionBox },
-    ], "about the result");
-    const panels = h("div", { class: "lower" }, this.lower.bar, this.summaryBox, this.certificateBox, valueBox, sectionBox);
+    this.lower = tabs(
+      [
+        { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
+        { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
+        { name: "values", label: "Values", panel: valueBox },
+        { name: "section", label: "Section", panel: sectionBox },
+      ],
+      "about the result",
+    );
+    const panels = h(
+      "div",
+      { class: "lower" },
+      this.lower.bar,
+      this.summaryBox,
+      this.certificateBox,
+      valueBox,
+      sectionBox,
+    );
     this.empty = emptyResult(store, solve);
     this.full = h("div", { class: "result-full", hidden: true });
-    this.full.append(this.stage.bar, h("div", { class: "stage-place" }, this.stage.element, this.refusedBox), splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"), panels);
+    this.full.append(
+      this.stage.bar,
+      h("div", { class: "stage-place" }, this.stage.element, this.refusedBox),
+      splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"),
+      panels,
+    );
     element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     this.chartOf.addEventListener("change", () => this.drawChart());
     this.lines.addEventListener("change", () => this.chooseLine());
@@ -92,7 +136,8 @@ class Panel implements ResultPanel {
     } catch (error) {
       if (turn !== this.fetching) return;
       if (error instanceof Unreachable || error instanceof Stranger) this.lost(error);
-      else if (error instanceof Refused || error instanceof SceneError) this.store.say({ kind: "bad", text: `The result cannot be shown: ${error.message}` });
+      else if (error instanceof Refused || error instanceof SceneError)
+        this.store.say({ kind: "bad", text: `The result cannot be shown: ${error.message}` });
       else throw error;
     }
   }
@@ -147,7 +192,11 @@ class Panel implements ResultPanel {
   private fillLines(): void {
     const named = this.stage.scene?.head.plan.lines ?? [];
     const before = this.lines.value;
-    fill(this.lines, h("option", { value: "" }, "section line …"), ...named.map((line, n) => h("option", { value: String(n) }, line.name || `line ${n + 1}`)));
+    fill(
+      this.lines,
+      h("option", { value: "" }, "section line …"),
+      ...named.map((line, n) => h("option", { value: String(n) }, line.name || `line ${n + 1}`)),
+    );
     this.lines.hidden = named.length === 0;
     if (named[Number(before)]) this.lines.value = before;
   }
@@ -161,10 +210,14 @@ class Panel implements ResultPanel {
     const solved = this.stage.scene?.head.combinations.filter((each) => each.values !== null) ?? [];
     const states = [...new Set(solved.map((each) => each.limit_state))];
     const before = this.chartOf.value;
-    fill(this.chartOf,
+    fill(
+      this.chartOf,
       h("option", { value: "this" }, "combination shown"),
       solved.length > 1 ? h("option", { value: "all" }, "all combinations") : null,
-      ...(states.length > 1 ? states.map((state) => h("option", { value: `state:${state}` }, `all ${state} combinations`)) : []));
+      ...(states.length > 1
+        ? states.map((state) => h("option", { value: `state:${state}` }, `all ${state} combinations`))
+        : []),
+    );
     this.chartOf.hidden = solved.length < 2;
     if ([...this.chartOf.options].some((option) => option.value === before)) this.chartOf.value = before;
   }
@@ -177,7 +230,9 @@ class Panel implements ResultPanel {
       return this.chart.show(null);
     }
     const wanted = this.chartOf.value;
-    const several = scene.head.combinations.flatMap((each, n): Choice[] => (each.values !== null && (wanted === "all" || wanted === `state:${each.limit_state}`) ? [n] : []));
+    const several = scene.head.combinations.flatMap((each, n): Choice[] =>
+      each.values !== null && (wanted === "all" || wanted === `state:${each.limit_state}`) ? [n] : [],
+    );
     const shown = isEnvelope(choice) || scene.head.combinations[choice]?.values ? [choice] : [];
     const info = fieldOf(scene, field);
     const place = ([x, y]: Point) => `(${number(x)}, ${number(y)})`;

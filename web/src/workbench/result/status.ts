@@ -1,7 +1,7 @@
 // The line above the result: what it is of, whether it is up to date, what the solver is doing.
 
-import { fill, h, setText } from "../shell/elements";
 import type { Run, Solved, Store } from "../client/store";
+import { fill, h, setText } from "../shell/elements";
 
 /** How the shown result stands to the model. */
 export type Freshness = "none" | "fresh" | "stale";
@@ -13,7 +13,13 @@ export function freshness(solved: Solved | null, version: number | undefined, wa
 }
 
 /** What the line says. */
-export function statusWords(fresh: Freshness, run: Run, solved: Solved | null, autosolve: boolean, faults: number): string {
+export function statusWords(
+  fresh: Freshness,
+  run: Run,
+  solved: Solved | null,
+  autosolve: boolean,
+  faults: number,
+): string {
   const old = fresh === "stale" ? "These results are of an earlier state of the model. " : "";
   switch (run.kind) {
     case "solving":
@@ -45,7 +51,8 @@ export function statusLine(store: Store): HTMLElement {
     setText(words, statusWords(fresh, run, solved, store.autosolve, doc?.faults.length ?? 0));
     words.title = words.textContent ?? "";
     const failing = fresh === "fresh" && Boolean(solved?.design);
-    element.dataset.state = run.kind === "solving" ? "solving" : run.kind === "refused" ? "refused" : failing ? "failing" : fresh;
+    element.dataset.state =
+      run.kind === "solving" ? "solving" : run.kind === "refused" ? "refused" : failing ? "failing" : fresh;
     bar.hidden = run.kind !== "solving";
     if (run.kind === "solving" && run.share !== null) bar.value = run.share;
     else bar.removeAttribute("value");
@@ -62,9 +69,38 @@ export function emptyResult(store: Store, solve: () => void): { element: HTMLEle
     const { run, doc } = store;
     const faults = doc?.faults.length ?? 0;
     if (run.kind === "solving") fill(element, h("h3", {}, "Solving …"), h("p", {}, "The first result appears here."));
-    else if (run.kind === "refused") fill(element, h("h3", {}, "Not solved"), h("p", {}, run.message), ...run.faults.map((fault) => h("p", { class: "quiet" }, `${fault.where}: got ${fault.got}, expected ${fault.expected}${fault.mend ? ` — ${fault.mend}` : ""}`)));
-    else if (faults > 0) fill(element, h("h3", {}, "No result yet"), h("p", {}, faults === 1 ? "Mend the fault first; it stands below the model." : `Mend the ${faults} faults first; they stand below the model.`));
-    else fill(element, h("h3", {}, "No result yet"), h("p", {}, "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve."), h("button", { type: "button", class: "main", onclick: solve }, "Solve"));
+    else if (run.kind === "refused")
+      fill(
+        element,
+        h("h3", {}, "Not solved"),
+        h("p", {}, run.message),
+        ...run.faults.map((fault) =>
+          h(
+            "p",
+            { class: "quiet" },
+            `${fault.where}: got ${fault.got}, expected ${fault.expected}${fault.mend ? ` — ${fault.mend}` : ""}`,
+          ),
+        ),
+      );
+    else if (faults > 0)
+      fill(
+        element,
+        h("h3", {}, "No result yet"),
+        h(
+          "p",
+          {},
+          faults === 1
+            ? "Mend the fault first; it stands below the model."
+            : `Mend the ${faults} faults first; they stand below the model.`,
+        ),
+      );
+    else
+      fill(
+        element,
+        h("h3", {}, "No result yet"),
+        h("p", {}, "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve."),
+        h("button", { type: "button", class: "main", onclick: solve }, "Solve"),
+      );
   };
   store.on(["run", "doc", "solved"], update);
   return { element, update };

@@ -1,8 +1,24 @@
 // The picture of the result: in plan with tools and scale, or in space.
 
 import {
-  type Choice, choiceName, fieldOf, fillCombinations, fillFields, isEnvelope, Legend, Locator, number, onTheme, parseChoice, PlanView, type Point,
-  type Scene, SpaceView, symbolText, type Tool, valueAt,
+  type Choice,
+  choiceName,
+  fieldOf,
+  fillCombinations,
+  fillFields,
+  isEnvelope,
+  Legend,
+  Locator,
+  number,
+  onTheme,
+  PlanView,
+  type Point,
+  parseChoice,
+  type Scene,
+  SpaceView,
+  symbolText,
+  type Tool,
+  valueAt,
 } from "../../viewer";
 import { h, setText } from "../shell/elements";
 
@@ -37,23 +53,35 @@ export class Stage {
   private wantedName = ""; // of the combination, so that it stays chosen when their order changes
 
   constructor(private readonly hooks: StageHooks) {
-    const button = (words: string, hint: string, run: () => void) => h("button", { type: "button", title: hint, onclick: run }, words);
+    const button = (words: string, hint: string, run: () => void) =>
+      h("button", { type: "button", title: hint, onclick: run }, words);
     this.toolButtons = {
       pan: button("Pan", "Drag to shift the picture, turn the wheel to zoom", () => this.setTool("pan")),
       pick: button("Pick", "Click on the slab to read all values there", () => this.setTool("pick")),
-      section: button("Section", "Click two places to draw the values along the line between them", () => this.setTool("section")),
+      section: button("Section", "Click two places to draw the values along the line between them", () =>
+        this.setTool("section"),
+      ),
     };
     this.modeButtons = {
       plan: button("Plan", "The slab from above", () => this.setMode("plan")),
       space: button("3-D", "The bent slab in space", () => this.setMode("space")),
     };
     const side = h("div", { class: "stage-side" });
-    this.bar = h("div", { class: "stage-bar", role: "toolbar", "aria-label": "result" },
-      this.combinations, this.fields,
+    this.bar = h(
+      "div",
+      { class: "stage-bar", role: "toolbar", "aria-label": "result" },
+      this.combinations,
+      this.fields,
       h("div", { class: "group", role: "group", "aria-label": "tool" }, ...Object.values(this.toolButtons)),
       h("div", { class: "group", role: "group", "aria-label": "view" }, ...Object.values(this.modeButtons)),
-      button("Fit", "Show the whole slab", () => this.fit()));
-    this.element = h("div", { class: "stage" }, h("div", { class: "stage-views" }, this.planBox, this.spaceBox, this.reading), side);
+      button("Fit", "Show the whole slab", () => this.fit()),
+    );
+    this.element = h(
+      "div",
+      { class: "stage" },
+      h("div", { class: "stage-views" }, this.planBox, this.spaceBox, this.reading),
+      side,
+    );
     this.plan = new PlanView(this.planBox);
     this.legend = new Legend(side);
     this.plan.onShow = (shown) => this.legend.show(shown, this.scene);
@@ -123,12 +151,14 @@ export class Stage {
 
   setTool(tool: Tool): void {
     this.plan.setTool(tool);
-    for (const [name, button] of Object.entries(this.toolButtons)) button.setAttribute("aria-pressed", String(name === tool));
+    for (const [name, button] of Object.entries(this.toolButtons))
+      button.setAttribute("aria-pressed", String(name === tool));
   }
 
   private setMode(mode: "plan" | "space"): void {
     this.mode = mode;
-    for (const [name, button] of Object.entries(this.modeButtons)) button.setAttribute("aria-pressed", String(name === mode));
+    for (const [name, button] of Object.entries(this.modeButtons))
+      button.setAttribute("aria-pressed", String(name === mode));
     for (const button of Object.values(this.toolButtons)) button.disabled = mode === "space";
     this.planBox.hidden = mode !== "plan";
     this.spaceBox.hidden = mode !== "space";

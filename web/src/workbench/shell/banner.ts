@@ -1,21 +1,36 @@
 // Words across the page: the server is away, edits wait, something was refused.
 
-import { fill, h } from "./elements";
 import type { Store } from "../client/store";
+import { fill, h } from "./elements";
 
 /** The banner below the top bar; it takes no room while there is nothing to say. */
 export function banner(store: Store, retry: () => void): HTMLElement {
   const element = h("div", { class: "banner", role: "alert", hidden: true });
   const update = () => {
     const count = store.waitingCount;
-    const kept = count === 0 ? "Nothing is lost." : count === 1 ? "1 edit is kept here and sent when it answers." : `${count} edits are kept here and sent when it answers.`;
+    const kept =
+      count === 0
+        ? "Nothing is lost."
+        : count === 1
+          ? "1 edit is kept here and sent when it answers."
+          : `${count} edits are kept here and sent when it answers.`;
     element.hidden = store.connection === "ok";
     if (store.connection === "away") {
-      fill(element, h("strong", {}, "The server does not answer. "), `${kept} If it has ended, start it again with `, h("code", {}, command(store)), ". ",
-        h("button", { type: "button", class: "small", onclick: retry }, "Try now"));
+      fill(
+        element,
+        h("strong", {}, "The server does not answer. "),
+        `${kept} If it has ended, start it again with `,
+        h("code", {}, command(store)),
+        ". ",
+        h("button", { type: "button", class: "small", onclick: retry }, "Try now"),
+      );
     } else if (store.connection === "stranger") {
-      fill(element, h("strong", {}, "Another server has been started. "), `${kept} Open the address that it has printed; this page then goes on with it. `,
-        h("button", { type: "button", class: "small", onclick: retry }, "Try now"));
+      fill(
+        element,
+        h("strong", {}, "Another server has been started. "),
+        `${kept} Open the address that it has printed; this page then goes on with it. `,
+        h("button", { type: "button", class: "small", onclick: retry }, "Try now"),
+      );
     }
   };
   store.on(["connection", "waiting"], update);
@@ -41,9 +56,29 @@ export function notices(store: Store): HTMLElement {
     if (!notice) return;
     element.className = `notice ${notice.kind}`;
     const { action } = notice;
-    fill(element, h("span", {}, notice.text),
-      action ? h("button", { type: "button", class: "small", onclick: () => { store.say(null); action.run(); } }, action.label) : null,
-      h("button", { type: "button", class: "icon", "aria-label": "close this message", onclick: () => store.say(null) }, "×"));
+    fill(
+      element,
+      h("span", {}, notice.text),
+      action
+        ? h(
+            "button",
+            {
+              type: "button",
+              class: "small",
+              onclick: () => {
+                store.say(null);
+                action.run();
+              },
+            },
+            action.label,
+          )
+        : null,
+      h(
+        "button",
+        { type: "button", class: "icon", "aria-label": "close this message", onclick: () => store.say(null) },
+        "×",
+      ),
+    );
     timer = notice.kind === "info" ? setTimeout(() => store.say(null), SHORT) : null;
   });
   return element;

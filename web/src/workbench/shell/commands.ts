@@ -1,10 +1,10 @@
 // What the user can have done with the document as a whole.
 
 import { type Api, type DocState, Refused, Stranger, Unreachable } from "../client/api";
-import { ask } from "./dialogs";
 import type { EditQueue } from "../client/edit-queue";
-import { chooseFile } from "./file-dialog";
 import type { Store } from "../client/store";
+import { ask } from "./dialogs";
+import { chooseFile } from "./file-dialog";
 
 export class Actions {
   constructor(
@@ -40,13 +40,24 @@ export class Actions {
   private async saveTo(file: string | null, over: boolean): Promise<boolean> {
     const inTheWay = (error: Refused) => !over && (error.kind === "changed" || error.kind === "exists");
     let why = "";
-    const done = await this.change(() => this.api.save(file, over), "saved", (error) => {
-      if (inTheWay(error)) why = error.kind;
-      return why !== "";
-    });
+    const done = await this.change(
+      () => this.api.save(file, over),
+      "saved",
+      (error) => {
+        if (inTheWay(error)) why = error.kind;
+        return why !== "";
+      },
+    );
     if (done || why === "") return done;
-    const words = why === "exists" ? "There is a file of this name already." : "Another program has changed the file since it was read here. Saving replaces what it has written.";
-    const answers = [{ label: "Do not save", value: "no" as const, main: true }, { label: "Save as …", value: "as" as const }, { label: "Replace it", value: "over" as const }];
+    const words =
+      why === "exists"
+        ? "There is a file of this name already."
+        : "Another program has changed the file since it was read here. Saving replaces what it has written.";
+    const answers = [
+      { label: "Do not save", value: "no" as const, main: true },
+      { label: "Save as …", value: "as" as const },
+      { label: "Replace it", value: "over" as const },
+    ];
     const answer = await ask("Replace the file?", [words], answers, "no");
     return answer === "over" ? this.saveTo(file, true) : answer === "as" ? this.saveAs() : false;
   }
@@ -95,15 +106,25 @@ export class Actions {
     if (this.store.doc?.dirty !== true) return true;
     const answer = await ask(
       "Save the changes first?",
-      ["The present case has changes that are not saved. If you leave it so, they stay kept, and are offered when it is opened again."],
-      [{ label: "Stay", value: "stay" }, { label: "Leave", value: "leave" }, { label: "Save", value: "save", main: true }],
+      [
+        "The present case has changes that are not saved. If you leave it so, they stay kept, and are offered when it is opened again.",
+      ],
+      [
+        { label: "Stay", value: "stay" },
+        { label: "Leave", value: "leave" },
+        { label: "Save", value: "save", main: true },
+      ],
       "stay",
     );
     return answer === "leave" || (answer === "save" && (await this.save()));
   }
 
   /** Change the document after all edits have been sent; returns whether it went well. `known` takes a refusal itself. */
-  private async change(make: () => Promise<DocState>, done?: string, known: (error: Refused) => boolean = () => false): Promise<boolean> {
+  private async change(
+    make: () => Promise<DocState>,
+    done?: string,
+    known: (error: Refused) => boolean = () => false,
+  ): Promise<boolean> {
     return this.asking(async () => {
       const state = await make();
       this.store.setDoc(state.offer ? await this.offered(state) : state);
@@ -120,7 +141,12 @@ export class Actions {
     } catch (error) {
       if (error instanceof Unreachable || error instanceof Stranger) this.lost(error);
       else if (error instanceof Refused && known(error)) return false;
-      else this.store.say({ kind: "bad", text: error instanceof Refused ? error.message : String(error), ...(error instanceof Refused ? elsewhere(error) : {}) });
+      else
+        this.store.say({
+          kind: "bad",
+          text: error instanceof Refused ? error.message : String(error),
+          ...(error instanceof Refused ? elsewhere(error) : {}),
+        });
       return false;
     }
   }

@@ -47,12 +47,17 @@ const PICTURES = {
   add: "M8 3v10M3 8h10",
   undo: "M6 3L2.5 6.5 6 10M3 6.5h6.5a3.5 3.5 0 0 1 0 7H6",
   redo: "M10 3l3.5 3.5L10 10M13 6.5H6.5a3.5 3.5 0 0 0 0 7H10",
-  theme: "M8 1.5v1.5M8 13v1.5M1.5 8H3M13 8h1.5M3.4 3.4l1 1M11.6 11.6l1 1M12.6 3.4l-1 1M4.4 11.6l-1 1M8 5a3 3 0 1 0 .01 0",
+  theme:
+    "M8 1.5v1.5M8 13v1.5M1.5 8H3M13 8h1.5M3.4 3.4l1 1M11.6 11.6l1 1M12.6 3.4l-1 1M4.4 11.6l-1 1M8 5a3 3 0 1 0 .01 0",
 } as const;
 
 /** A small picture drawn with lines, for buttons; what it means is said by the button's label. */
 export function icon(name: keyof typeof PICTURES): SVGSVGElement {
-  return svg("svg", { viewBox: "0 0 16 16", width: 16, height: 16, class: "icon-line", "aria-hidden": "true" }, svg("path", { d: PICTURES[name] }));
+  return svg(
+    "svg",
+    { viewBox: "0 0 16 16", width: 16, height: 16, class: "icon-line", "aria-hidden": "true" },
+    svg("path", { d: PICTURES[name] }),
+  );
 }
 
 /** Put children into an element in place of what it held. */

@@ -11,14 +11,28 @@ export interface Chosen {
 }
 
 /** Ask for a file; null if the user has thought better of it. `present` is the file that is open. */
-export function chooseFile(api: Pick<Api, "files">, purpose: "open" | "save", present: string | null): Promise<Chosen | null> {
+export function chooseFile(
+  api: Pick<Api, "files">,
+  purpose: "open" | "save",
+  present: string | null,
+): Promise<Chosen | null> {
   return new Promise((resolve) => new FileDialog(api, purpose, present, resolve).start());
 }
 
 class FileDialog {
   private readonly place = h("input", { type: "text", class: "path", "aria-label": "folder", spellcheck: "false" });
-  private readonly list = h("div", { class: "files", role: "listbox", "aria-label": "folders and case files", tabindex: 0 });
-  private readonly name = h("input", { type: "text", id: newId("name"), spellcheck: "false", placeholder: "slab.toml" });
+  private readonly list = h("div", {
+    class: "files",
+    role: "listbox",
+    "aria-label": "folders and case files",
+    tabindex: 0,
+  });
+  private readonly name = h("input", {
+    type: "text",
+    id: newId("name"),
+    spellcheck: "false",
+    placeholder: "slab.toml",
+  });
   private readonly message = h("p", { class: "messages", role: "alert" });
   private readonly dialog: HTMLDialogElement;
   private folder: Folder | null = null;
@@ -32,16 +46,31 @@ class FileDialog {
   ) {
     const words = purpose === "open" ? "Open" : "Save";
     const title = purpose === "open" ? "Open a case file" : "Save the case file as";
-    const up = h("button", { type: "button", class: "small", title: "Folder above", onclick: () => this.folder?.parent && void this.show(this.folder.parent) }, "↑ Up");
-    const form = h("form", { method: "dialog", class: "file-form" },
+    const up = h(
+      "button",
+      {
+        type: "button",
+        class: "small",
+        title: "Folder above",
+        onclick: () => this.folder?.parent && void this.show(this.folder.parent),
+      },
+      "↑ Up",
+    );
+    const form = h(
+      "form",
+      { method: "dialog", class: "file-form" },
       h("h2", {}, title),
       h("div", { class: "file-place" }, up, this.place),
       this.list,
       h("div", { class: "file-name" }, h("label", { for: this.name.id }, "Name"), this.name),
       this.message,
-      h("div", { class: "answers" },
+      h(
+        "div",
+        { class: "answers" },
         h("button", { type: "button", onclick: () => this.close(null) }, "Cancel"),
-        h("button", { type: "submit", class: "main" }, words)));
+        h("button", { type: "submit", class: "main" }, words),
+      ),
+    );
     this.dialog = h("dialog", { class: "file-dialog", "aria-label": title }, form);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
@@ -65,7 +94,8 @@ class FileDialog {
     this.dialog.showModal();
     const { present } = this;
     this.name.value = present === null ? "" : (present.split(/[\\/]/).at(-1) ?? "");
-    const folder = present === null ? null : present.slice(0, Math.max(present.lastIndexOf("/"), present.lastIndexOf("\\")));
+    const folder =
+      present === null ? null : present.slice(0, Math.max(present.lastIndexOf("/"), present.lastIndexOf("\\")));
     this.name.focus();
     void this.show(folder || null);
   }
@@ -89,15 +119,21 @@ class FileDialog {
     this.message.textContent = "";
     this.place.value = this.folder.folder;
     const { folders, files } = this.folder;
-    fill(this.list,
+    fill(
+      this.list,
       ...folders.map((name) => this.entry(name, true)),
       ...files.map((name) => this.entry(name, false)),
-      folders.length + files.length === 0 ? h("p", { class: "empty" }, "No case files (*.toml) in this folder.") : null);
+      folders.length + files.length === 0 ? h("p", { class: "empty" }, "No case files (*.toml) in this folder.") : null,
+    );
   }
 
   private entry(name: string, isFolder: boolean): HTMLElement {
     const open = () => (isFolder ? void this.show(this.path(name)) : void this.accept());
-    const button = h("button", { type: "button", class: isFolder ? "entry folder" : "entry", role: "option", tabindex: -1, ondblclick: open }, isFolder ? `${name}/` : name);
+    const button = h(
+      "button",
+      { type: "button", class: isFolder ? "entry folder" : "entry", role: "option", tabindex: -1, ondblclick: open },
+      isFolder ? `${name}/` : name,
+    );
     button.addEventListener("click", () => {
       if (isFolder) return open();
       this.name.value = name;
@@ -131,7 +167,15 @@ class FileDialog {
     const file = /^([A-Za-z]:)?[\\/]/.test(name) ? name : this.path(name);
     const there = this.folder?.files.includes(name) === true;
     if (this.purpose === "save" && there && file !== this.present) {
-      const over = await ask("Replace the file?", [`${name} is there already.`], [{ label: "Keep it", value: false, main: true }, { label: "Replace it", value: true }], false);
+      const over = await ask(
+        "Replace the file?",
+        [`${name} is there already.`],
+        [
+          { label: "Keep it", value: false, main: true },
+          { label: "Replace it", value: true },
+        ],
+        false,
+      );
       if (!over) return;
       return this.close({ file, over: true });
     }

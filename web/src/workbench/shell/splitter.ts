@@ -5,9 +5,22 @@ import { h } from "./elements";
 const STEP = 0.02;
 
 /** Let a share (0 to 1) of an element be changed by dragging; it stands in a variable of its style, and is remembered. */
-export function splitter(parent: HTMLElement, variable: string, axis: "x" | "y", at: number, range: readonly [number, number], label: string): HTMLElement {
+export function splitter(
+  parent: HTMLElement,
+  variable: string,
+  axis: "x" | "y",
+  at: number,
+  range: readonly [number, number],
+  label: string,
+): HTMLElement {
   const key = `groundslab${variable}`;
-  const bar = h("div", { class: `splitter ${axis}`, role: "separator", tabindex: 0, "aria-label": label, "aria-orientation": axis === "x" ? "vertical" : "horizontal" });
+  const bar = h("div", {
+    class: `splitter ${axis}`,
+    role: "separator",
+    tabindex: 0,
+    "aria-label": label,
+    "aria-orientation": axis === "x" ? "vertical" : "horizontal",
+  });
   let share = remembered(key) ?? at;
   const set = (to: number) => {
     share = Math.min(range[1], Math.max(range[0], to));

@@ -25,7 +25,12 @@ export function tabs(all: readonly Tab[], label: string, changed: (name: string)
     tab.panel.id ||= newId("panel");
     tab.panel.setAttribute("role", "tabpanel");
     if (tab.scrolls) tab.panel.tabIndex = 0; // so that keys can scroll it
-    const button = h("button", { type: "button", role: "tab", "aria-controls": tab.panel.id, id: newId("tab"), onclick: () => show(tab.name) }, tab.label, h("span", { class: "badge" }));
+    const button = h(
+      "button",
+      { type: "button", role: "tab", "aria-controls": tab.panel.id, id: newId("tab"), onclick: () => show(tab.name) },
+      tab.label,
+      h("span", { class: "badge" }),
+    );
     tab.panel.setAttribute("aria-labelledby", button.id);
     return button;
   });

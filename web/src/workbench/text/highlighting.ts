@@ -7,7 +7,8 @@ export interface Token {
   line: number;
 }
 
-const PIECES = /(?<comment>#[^\n]*)|(?<string>"""[\s\S]*?(?:"""|$)|'''[\s\S]*?(?:'''|$)|"(?:[^"\\\n]|\\.)*"?|'[^'\n]*'?)|(?<end>\n)|(?<space>[^\S\n]+)|(?<sign>[[\]{}=,])|(?<word>[^\s[\]{}=,#"']+)/g;
+const PIECES =
+  /(?<comment>#[^\n]*)|(?<string>"""[\s\S]*?(?:"""|$)|'''[\s\S]*?(?:'''|$)|"(?:[^"\\\n]|\\.)*"?|'[^'\n]*'?)|(?<end>\n)|(?<space>[^\S\n]+)|(?<sign>[[\]{}=,])|(?<word>[^\s[\]{}=,#"']+)/g;
 
 /** Cut a text into pieces; together they are the text. */
 export function tokens(text: string): Token[] {

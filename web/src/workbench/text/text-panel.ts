@@ -1,11 +1,11 @@
 // The case file as text: editable, coloured, faults beside their lines.
 
 import type { Fault } from "../client/api";
-import { fill, h, later } from "../shell/elements";
-import type { Path } from "../model/paths";
 import type { Store } from "../client/store";
-import { lineOf, linesOf } from "./toml-positions";
+import type { Path } from "../model/paths";
+import { fill, h, later } from "../shell/elements";
 import { type Token, tokens } from "./highlighting";
+import { lineOf, linesOf } from "./toml-positions";
 
 const QUIET = 500; // ms without a key until the text is sent
 
@@ -22,7 +22,12 @@ export interface TextPanel {
 /** The text, kept the same as the server's unless someone is typing. */
 export function textPanel(store: Store, push: (text: string, typedOn: boolean) => void): TextPanel {
   const area = h("textarea", {
-    class: "code-input", spellcheck: "false", autocapitalize: "off", autocomplete: "off", wrap: "off", "aria-label": "case file as text",
+    class: "code-input",
+    spellcheck: "false",
+    autocapitalize: "off",
+    autocomplete: "off",
+    wrap: "off",
+    "aria-label": "case file as text",
   });
   const colours = h("pre", { class: "code-colours", "aria-hidden": "true" });
   const gutter = h("pre", { class: "code-gutter", "aria-hidden": "true" });
@@ -50,7 +55,10 @@ export function textPanel(store: Store, push: (text: string, typedOn: boolean) =
     drawn = key;
     const rows = coloured(area.value);
     fill(colours, ...rows.flatMap((row, n) => [lineElement(row, faults.get(n + 1) ?? []), "\n"]));
-    fill(gutter, ...rows.flatMap((_, n) => [h("span", { class: faults.has(n + 1) ? "bad" : "" }, String(n + 1)), "\n"]));
+    fill(
+      gutter,
+      ...rows.flatMap((_, n) => [h("span", { class: faults.has(n + 1) ? "bad" : "" }, String(n + 1)), "\n"]),
+    );
     scrolled();
   };
   const scrolled = () => {
@@ -127,7 +135,9 @@ function styleOf(token: Token, next: Token | undefined, header: boolean): string
 }
 
 function lineElement(row: readonly { text: string; style: string }[], faults: readonly Fault[]): HTMLElement {
-  const words = faults.map((fault) => `got ${fault.got}, expected ${fault.expected}${fault.mend ? ` — ${fault.mend}` : ""}`).join("; ");
+  const words = faults
+    .map((fault) => `got ${fault.got}, expected ${fault.expected}${fault.mend ? ` — ${fault.mend}` : ""}`)
+    .join("; ");
   return h(
     "span",
     { class: faults.length > 0 ? "line bad" : "line" },

@@ -76,7 +76,11 @@ class Reader {
   private key(): string[] {
     let text = "";
     const keys: string[] = [];
-    for (let token = this.tokens[this.at]; token && (token.kind === "word" || token.kind === "string"); token = this.tokens[++this.at]) {
+    for (
+      let token = this.tokens[this.at];
+      token && (token.kind === "word" || token.kind === "string");
+      token = this.tokens[++this.at]
+    ) {
       if (token.kind === "string") text += token.text.slice(1, -1).replaceAll(".", "\u0000");
       else text += token.text;
     }

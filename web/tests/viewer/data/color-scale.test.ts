@@ -1,5 +1,16 @@
 import { describe, expect, it } from "vitest";
-import { bandOf, colourOf, crossesZero, neat, number, roundLevels, roundStep, roundTicks, scaleOf, tickTexts } from "../../../src/viewer/data/color-scale";
+import {
+  bandOf,
+  colourOf,
+  crossesZero,
+  neat,
+  number,
+  roundLevels,
+  roundStep,
+  roundTicks,
+  scaleOf,
+  tickTexts,
+} from "../../../src/viewer/data/color-scale";
 import { randoms } from "../synthetic";
 
 describe("round numbers", () => {
@@ -60,7 +71,9 @@ describe("a colour scale", () => {
   it("puts each value into its band", () => {
     const scale = scaleOf(0, 100, false);
     expect(scale.levels).toEqual([0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100]);
-    expect([0, 9.99, 10, 55, 99.9, 100, 100.001, -0.001].map((value) => bandOf(scale, value))).toEqual([0, 0, 1, 5, 9, 9, 9, 0]);
+    expect([0, 9.99, 10, 55, 99.9, 100, 100.001, -0.001].map((value) => bandOf(scale, value))).toEqual([
+      0, 0, 1, 5, 9, 9, 9, 0,
+    ]);
     expect([-3, 104].map((value) => bandOf(scale, value))).toEqual([-1, 10]);
     expect(colourOf(scale, 104)).toEqual(scale.over);
     expect(colourOf(scale, -3)).toEqual(scale.under);
@@ -92,7 +105,15 @@ describe("a colour scale", () => {
 
 describe("numbers", () => {
   it("have four significant digits and a true minus", () => {
-    expect([0, 123.456, -0.0123456, 98765.4, 1.5e7, 2e-6, NaN].map((value) => number(value))).toEqual(["0", "123.5", "−0.01235", "98765", "1.500e+7", "2.000e−6", "–"]);
+    expect([0, 123.456, -0.0123456, 98765.4, 1.5e7, 2e-6, NaN].map((value) => number(value))).toEqual([
+      "0",
+      "123.5",
+      "−0.01235",
+      "98765",
+      "1.500e+7",
+      "2.000e−6",
+      "–",
+    ]);
     expect([800, 0.5, 12.25, 100, 2000].map((value) => neat(value))).toEqual(["800", "0.5", "12.25", "100", "2000"]);
   });
 });

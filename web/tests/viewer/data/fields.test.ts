@@ -1,6 +1,19 @@
 import { describe, expect, it } from "vitest";
 import {
-  choiceName, derive, direction, endsOf, envelopesOf, fieldsOf, inContact, lineForceOf, members, parseChoice, principal, valueAt, values, woodArmer,
+  choiceName,
+  derive,
+  direction,
+  endsOf,
+  envelopesOf,
+  fieldsOf,
+  inContact,
+  lineForceOf,
+  members,
+  parseChoice,
+  principal,
+  valueAt,
+  values,
+  woodArmer,
 } from "../../../src/viewer/data/fields";
 import { Locator } from "../../../src/viewer/data/point-location";
 import { grid, nodal, randoms, sceneOf } from "../synthetic";
@@ -50,7 +63,16 @@ describe("design moments", () => {
 describe("fields of a scene", () => {
   const mesh = grid(4, 2, (x, y) => [8 * x, 4 * y]);
   const scene = sceneOf(mesh, [
-    { name: "A", fields: { settlement: (x) => x, moment_x: (x, y) => x * y - 4, moment_y: (x) => 3 - x, moment_xy: () => 2, contact: (x) => x - 6 } },
+    {
+      name: "A",
+      fields: {
+        settlement: (x) => x,
+        moment_x: (x, y) => x * y - 4,
+        moment_y: (x) => 3 - x,
+        moment_xy: () => 2,
+        contact: (x) => x - 6,
+      },
+    },
     { name: "B", fields: { settlement: (x) => 8 - x, moment_x: () => 1, contact: () => -1 } },
     { name: "C", state: "characteristic", fields: { settlement: () => 20 } },
     { name: "D", certified: false, fields: { settlement: () => 100 } },
@@ -61,7 +83,17 @@ describe("fields of a scene", () => {
 
   it("are offered without contact, with what is derived", () => {
     expect(fieldsOf(scene).map((each) => each.name)).toEqual([
-      "settlement", "pressure", "moment_x", "moment_y", "moment_xy", "m_1", "m_2", "bottom_x", "bottom_y", "top_x", "top_y",
+      "settlement",
+      "pressure",
+      "moment_x",
+      "moment_y",
+      "moment_xy",
+      "m_1",
+      "m_2",
+      "bottom_x",
+      "bottom_y",
+      "top_x",
+      "top_y",
     ]);
     expect(fieldsOf(scene).find((each) => each.name === "top_x")!.unit).toBe("kNm/m");
   });
@@ -70,19 +102,40 @@ describe("fields of a scene", () => {
     expect(members(scene, "largest")).toEqual([0, 1, 2, 5]);
     expect(members(scene, "smallest:ultimate")).toEqual([0, 1]);
     expect(envelopesOf(scene)).toEqual([
-      "largest:ultimate", "smallest:ultimate", "largest:characteristic", "smallest:characteristic", "largest", "smallest",
+      "largest:ultimate",
+      "smallest:ultimate",
+      "largest:characteristic",
+      "smallest:characteristic",
+      "largest",
+      "smallest",
     ]);
     expect([...values(scene, "largest:ultimate", "settlement")]).toEqual([...nodal(mesh, (x) => Math.max(x, 8 - x))]);
     expect([...values(scene, "smallest", "settlement")]).toEqual(Array<number>(mesh.nodeCount).fill(-20));
     expect(envelopesOf(sceneOf(mesh, [{ name: "one", fields: {} }]))).toEqual([]);
-    expect(envelopesOf(sceneOf(mesh, [{ name: "one", fields: {} }, { name: "two", fields: {} }]))).toEqual(["largest", "smallest"]);
+    expect(
+      envelopesOf(
+        sceneOf(mesh, [
+          { name: "one", fields: {} },
+          { name: "two", fields: {} },
+        ]),
+      ),
+    ).toEqual(["largest", "smallest"]);
   });
 
   it("tell which combination governs at a place", () => {
-    expect(valueAt(scene, locator, "largest:ultimate", "settlement", locator.at(1, 1)!)).toEqual({ value: expect.closeTo(7, 5) as number, from: 1 });
-    expect(valueAt(scene, locator, "largest:ultimate", "settlement", locator.at(7, 1)!)).toEqual({ value: expect.closeTo(7, 5) as number, from: 0 });
+    expect(valueAt(scene, locator, "largest:ultimate", "settlement", locator.at(1, 1)!)).toEqual({
+      value: expect.closeTo(7, 5) as number,
+      from: 1,
+    });
+    expect(valueAt(scene, locator, "largest:ultimate", "settlement", locator.at(7, 1)!)).toEqual({
+      value: expect.closeTo(7, 5) as number,
+      from: 0,
+    });
     expect(valueAt(scene, locator, "smallest:ultimate", "settlement", locator.at(7, 1)!).from).toBe(1);
-    expect(valueAt(scene, locator, 3, "settlement", locator.at(7, 1)!)).toEqual({ value: expect.closeTo(100, 4) as number, from: 3 });
+    expect(valueAt(scene, locator, 3, "settlement", locator.at(7, 1)!)).toEqual({
+      value: expect.closeTo(100, 4) as number,
+      from: 3,
+    });
   });
 
   it("are derived from the moments at the place, and enveloped after that", () => {
@@ -92,7 +145,9 @@ describe("fields of a scene", () => {
     expect(valueAt(scene, locator, 0, "bottom_x", spot).value).toBeCloseTo(mine, 4);
     expect(valueAt(scene, locator, "largest:ultimate", "bottom_x", spot).value).toBeCloseTo(Math.max(mine, 1), 4);
     const largest = values(scene, "largest:ultimate", "m_2");
-    nodal(mesh, (x, y) => Math.max(principal(x * y - 4, 3 - x, 2)[1], 0)).forEach((value, i) => expect(largest[i]).toBeCloseTo(value, 4));
+    nodal(mesh, (x, y) => Math.max(principal(x * y - 4, 3 - x, 2)[1], 0)).forEach((value, i) =>
+      expect(largest[i]).toBeCloseTo(value, 4),
+    );
   });
 
   it("know contact, in an envelope only where every combination has it", () => {
@@ -112,7 +167,10 @@ describe("fields of a scene", () => {
   });
 
   it("know the largest line force along the edge where the ground has one", () => {
-    const told = sceneOf(mesh, [{ name: "A", fields: { pressure: (x) => x } }, { name: "B", fields: { pressure: (x) => x } }]);
+    const told = sceneOf(mesh, [
+      { name: "A", fields: { pressure: (x) => x } },
+      { name: "B", fields: { pressure: (x) => x } },
+    ]);
     expect(lineForceOf(told, 0)).toBeNull();
     told.head.combinations[0]!.extremes = { line_force: { min: [0, 0, 0], max: [12, 8, 4] } };
     told.head.combinations[1]!.extremes = { line_force: { min: [0, 0, 0], max: [15, 8, 0] } };

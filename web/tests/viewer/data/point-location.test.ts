@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { Locator } from "../../../src/viewer/data/point-location";
 import type { Mesh } from "../../../src/viewer/data/scene";
 import { q9, q9Slopes } from "../../../src/viewer/data/shape-functions";
-import { type Map2, beside, grid, nodal, randoms } from "../synthetic";
+import { beside, grid, type Map2, nodal, randoms } from "../synthetic";
 
 /** Where a place of an element is. */
 function at(mesh: Mesh, element: number, xi: number, eta: number): [number, number] {
@@ -17,14 +17,30 @@ function at(mesh: Mesh, element: number, xi: number, eta: number): [number, numb
 }
 
 describe("the nine-node functions", () => {
-  const nodes = [[-1, -1], [1, -1], [1, 1], [-1, 1], [0, -1], [1, 0], [0, 1], [-1, 0], [0, 0]] as const;
+  const nodes = [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+    [0, -1],
+    [1, 0],
+    [0, 1],
+    [-1, 0],
+    [0, 0],
+  ] as const;
 
   it("are one at their own node and zero at the others", () => {
     nodes.forEach(([xi, eta], a) => q9(xi, eta).forEach((value, b) => expect(value).toBeCloseTo(a === b ? 1 : 0, 14)));
   });
 
   it("reproduce all products of powers up to two, and their slopes those of these", () => {
-    for (const [i, j] of [[0, 0], [1, 0], [2, 1], [2, 2], [0, 2]] as const) {
+    for (const [i, j] of [
+      [0, 0],
+      [1, 0],
+      [2, 1],
+      [2, 2],
+      [0, 2],
+    ] as const) {
       const at = ([x, y]: readonly [number, number]) => x ** i * y ** j;
       const [xi, eta] = [0.37, -0.61];
       const sum = (of: number[]) => of.reduce((total, value, a) => total + value * at(nodes[a]!), 0);
@@ -41,7 +57,10 @@ describe("a locator", () => {
   // a quarter of a ring from radius 2 to 3: its sides are arcs, nearly
   const ring: Map2 = (x, y) => [(2 + x) * Math.cos((y * Math.PI) / 2), (2 + x) * Math.sin((y * Math.PI) / 2)];
 
-  it.each([["distorted elements", grid(12, 9, wavy)], ["elements with curved sides", grid(3, 4, ring)]])("finds places within %s", (_, mesh) => {
+  it.each([
+    ["distorted elements", grid(12, 9, wavy)],
+    ["elements with curved sides", grid(3, 4, ring)],
+  ])("finds places within %s", (_, mesh) => {
     const locator = new Locator(mesh);
     const random = randoms(7);
     for (let i = 0; i < 3000; i++) {
@@ -71,21 +90,42 @@ describe("a locator", () => {
     const locator = new Locator(mesh);
     const of = (x: number, y: number) => 2 * x * x - x * y + 3 * y * y - 4 * x + 1;
     const values = nodal(mesh, of);
-    for (const [x, y] of [[1.3, 0.7], [5.1, 3.9], [0, 0], [7, 4]] as const) expect(locator.interpolate(values, locator.at(x, y)!)).toBeCloseTo(of(x, y), 4);
+    for (const [x, y] of [
+      [1.3, 0.7],
+      [5.1, 3.9],
+      [0, 0],
+      [7, 4],
+    ] as const)
+      expect(locator.interpolate(values, locator.at(x, y)!)).toBeCloseTo(of(x, y), 4);
   });
 
   it("knows holes and the outside, and takes nodes and sides as plate", () => {
-    const mesh = grid(5, 5, (x, y) => [5 * x, 5 * y], (i, j) => !(i === 2 && j === 2));
+    const mesh = grid(
+      5,
+      5,
+      (x, y) => [5 * x, 5 * y],
+      (i, j) => !(i === 2 && j === 2),
+    );
     const locator = new Locator(mesh);
     expect(locator.at(2.5, 2.5)).toBeNull();
     expect(locator.at(5.001, 1)).toBeNull();
     expect(locator.at(-20, 40)).toBeNull();
     expect(locator.at(NaN, 1)).toBeNull();
-    for (const [x, y] of [[2, 2.5], [5, 5], [0, 0], [3, 3], [1, 0.5]] as const) expect(locator.at(x, y)).not.toBeNull();
+    for (const [x, y] of [
+      [2, 2.5],
+      [5, 5],
+      [0, 0],
+      [3, 3],
+      [1, 0.5],
+    ] as const)
+      expect(locator.at(x, y)).not.toBeNull();
   });
 
   it("gives the values of one side at a border of two sections", () => {
-    const mesh = beside(grid(1, 1), grid(1, 1, (x, y) => [1 + x, y]));
+    const mesh = beside(
+      grid(1, 1),
+      grid(1, 1, (x, y) => [1 + x, y]),
+    );
     const locator = new Locator(mesh);
     const values = nodal(mesh, () => 0).map((_, i) => (i < 9 ? 1 : 2));
     expect(locator.interpolate(values, locator.at(0.9, 0.5)!)).toBeCloseTo(1);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { SceneError, block, decode, fromGzipBase64 } from "../../../src/viewer/data/scene";
-import { Packer, grid, packedScene } from "../synthetic";
+import { block, decode, fromGzipBase64, SceneError } from "../../../src/viewer/data/scene";
+import { grid, Packer, packedScene } from "../synthetic";
 
 const mesh = grid(2, 1);
 const buffer = packedScene(mesh, [{ name: "A", fields: { settlement: (x) => 10 * x } }]);
@@ -21,27 +21,69 @@ describe("a packed scene", () => {
     const mesh = grid(1, 1);
     const blocks = { nodes: packer.add(mesh.nodes, "f32", [9, 2]), elements: packer.add(mesh.elements, "u16", [1, 9]) };
     const wanted = [
-      packer.add([1, 3, 100], "u8", [3], 0.5, 1), packer.add([-7, 2.5, 1000], "u16", [3], 0.25, -7),
-      packer.add([0, 70000], "u32", [2]), packer.add([-5, 6], "i32", [2]), packer.add([1.5, -2.25], "f32", [2], 2, 1),
+      packer.add([1, 3, 100], "u8", [3], 0.5, 1),
+      packer.add([-7, 2.5, 1000], "u16", [3], 0.25, -7),
+      packer.add([0, 70000], "u32", [2]),
+      packer.add([-5, 6], "i32", [2]),
+      packer.add([1.5, -2.25], "f32", [2], 2, 1),
     ];
-    const scene = decode(packer.packed({
-      format: 2, title: "", version: "", mesh: blocks, fields: [], combinations: [], left_out: [],
-      plan: { bounds: [0, 0, 1, 1], outline: [], openings: [], zones: [], columns: [], supports: [], loads: [], boreholes: [], soil_zones: [], voids: [], lines: [], strips: [], points: [] },
-    }));
+    const scene = decode(
+      packer.packed({
+        format: 2,
+        title: "",
+        version: "",
+        mesh: blocks,
+        fields: [],
+        combinations: [],
+        left_out: [],
+        plan: {
+          bounds: [0, 0, 1, 1],
+          outline: [],
+          openings: [],
+          zones: [],
+          columns: [],
+          supports: [],
+          loads: [],
+          boreholes: [],
+          soil_zones: [],
+          voids: [],
+          lines: [],
+          strips: [],
+          points: [],
+        },
+      }),
+    );
     expect(scene.mesh.elements).toEqual(mesh.elements);
-    expect(wanted.map((each) => [...block(scene, each)])).toEqual([[1, 3, 100], [-7, 2.5, 1000], [0, 70000], [-5, 6], [4, -3.5]]);
+    expect(wanted.map((each) => [...block(scene, each)])).toEqual([
+      [1, 3, 100],
+      [-7, 2.5, 1000],
+      [0, 70000],
+      [-5, 6],
+      [4, -3.5],
+    ]);
   });
 
   it("says in words what is wrong with it", () => {
     expect(() => decode(new ArrayBuffer(0))).toThrow(SceneError);
     expect(() => decode(buffer.slice(0, 40))).toThrow("cut off");
-    expect(() => decode(buffer.slice(0, buffer.byteLength - 200)).mesh && block(decode(buffer.slice(0, buffer.byteLength - 200)), decode(buffer).head.combinations[0]!.values!["contact"]!)).toThrow("cut off");
+    expect(
+      () =>
+        decode(buffer.slice(0, buffer.byteLength - 200)).mesh &&
+        block(
+          decode(buffer.slice(0, buffer.byteLength - 200)),
+          decode(buffer).head.combinations[0]!.values!["contact"]!,
+        ),
+    ).toThrow("cut off");
     expect(() => decode(packedScene(mesh, [], { format: 1 }))).toThrow("format 1");
-    expect(() => decode(packedScene({ ...mesh, elements: mesh.elements.map((node) => node + 1) }, []))).toThrow("damaged");
+    expect(() => decode(packedScene({ ...mesh, elements: mesh.elements.map((node) => node + 1) }, []))).toThrow(
+      "damaged",
+    );
   });
 
   it("comes out of a report's text", async () => {
-    const zipped = await new Response(new Blob([buffer]).stream().pipeThrough(new CompressionStream("gzip"))).arrayBuffer();
+    const zipped = await new Response(
+      new Blob([buffer]).stream().pipeThrough(new CompressionStream("gzip")),
+    ).arrayBuffer();
     const text = btoa(String.fromCharCode(...new Uint8Array(zipped))).replace(/(.{76})/g, "$1\n");
     expect((await fromGzipBase64(`\n${text}\n`)).mesh.nodes).toEqual(mesh.nodes);
     await expect(fromGzipBase64(btoa("not gzip"))).rejects.toThrow("damaged");

@@ -5,7 +5,10 @@ import { beside, grid, sceneOf } from "../synthetic";
 
 describe("a section", () => {
   it("has the values of the field along it", () => {
-    const scene = sceneOf(grid(5, 5, (x, y) => [10 * x, 10 * y]), [{ name: "A", fields: { settlement: (x, y) => x * x + y } }]);
+    const scene = sceneOf(
+      grid(5, 5, (x, y) => [10 * x, 10 * y]),
+      [{ name: "A", fields: { settlement: (x, y) => x * x + y } }],
+    );
     const locator = new Locator(scene.mesh);
     const samples = sample(locator, [1, 1], [7, 9]);
     expect(samples.s[0]).toBe(0);
@@ -19,18 +22,30 @@ describe("a section", () => {
   });
 
   it("has gaps where there is no plate, which begin and end at its edges", () => {
-    const scene = sceneOf(grid(7, 7, (x, y) => [7 * x, 7 * y], (i) => i !== 3), [{ name: "A", fields: { settlement: () => 1 } }]);
+    const scene = sceneOf(
+      grid(
+        7,
+        7,
+        (x, y) => [7 * x, 7 * y],
+        (i) => i !== 3,
+      ),
+      [{ name: "A", fields: { settlement: () => 1 } }],
+    );
     const samples = sample(new Locator(scene.mesh), [-1, 3.5], [8, 3.5], 50);
     const borders: number[] = [];
     samples.spots.forEach((spot, i) => {
-      if (i && (spot === null) !== (samples.spots[i - 1] === null)) borders.push((samples.s[i]! + samples.s[i - 1]!) / 2 - 1);
+      if (i && (spot === null) !== (samples.spots[i - 1] === null))
+        borders.push((samples.s[i]! + samples.s[i - 1]!) / 2 - 1);
     });
     expect(borders).toHaveLength(4);
     [0, 3, 4, 7].forEach((x, i) => expect(borders[i]).toBeCloseTo(x, 3));
   });
 
   it("jumps where two sections of the plate meet", () => {
-    const mesh = beside(grid(3, 3), grid(3, 3, (x, y) => [1 + x, y]));
+    const mesh = beside(
+      grid(3, 3),
+      grid(3, 3, (x, y) => [1 + x, y]),
+    );
     const scene = sceneOf(mesh, [{ name: "A", fields: {} }]);
     const locator = new Locator(scene.mesh);
     const jump = Float32Array.from({ length: mesh.nodeCount }, (_, i) => (i < mesh.nodeCount / 2 ? 1 : 5));
@@ -55,6 +70,13 @@ describe("a section", () => {
     expect([low > 8, high > 10]).toEqual([true, true]);
     const [from, to] = limits(0, 0);
     expect(to).toBeGreaterThan(from);
-    expect(["settlement", "moment_xy", "m_1", "bottom_x", "pressure", "shear_x"].map(downwards)).toEqual([true, true, true, true, false, false]);
+    expect(["settlement", "moment_xy", "m_1", "bottom_x", "pressure", "shear_x"].map(downwards)).toEqual([
+      true,
+      true,
+      true,
+      true,
+      false,
+      false,
+    ]);
   });
 });

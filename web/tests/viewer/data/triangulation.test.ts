@@ -1,19 +1,26 @@
 import { describe, expect, it } from "vitest";
-import { borderOf, facesOf, linesOf, partsIn, tilingOf } from "../../../src/viewer/data/triangulation";
 import type { Mesh } from "../../../src/viewer/data/scene";
+import { borderOf, facesOf, linesOf, partsIn, tilingOf } from "../../../src/viewer/data/triangulation";
 import { beside, grid } from "../synthetic";
 
 function areaOf(mesh: Mesh, faces: ArrayLike<number>, start = 0, count = faces.length): number {
   let area = 0;
   for (let f = start; f < start + count; f += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => [mesh.nodes[2 * faces[f + k]!]!, mesh.nodes[2 * faces[f + k]! + 1]!] as const);
+    const [a, b, c] = [0, 1, 2].map(
+      (k) => [mesh.nodes[2 * faces[f + k]!]!, mesh.nodes[2 * faces[f + k]! + 1]!] as const,
+    );
     area += ((b![0] - a![0]) * (c![1] - a![1]) - (c![0] - a![0]) * (b![1] - a![1])) / 2;
   }
   return area;
 }
 
 describe("the triangles of a mesh", () => {
-  const mesh = grid(60, 40, (x, y) => [6 * x, 4 * y], (i, j) => !(i > 30 && j > 20));
+  const mesh = grid(
+    60,
+    40,
+    (x, y) => [6 * x, 4 * y],
+    (i, j) => !(i > 30 && j > 20),
+  );
   const area = 24 - 2.9 * 1.9;
 
   it("fill it once, all counter-clockwise", () => {
@@ -56,6 +63,13 @@ describe("the sides of a mesh", () => {
 
   it("are borders where they belong to one element only, also between sections", () => {
     expect(borderOf(grid(3, 2))).toHaveLength(10 * 3);
-    expect(borderOf(beside(grid(3, 2), grid(3, 2, (x, y) => [1 + x, y])))).toHaveLength(20 * 3);
+    expect(
+      borderOf(
+        beside(
+          grid(3, 2),
+          grid(3, 2, (x, y) => [1 + x, y]),
+        ),
+      ),
+    ).toHaveLength(20 * 3);
   });
 });

@@ -1,15 +1,20 @@
 import { describe, expect, it } from "vitest";
+import { bandOf, scaleOf } from "../../../src/viewer/data/color-scale";
 import { facesOf } from "../../../src/viewer/data/triangulation";
 import type { Picture } from "../../../src/viewer/renderer/renderer";
 import { coloured, rasterise } from "../../../src/viewer/renderer/software-renderer";
-import { bandOf, scaleOf } from "../../../src/viewer/data/color-scale";
 import { grid, nodal } from "../synthetic";
 
 const NOTHING = 255;
 const of0 = (x: number, y: number) => 3 * x - 2 * y;
 
 describe("drawing without a graphics card", () => {
-  const mesh = grid(5, 4, (x, y) => [10 * x + 2 * y, 8 * y], (i, j) => !(i === 2 && j === 2));
+  const mesh = grid(
+    5,
+    4,
+    (x, y) => [10 * x + 2 * y, 8 * y],
+    (i, j) => !(i === 2 && j === 2),
+  );
   const of = of0;
   const values = nodal(mesh, of);
   const scale = scaleOf(-16, 36, true);
@@ -18,7 +23,11 @@ describe("drawing without a graphics card", () => {
   const [width, height] = [300, 200];
   const faces = facesOf(mesh);
   const raster = rasterise(mesh, faces, [[0, faces.length]], picture, camera, width, height);
-  const placeOf = (i: number) => [camera.x + ((i % width) + 0.5 - width / 2) / camera.scale, camera.y - (Math.floor(i / width) + 0.5 - height / 2) / camera.scale] as const;
+  const placeOf = (i: number) =>
+    [
+      camera.x + ((i % width) + 0.5 - width / 2) / camera.scale,
+      camera.y - (Math.floor(i / width) + 0.5 - height / 2) / camera.scale,
+    ] as const;
 
   it("fills the plate and nothing else, every pixel with its band", () => {
     let wrong = 0;

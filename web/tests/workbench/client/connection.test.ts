@@ -1,11 +1,11 @@
 // The server's silence and return, its words of refusal, and what the page says of results.
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { type Api, type DocState, messageOf, type Offer } from "../../../src/workbench/client/api";
-import { comparison, Connection } from "../../../src/workbench/client/connection";
+import { Connection, comparison } from "../../../src/workbench/client/connection";
 import { EditQueue } from "../../../src/workbench/client/edit-queue";
+import { Store } from "../../../src/workbench/client/store";
 import { sameValue, type Table, valueAt } from "../../../src/workbench/model/paths";
 import { freshness, statusWords } from "../../../src/workbench/result/status";
-import { Store } from "../../../src/workbench/client/store";
 import { FakeApi } from "../fake-api";
 
 class FakeEvents {
@@ -46,26 +46,40 @@ function page(api: WholeApi, answers: { take?: boolean; counts?: "page" | "serve
   const queue: EditQueue = new EditQueue(api, {
     base: () => store.doc?.version ?? 0,
     adopt: (state, waiting) => store.setDoc(state, waiting),
-    fits: (change, state) => change.edits.every((edit) => !("path" in edit) || sameValue(valueAt(store.doc?.data ?? undefined, edit.path), valueAt(state.data ?? undefined, edit.path))),
+    fits: (change, state) =>
+      change.edits.every(
+        (edit) =>
+          !("path" in edit) ||
+          sameValue(valueAt(store.doc?.data ?? undefined, edit.path), valueAt(state.data ?? undefined, edit.path)),
+      ),
     refused: (change) => refused.push(change.text),
     lost: (error) => connection.lost(error),
     changed: () => store.setWaiting(queue.waiting),
   });
-  const connection: Connection = new Connection(api as unknown as Api, store, queue, {
-    offered: async (state) => {
-      asked.push("offer");
-      api.offer = null;
-      return answers.take ? api.present() : state;
+  const connection: Connection = new Connection(
+    api as unknown as Api,
+    store,
+    queue,
+    {
+      offered: async (state) => {
+        asked.push("offer");
+        api.offer = null;
+        return answers.take ? api.present() : state;
+      },
+      differs: async () => {
+        asked.push("differs");
+        return answers.counts ?? "page";
+      },
     },
-    differs: async () => {
-      asked.push("differs");
-      return answers.counts ?? "page";
-    },
-  }, () => new FakeEvents() as unknown as EventSource);
+    () => new FakeEvents() as unknown as EventSource,
+  );
   return { store, queue, connection, refused, asked, events: () => FakeEvents.all.at(-1)! };
 }
 
-const set = (key: string, value: string) => ({ edits: [{ op: "set" as const, path: ["plate", key], value }], text: `change ${key}` });
+const set = (key: string, value: string) => ({
+  edits: [{ op: "set" as const, path: ["plate", key], value }],
+  text: `change ${key}`,
+});
 const settle = () => vi.advanceTimersByTimeAsync(20_000);
 const DATA: Table = { plate: { E: "30 GPa", nu: "0.2" } };
 
@@ -177,7 +191,9 @@ describe("two texts", () => {
 
 describe("words", () => {
   it("of a refusal are found in what the server answers", () => {
-    expect(messageOf({ error: { where: "the edit", got: "a list", expected: "a table", mend: "edit the text" } })).toBe("the edit: got a list, expected a table; edit the text");
+    expect(messageOf({ error: { where: "the edit", got: "a list", expected: "a table", mend: "edit the text" } })).toBe(
+      "the edit: got a list, expected a table; edit the text",
+    );
     expect(messageOf({ error: { message: "no such file" } })).toBe("no such file");
     expect(messageOf({ detail: [{ msg: "field required" }, { msg: "too long" }] })).toBe("field required; too long");
     expect(messageOf({})).toBeNull();
@@ -187,9 +203,15 @@ describe("words", () => {
     const solved = { run: 1, version: 1, seconds: 12.4, design: "" };
     expect(statusWords("fresh", { kind: "idle" }, solved, true, 0)).toBe("Solved in 12 s.");
     const failing = { ...solved, design: "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails." };
-    expect(statusWords("fresh", { kind: "idle" }, failing, true, 0)).toBe("DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails. Solved in 12 s.");
+    expect(statusWords("fresh", { kind: "idle" }, failing, true, 0)).toBe(
+      "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails. Solved in 12 s.",
+    );
     expect(statusWords("stale", { kind: "idle" }, solved, true, 2)).toContain("Mend the faults");
-    expect(statusWords("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0)).toMatch(/earlier state of the model.*Solving/);
-    expect(statusWords("none", { kind: "refused", version: 1, message: "no equilibrium", faults: [] }, null, false, 0)).toBe("Not solved: no equilibrium");
+    expect(
+      statusWords("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0),
+    ).toMatch(/earlier state of the model.*Solving/);
+    expect(
+      statusWords("none", { kind: "refused", version: 1, message: "no equilibrium", faults: [] }, null, false, 0),
+    ).toBe("Not solved: no equilibrium");
   });
 });

@@ -5,7 +5,11 @@ import { EditQueue, joins } from "../../../src/workbench/client/edit-queue";
 import { sameValue, valueAt } from "../../../src/workbench/model/paths";
 import { FakeApi } from "../fake-api";
 
-const set = (key: string, value: string, merge = false): Change => ({ edits: [{ op: "set", path: ["plate", key], value }], text: `change ${key}`, ...(merge ? { merge } : {}) });
+const set = (key: string, value: string, merge = false): Change => ({
+  edits: [{ op: "set", path: ["plate", key], value }],
+  text: `change ${key}`,
+  ...(merge ? { merge } : {}),
+});
 
 function queueOn(api: FakeApi) {
   let state = api.present();
@@ -14,7 +18,12 @@ function queueOn(api: FakeApi) {
   const queue = new EditQueue(api, {
     base: () => state.version,
     adopt: (next) => (state = next),
-    fits: (change, next: DocState) => change.edits.every((edit) => !("path" in edit) || sameValue(valueAt(state.data ?? undefined, edit.path), valueAt(next.data ?? undefined, edit.path))),
+    fits: (change, next: DocState) =>
+      change.edits.every(
+        (edit) =>
+          !("path" in edit) ||
+          sameValue(valueAt(state.data ?? undefined, edit.path), valueAt(next.data ?? undefined, edit.path)),
+      ),
     refused: (change, why) => refused.push(`${change.text}: ${why}`),
     lost: (error) => lost.push(error),
     changed: () => undefined,

@@ -1,17 +1,18 @@
 // @vitest-environment happy-dom
 // The form: made from the schema, values kept as typed, kinds switched, faults at their fields.
-import { readGeometry, ringOf } from "../../../src/workbench/model/geometry";
+
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Change, Fault } from "../../../src/workbench/client/api";
 import type { FormContext } from "../../../src/workbench/form/context";
 import { faultsOfPart, faultWords } from "../../../src/workbench/form/errors";
 import { formPanel } from "../../../src/workbench/form/form-panel";
-import { placed, switchKind } from "../../../src/workbench/model/variants";
-import { partWidget } from "../../../src/workbench/form/section";
-import { removal, renames } from "../../../src/workbench/model/references";
 import { labelOf, summaryOf } from "../../../src/workbench/form/labels";
+import { partWidget } from "../../../src/workbench/form/section";
+import { readGeometry, ringOf } from "../../../src/workbench/model/geometry";
 import { foresee } from "../../../src/workbench/model/optimistic-edits";
 import { type Path, pathKey, type Table, valueAt } from "../../../src/workbench/model/paths";
+import { removal, renames } from "../../../src/workbench/model/references";
+import { placed, switchKind } from "../../../src/workbench/model/variants";
 import { schema } from "../schema";
 
 class Page {
@@ -22,7 +23,10 @@ class Page {
 
   constructor(public data: Table) {
     this.ctx = {
-      schema, memory: new Map(), data: () => this.data, faults: () => this.faults,
+      schema,
+      memory: new Map(),
+      data: () => this.data,
+      faults: () => this.faults,
       change: (change) => {
         this.changes.push(change);
         for (const edit of change.edits) this.data = foresee(this.data, edit);
@@ -55,7 +59,12 @@ class Page {
   }
 }
 
-const fault = (path: Path, got = '"30"', expected = 'a pressure such as "30 MPa"', mend = "the unit is missing"): Fault => ({ where: "", path, got, expected, mend });
+const fault = (
+  path: Path,
+  got = '"30"',
+  expected = 'a pressure such as "30 MPa"',
+  mend = "the unit is missing",
+): Fault => ({ where: "", path, got, expected, mend });
 const PLATE: Table = { plate: { length_x: "6 m", length_y: "4 m", thickness: "250 mm", E: "30 GPa", nu: 0.2 } };
 
 beforeEach(() => void vi.useFakeTimers());
@@ -68,14 +77,24 @@ describe("the schema", () => {
     expect(node("nu")).toEqual({ is: "number", words: [] });
     expect(node("outline")).toEqual({ is: "kinds", parts: ["Rectangle", "Polygon", "Circle"] });
     expect(node("zones")).toEqual({ is: "list", of: { is: "part", part: "Zone" }, least: 0 });
-    expect(schema.part("Vlasov").fields.find((field) => field.name === "gamma")?.node).toEqual({ is: "number", words: ["iterate"] });
+    expect(schema.part("Vlasov").fields.find((field) => field.name === "gamma")?.node).toEqual({
+      is: "number",
+      words: ["iterate"],
+    });
     expect(schema.part("Beyond").fields.find((field) => field.name === "sides")?.node).toMatchObject({ is: "several" });
-    expect(schema.part("Combination").fields.find((field) => field.name === "factors")?.node).toEqual({ is: "factors" });
-    expect(schema.part("LineLoad").fields.find((field) => field.name === "points")?.node).toMatchObject({ is: "places" });
+    expect(schema.part("Combination").fields.find((field) => field.name === "factors")?.node).toEqual({
+      is: "factors",
+    });
+    expect(schema.part("LineLoad").fields.find((field) => field.name === "points")?.node).toMatchObject({
+      is: "places",
+    });
   });
 
   it("finds the node of a path through kinds and lists", () => {
-    const data: Table = { loads: [{ kind: "patch" }, { kind: "point" }], ground: { kind: "layered", layers: [{ k0: "1", k1: "2" }] } };
+    const data: Table = {
+      loads: [{ kind: "patch" }, { kind: "point" }],
+      ground: { kind: "layered", layers: [{ k0: "1", k1: "2" }] },
+    };
     expect(schema.nodeAt(["loads", 1, "P"], data)?.field?.symbol).toBe("P");
     expect(schema.nodeAt(["loads", 0, "P"], data)).toBeNull();
     expect(schema.nodeAt(["ground", "layers", 0, "k1"], data)?.field?.name).toBe("k1");
@@ -116,7 +135,9 @@ describe("a field", () => {
     page.type(["plate", "E"], "30");
     expect(page.changes).toEqual([]);
     vi.advanceTimersByTime(1000);
-    expect(page.changes).toEqual([{ edits: [{ op: "set", path: ["plate", "E"], value: "30" }], text: "change E of slab" }]);
+    expect(page.changes).toEqual([
+      { edits: [{ op: "set", path: ["plate", "E"], value: "30" }], text: "change E of slab" },
+    ]);
     page.type(["plate", "E"], "30000 MPa");
     vi.advanceTimersByTime(1000);
     expect(page.changes[1]).toMatchObject({ edits: [{ value: "30000 MPa" }] });
@@ -183,8 +204,12 @@ describe("faults", () => {
     page.faults = [fault(["plate", "E"])];
     page.show(["plate"]);
     const field = page.field(["plate", "E"]);
-    expect(field.querySelector(".messages")?.textContent).toBe('Got "30", expected a pressure such as "30 MPa" — the unit is missing.');
-    expect(faultWords(fault(["x"], '"g"', "a load case", 'did you mean "G"?'))).toBe('Got "g", expected a load case — did you mean "G"?');
+    expect(field.querySelector(".messages")?.textContent).toBe(
+      'Got "30", expected a pressure such as "30 MPa" — the unit is missing.',
+    );
+    expect(faultWords(fault(["x"], '"g"', "a load case", 'did you mean "G"?'))).toBe(
+      'Got "g", expected a load case — did you mean "G"?',
+    );
     expect(page.input(["plate", "E"]).getAttribute("aria-invalid")).toBe("true");
     page.faults = [];
     page.update();
@@ -194,7 +219,11 @@ describe("faults", () => {
 
   it("of one value of a pair stand at the pair; of unknown keys and of a table as a whole at the table", () => {
     const page = new Page({ loads: [{ kind: "patch", q: "1 kPa", x: ["1", "2 m"], y: ["0 m", "1 m"] }] });
-    page.faults = [fault(["loads", 0, "x", 0]), fault(["loads", 0, "colour"], '"red"', "no such key", ""), fault(["loads", 0], "a load", "something else", "")];
+    page.faults = [
+      fault(["loads", 0, "x", 0]),
+      fault(["loads", 0, "colour"], '"red"', "no such key", ""),
+      fault(["loads", 0], "a load", "something else", ""),
+    ];
     page.show(["loads", 0]);
     expect(page.field(["loads", 0, "x"]).classList.contains("faulty")).toBe(true);
     expect(document.querySelector("[data-part] > .messages")?.textContent).toContain("no such key");
@@ -202,7 +231,14 @@ describe("faults", () => {
   });
 
   it("lead to their field in the form, through folded sections and items", () => {
-    const page = new Page({ ...PLATE, ground: { kind: "winkler", k: "20 MPa/m" }, loads: [{ kind: "uniform", q: "1 kPa" }, { kind: "point", P: "5" }] });
+    const page = new Page({
+      ...PLATE,
+      ground: { kind: "winkler", k: "20 MPa/m" },
+      loads: [
+        { kind: "uniform", q: "1 kPa" },
+        { kind: "point", P: "5" },
+      ],
+    });
     page.faults = [fault(["loads", 1, "P"])];
     const form = formPanel(page.ctx, { read: () => [], write: () => undefined });
     document.body.replaceChildren(form.element);
@@ -243,17 +279,35 @@ describe("switching the kind", () => {
   });
 
   it("makes one shape of another where it lies", () => {
-    const data: Table = { ...PLATE, loads: [{ kind: "area", q: "5 kPa", shape: { kind: "rectangle", x: ["0 m", "2 m"], y: ["0 m", "1 m"] } }] };
+    const data: Table = {
+      ...PLATE,
+      loads: [{ kind: "area", q: "5 kPa", shape: { kind: "rectangle", x: ["0 m", "2 m"], y: ["0 m", "1 m"] } }],
+    };
     const path: Path = ["loads", 0, "shape"];
-    const result = switchKind(data, path, schema.part("Rectangle"), schema.part("Circle"), new Map()).reduce(foresee, data);
+    const result = switchKind(data, path, schema.part("Rectangle"), schema.part("Circle"), new Map()).reduce(
+      foresee,
+      data,
+    );
     expect(valueAt(result, path)).toEqual({ kind: "circle", centre: ["1 m", "0.5 m"], radius: "0.5 m" });
-    const patch = switchKind(data, ["loads", 0], schema.part("AreaLoad"), schema.part("PatchLoad"), new Map()).reduce(foresee, data);
+    const patch = switchKind(data, ["loads", 0], schema.part("AreaLoad"), schema.part("PatchLoad"), new Map()).reduce(
+      foresee,
+      data,
+    );
     expect(valueAt(patch, ["loads", 0])).toEqual({ kind: "patch", q: "5 kPa", x: ["0 m", "2 m"], y: ["0 m", "1 m"] });
   });
 
   it("does not take a value over that means something else under the same name", () => {
-    const data: Table = { ...PLATE, supports: [{ kind: "point", name: "A", x: "0 m", y: "0 m", stiffness: "200 MN/m", acts: "in tension" }] };
-    const result = switchKind(data, ["supports", 0], schema.part("PointSupport"), schema.part("LineSupport"), new Map()).reduce(foresee, data);
+    const data: Table = {
+      ...PLATE,
+      supports: [{ kind: "point", name: "A", x: "0 m", y: "0 m", stiffness: "200 MN/m", acts: "in tension" }],
+    };
+    const result = switchKind(
+      data,
+      ["supports", 0],
+      schema.part("PointSupport"),
+      schema.part("LineSupport"),
+      new Map(),
+    ).reduce(foresee, data);
     expect(valueAt(result, ["supports", 0])).toMatchObject({ kind: "line", name: "A", acts: "in tension" });
     expect(valueAt(result, ["supports", 0, "stiffness"])).toBeUndefined();
     expect(valueAt(result, ["supports", 0, "points"])).toHaveLength(2);
@@ -262,7 +316,12 @@ describe("switching the kind", () => {
   it("changes a circle into a polygon of four quarters that is the same circle", () => {
     const data: Table = { plate: { outline: { kind: "circle", centre: ["1 m", "0 m"], radius: "2 m" } } };
     const polygon = placed(data, ["plate", "outline"], schema.part("Polygon"));
-    expect(polygon.points).toEqual([["3 m", "0 m"], ["1 m", "2 m"], ["-1 m", "0 m"], ["1 m", "-2 m"]]);
+    expect(polygon.points).toEqual([
+      ["3 m", "0 m"],
+      ["1 m", "2 m"],
+      ["-1 m", "0 m"],
+      ["1 m", "-2 m"],
+    ]);
     const ring = ringOf(readGeometry({ o: polygon }, ["o"])!);
     for (const [x, y] of ring) expect(Math.hypot(x - 1, y)).toBeCloseTo(2, 12);
   });
@@ -273,7 +332,20 @@ describe("switching the kind", () => {
     const select = document.querySelector<HTMLSelectElement>(".plate-shape select")!;
     select.value = "Polygon";
     select.dispatchEvent(new Event("change", { bubbles: true }));
-    expect(page.data.plate).toEqual({ thickness: "250 mm", E: "30 GPa", nu: 0.2, outline: { kind: "polygon", points: [["-3 m", "-2 m"], ["3 m", "-2 m"], ["3 m", "2 m"], ["-3 m", "2 m"]] } });
+    expect(page.data.plate).toEqual({
+      thickness: "250 mm",
+      E: "30 GPa",
+      nu: 0.2,
+      outline: {
+        kind: "polygon",
+        points: [
+          ["-3 m", "-2 m"],
+          ["3 m", "-2 m"],
+          ["3 m", "2 m"],
+          ["-3 m", "2 m"],
+        ],
+      },
+    });
     select.value = "sides";
     select.dispatchEvent(new Event("change", { bubbles: true }));
     expect(page.data.plate).toMatchObject({ length_x: "6 m", length_y: "4 m" });
@@ -282,7 +354,12 @@ describe("switching the kind", () => {
 
 describe("lists", () => {
   it("show flat tables as a grid, one row each", () => {
-    const page = new Page({ columns: [{ name: "A", x: "0 m", y: "0 m" }, { name: "B", x: "1 m", y: "0 m" }] });
+    const page = new Page({
+      columns: [
+        { name: "A", x: "0 m", y: "0 m" },
+        { name: "B", x: "1 m", y: "0 m" },
+      ],
+    });
     const form = formPanel(page.ctx, { read: () => ["columns"], write: () => undefined });
     document.body.replaceChildren(form.element);
     page.update = () => form.update();
@@ -294,14 +371,21 @@ describe("lists", () => {
   });
 
   it("say what is in an item without unfolding it", () => {
-    expect(summaryOf({ kind: "point", P: "500 kN", column: "A1", case: "dead" }, schema.part("PointLoad"))).toBe("point  ·  P 500 kN  ·  on A1  ·  (dead)");
+    expect(summaryOf({ kind: "point", P: "500 kN", column: "A1", case: "dead" }, schema.part("PointLoad"))).toBe(
+      "point  ·  P 500 kN  ·  on A1  ·  (dead)",
+    );
   });
 });
 
 describe("names that others call", () => {
   const data: Table = {
-    columns: [{ name: "A1", x: "0 m", y: "0 m" }], cases: [{ name: "dead" }],
-    loads: [{ kind: "point", column: "A1", case: "dead" }, { kind: "uniform", case: "dead" }, { kind: "point", column: "A1" }],
+    columns: [{ name: "A1", x: "0 m", y: "0 m" }],
+    cases: [{ name: "dead" }],
+    loads: [
+      { kind: "point", column: "A1", case: "dead" },
+      { kind: "uniform", case: "dead" },
+      { kind: "point", column: "A1" },
+    ],
     combinations: [{ name: "ULS", factors: { dead: 1.35, live: 1.5 } }],
   };
 
@@ -310,7 +394,11 @@ describe("names that others call", () => {
       { op: "set", path: ["loads", 0, "column"], value: "B2" },
       { op: "set", path: ["loads", 2, "column"], value: "B2" },
     ]);
-    expect(renames(data, ["cases", 0, "name"], "permanent")).toContainEqual({ op: "set", path: ["combinations", 0, "factors"], value: { permanent: 1.35, live: 1.5 } });
+    expect(renames(data, ["cases", 0, "name"], "permanent")).toContainEqual({
+      op: "set",
+      path: ["combinations", 0, "factors"],
+      value: { permanent: 1.35, live: 1.5 },
+    });
   });
 
   it("are not joined with a name that is taken", () => {

@@ -5,18 +5,39 @@ import { metres, place, plain, written, writtenLike } from "../../../src/workben
 
 describe("lengths", () => {
   it("reads units as the program does, without noise", () => {
-    expect(["700 mm", "0.7m", " 70 cm ", "1 ft", "-2.5 m", "1e3 mm"].map(metres)).toEqual([0.7, 0.7, 0.7, 0.3048, -2.5, 1]);
+    expect(["700 mm", "0.7m", " 70 cm ", "1 ft", "-2.5 m", "1e3 mm"].map(metres)).toEqual([
+      0.7, 0.7, 0.7, 0.3048, -2.5, 1,
+    ]);
   });
 
   it("knows what is no length", () => {
-    expect(["3", "3 kN", "", "m", "1 m 2", 3, null].map((each) => metres(each))).toEqual([null, null, null, null, null, null, null]);
+    expect(["3", "3 kN", "", "m", "1 m 2", 3, null].map((each) => metres(each))).toEqual([
+      null,
+      null,
+      null,
+      null,
+      null,
+      null,
+      null,
+    ]);
     expect(place(["1 m", "x"])).toBeNull();
   });
 
   it("writes in the unit that stood there", () => {
     expect(writtenLike("200 mm", 0.25)).toBe("250 mm");
     expect(writtenLike(["1 m", "50 cm"], [2, 0.75])).toEqual(["2 m", "75 cm"]);
-    expect(writtenLike([["1 m", "2 m"]], [[1, 2], [3, 4.0005]])).toEqual([["1 m", "2 m"], ["3 m", "4.0005 m"]]);
+    expect(
+      writtenLike(
+        [["1 m", "2 m"]],
+        [
+          [1, 2],
+          [3, 4.0005],
+        ],
+      ),
+    ).toEqual([
+      ["1 m", "2 m"],
+      ["3 m", "4.0005 m"],
+    ]);
     expect(writtenLike(undefined, 0.1 + 0.2)).toBe("0.3 m");
   });
 
@@ -26,15 +47,27 @@ describe("lengths", () => {
 });
 
 describe("foreseen edits", () => {
-  const data = { plate: { openings: [{ kind: "rectangle", x: ["0 m", "100 cm"], y: ["0 m", "1 m"] }] }, columns: [{ name: "A", x: "500 mm", y: "1 m" }] };
+  const data = {
+    plate: { openings: [{ kind: "rectangle", x: ["0 m", "100 cm"], y: ["0 m", "1 m"] }] },
+    columns: [{ name: "A", x: "500 mm", y: "1 m" }],
+  };
 
   it("moves all places of a thing in their units", () => {
-    const moved = foresee(foresee(data, { op: "move", path: ["plate", "openings", 0], by: [0.5, -1] }), { op: "move", path: ["columns", 0], by: [0.5, -1] });
-    expect(moved).toEqual({ plate: { openings: [{ kind: "rectangle", x: ["0.5 m", "150 cm"], y: ["-1 m", "0 m"] }] }, columns: [{ name: "A", x: "1000 mm", y: "0 m" }] });
+    const moved = foresee(foresee(data, { op: "move", path: ["plate", "openings", 0], by: [0.5, -1] }), {
+      op: "move",
+      path: ["columns", 0],
+      by: [0.5, -1],
+    });
+    expect(moved).toEqual({
+      plate: { openings: [{ kind: "rectangle", x: ["0.5 m", "150 cm"], y: ["-1 m", "0 m"] }] },
+      columns: [{ name: "A", x: "1000 mm", y: "0 m" }],
+    });
   });
 
   it("makes lists and tables that are missing, and takes away what is there only", () => {
-    expect(foresee({}, { op: "add", path: ["output", "lines"], value: { name: "l" } })).toEqual({ output: { lines: [{ name: "l" }] } });
+    expect(foresee({}, { op: "add", path: ["output", "lines"], value: { name: "l" } })).toEqual({
+      output: { lines: [{ name: "l" }] },
+    });
     expect(foresee({}, { op: "set", path: ["mesh", "size"], value: "1 m" })).toEqual({ mesh: { size: "1 m" } });
     expect(foresee({ a: 1 }, { op: "remove", path: ["mesh", "size"] })).toEqual({ a: 1 });
     expect(foresee({ loads: [1, 2, 3] }, { op: "remove", path: ["loads", 1] })).toEqual({ loads: [1, 3] });

@@ -1,27 +1,47 @@
 // @vitest-environment happy-dom
 // The drawing: snapping, handles, and the edits that dragging and drawing make.
 import { describe, expect, it } from "vitest";
-import { Camera } from "../../../src/workbench/plan/camera";
 import { editsBetween, readGeometry, readSides, ringOf, signedArea } from "../../../src/workbench/model/geometry";
+import { itemsOf } from "../../../src/workbench/model/items";
+import type { Table } from "../../../src/workbench/model/paths";
+import { Camera } from "../../../src/workbench/plan/camera";
+import { Drawing, Moving, Reshaping } from "../../../src/workbench/plan/interaction/gestures";
 import { dragged, handlesOf, withoutCorner } from "../../../src/workbench/plan/interaction/handles";
 import { itemsAt } from "../../../src/workbench/plan/interaction/hit-testing";
-import { itemsOf } from "../../../src/workbench/model/items";
-import { paintItems } from "../../../src/workbench/plan/rendering";
-import { Drawing, Moving, Reshaping } from "../../../src/workbench/plan/interaction/gestures";
 import { roundedTo, roundStep, snap } from "../../../src/workbench/plan/interaction/snapping";
+import { paintItems } from "../../../src/workbench/plan/rendering";
 import { freeName, madeAtPoint, madeOfShape, outlineEdits, toolOf } from "../../../src/workbench/plan/tools";
-import type { Table } from "../../../src/workbench/model/paths";
 
-const L_SHAPE: Table = { kind: "polygon", points: [["0 m", "0 m"], ["6 m", "0 m"], ["6 m", "2 m"], ["2 m", "2 m"], ["2 m", "4 m"], ["0 m", "4 m"]] };
+const L_SHAPE: Table = {
+  kind: "polygon",
+  points: [
+    ["0 m", "0 m"],
+    ["6 m", "0 m"],
+    ["6 m", "2 m"],
+    ["2 m", "2 m"],
+    ["2 m", "4 m"],
+    ["0 m", "4 m"],
+  ],
+};
 const DATA: Table = {
-  plate: { outline: L_SHAPE, thickness: "300 mm", openings: [{ kind: "circle", centre: ["1 m", "1 m"], radius: "250 mm" }] },
+  plate: {
+    outline: L_SHAPE,
+    thickness: "300 mm",
+    openings: [{ kind: "circle", centre: ["1 m", "1 m"], radius: "250 mm" }],
+  },
   columns: [{ name: "A1", x: "4 m", y: "1 m", width_x: "400 mm", width_y: "400 mm" }],
-  loads: [{ kind: "point", P: "10 kN", column: "A1" }, { kind: "uniform", q: "5 kPa" }],
+  loads: [
+    { kind: "point", P: "10 kN", column: "A1" },
+    { kind: "uniform", q: "5 kPa" },
+  ],
 };
 const free = (at: [number, number]) => ({ at, fromX: null, fromY: null, onPoint: false });
 
 describe("snapping", () => {
-  const points = [[2, 2], [5, 0.503]] as const;
+  const points = [
+    [2, 2],
+    [5, 0.503],
+  ] as const;
 
   it("takes an existing corner that is near before all else", () => {
     expect(snap({ at: [2.03, 1.96], points, step: 0.1, reach: 0.1 }).at).toEqual([2, 2]);
@@ -40,26 +60,68 @@ describe("snapping", () => {
 
   it("makes steps of 1, 2 and 5, and numbers without noise", () => {
     expect([0.003, 0.01, 0.011, 0.3, 7].map(roundStep)).toEqual([0.005, 0.01, 0.02, 0.5, 10]);
-    expect([roundedTo(0.1 + 0.2, 0.1), roundedTo(-0.001, 0.05), roundedTo(1234.5678, 0.002)]).toEqual([0.3, 0, 1234.568]);
+    expect([roundedTo(0.1 + 0.2, 0.1), roundedTo(-0.001, 0.05), roundedTo(1234.5678, 0.002)]).toEqual([
+      0.3, 0, 1234.568,
+    ]);
   });
 });
 
 describe("the drawing", () => {
   const camera = new Camera();
-  const drawn = (data: Table, kind: string) => paintItems(camera, itemsOf(data, null).filter((item) => item.kind === kind), { selected: null, hovered: null, faulty: [], loadCase: "" });
-  const square = [["0 m", "0 m"], ["1 m", "0 m"], ["1 m", "1 m"], ["0 m", "0 m"]];
+  const drawn = (data: Table, kind: string) =>
+    paintItems(
+      camera,
+      itemsOf(data, null).filter((item) => item.kind === kind),
+      { selected: null, hovered: null, faulty: [], loadCase: "" },
+    );
+  const square = [
+    ["0 m", "0 m"],
+    ["1 m", "0 m"],
+    ["1 m", "1 m"],
+    ["0 m", "0 m"],
+  ];
 
   it("fills areas, but no line that is closed", () => {
-    const loads = drawn({ loads: [{ kind: "line", q: "1 kN/m", points: square }, { kind: "area", q: "1 kPa", shape: { kind: "polygon", points: square.slice(1) } }] }, "load");
+    const loads = drawn(
+      {
+        loads: [
+          { kind: "line", q: "1 kN/m", points: square },
+          { kind: "area", q: "1 kPa", shape: { kind: "polygon", points: square.slice(1) } },
+        ],
+      },
+      "load",
+    );
     expect(loads.map((group) => group.querySelectorAll(".area").length)).toEqual([0, 1]);
-    const supports = drawn({ supports: [{ kind: "line", name: "W", points: square }, { kind: "point", name: "P", x: "0 m", y: "0 m" }] }, "support");
+    const supports = drawn(
+      {
+        supports: [
+          { kind: "line", name: "W", points: square },
+          { kind: "point", name: "P", x: "0 m", y: "0 m" },
+        ],
+      },
+      "support",
+    );
     expect(supports.map((group) => group.querySelectorAll(".area").length)).toEqual([0, 1]);
   });
 
   it("has circles and arcs whose chords turn by two degrees at most", () => {
     const circle = ringOf(readGeometry({ o: { kind: "circle", radius: "1 mm" } }, ["o"])!);
     expect(circle.length).toBe(180);
-    const half = ringOf(readGeometry({ o: { kind: "polygon", points: [["0 m", "0 m"], ["2 m", "0 m"]], bulges: [1] } }, ["o"])!);
+    const half = ringOf(
+      readGeometry(
+        {
+          o: {
+            kind: "polygon",
+            points: [
+              ["0 m", "0 m"],
+              ["2 m", "0 m"],
+            ],
+            bulges: [1],
+          },
+        },
+        ["o"],
+      )!,
+    );
     expect(half.length).toBe(91);
     // on a half circle about (1, 0)
     for (const [x, y] of half) expect(Math.hypot(x - 1, y)).toBeCloseTo(1, 12);
@@ -82,18 +144,64 @@ describe("handles", () => {
   });
 
   it("adds and removes corners of a polygon together with their bulges", () => {
-    const arched = readGeometry({ p: { kind: "polygon", points: [["0 m", "0 m"], ["2 m", "0 m"], ["2 m", "2 m"], ["0 m", "2 m"]], bulges: [0, 0.5] } }, ["p"])!;
+    const arched = readGeometry(
+      {
+        p: {
+          kind: "polygon",
+          points: [
+            ["0 m", "0 m"],
+            ["2 m", "0 m"],
+            ["2 m", "2 m"],
+            ["0 m", "2 m"],
+          ],
+          bulges: [0, 0.5],
+        },
+      },
+      ["p"],
+    )!;
     const add = handlesOf(arched).find((handle) => handle.kind === "add" && handle.index === 0)!;
-    expect(handlesOf(arched).filter((handle) => handle.kind === "add").map((handle) => handle.index)).toEqual([0, 2, 3]);
+    expect(
+      handlesOf(arched)
+        .filter((handle) => handle.kind === "add")
+        .map((handle) => handle.index),
+    ).toEqual([0, 2, 3]);
     const more = dragged(arched, add, [1, -1])!;
-    expect(more).toMatchObject({ points: [[0, 0], [1, -1], [2, 0], [2, 2], [0, 2]], bulges: [0, 0, 0.5] });
+    expect(more).toMatchObject({
+      points: [
+        [0, 0],
+        [1, -1],
+        [2, 0],
+        [2, 2],
+        [0, 2],
+      ],
+      bulges: [0, 0, 0.5],
+    });
     expect(withoutCorner(more, 1)).toEqual(arched);
-    const triangle = { ...arched, points: [[0, 0], [1, 0], [0, 1]] } as typeof arched;
+    const triangle = {
+      ...arched,
+      points: [
+        [0, 0],
+        [1, 0],
+        [0, 1],
+      ],
+    } as typeof arched;
     expect(withoutCorner(triangle, 0)).toBeNull();
   });
 
   it("draws arcs to the left of a counter-clockwise bulge: two half circles make a circle", () => {
-    const disc = readGeometry({ p: { kind: "polygon", points: [["-1 m", "0 m"], ["1 m", "0 m"]], bulges: [1, 1] } }, ["p"])!;
+    const disc = readGeometry(
+      {
+        p: {
+          kind: "polygon",
+          points: [
+            ["-1 m", "0 m"],
+            ["1 m", "0 m"],
+          ],
+          bulges: [1, 1],
+        },
+      },
+      ["p"],
+    )!;
     expect(signedArea(ringOf(disc))).toBeGreaterThan(3.12);
     expect(signedArea(ringOf(disc))).toBeLessThan(Math.PI);
   });
@@ -108,7 +216,10 @@ describe("dragging", () => {
     moving.to(free([4.5, 1.2]));
     const ghost = moving.to(free([5, 1.25]));
     expect(ghost.geometry).toMatchObject({ x: 5, y: 1.25 });
-    expect(moving.change()).toEqual({ edits: [{ op: "move", path: ["columns", 0], by: [1, 0.25] }], text: "move column A1" });
+    expect(moving.change()).toEqual({
+      edits: [{ op: "move", path: ["columns", 0], by: [1, 0.25] }],
+      text: "move column A1",
+    });
   });
 
   it("is no edit where nothing has moved", () => {
@@ -121,7 +232,10 @@ describe("dragging", () => {
     const opening = items.find((item) => item.kind === "opening")!;
     const reshaping = new Reshaping(opening, handlesOf(opening.geometry)[0]!);
     reshaping.to(free([1.5, 1]));
-    expect(reshaping.change()).toEqual({ edits: [{ op: "length", path: ["plate", "openings", 0, "radius"], value: 0.5 }], text: "reshape opening 1" });
+    expect(reshaping.change()).toEqual({
+      edits: [{ op: "length", path: ["plate", "openings", 0, "radius"], value: 0.5 }],
+      text: "reshape opening 1",
+    });
   });
 
   it("lets loads on a column stay with it", () => {
@@ -145,13 +259,31 @@ describe("drawing", () => {
     const drawing = new Drawing(toolOf("opening"));
     drawing.down([4, 1.5], 0.05);
     expect(drawing.up([3, 0.5], 0.05)).toBe(true);
-    expect(drawing.made(DATA, "")?.change.edits).toEqual([{ op: "add", path: ["plate", "openings"], value: { kind: "rectangle", x: ["3 m", "4 m"], y: ["0.5 m", "1.5 m"] } }]);
+    expect(drawing.made(DATA, "")?.change.edits).toEqual([
+      {
+        op: "add",
+        path: ["plate", "openings"],
+        value: { kind: "rectangle", x: ["3 m", "4 m"], y: ["0.5 m", "1.5 m"] },
+      },
+    ]);
   });
 
   it("makes a polygon of clicks that end at the first corner", () => {
     const made = draw("zone", [0, 0], [2, 0], [2, 2], [0.01, 0.01]);
     expect(made?.path).toEqual(["plate", "zones", 0]);
-    expect(made?.change.edits[0]).toMatchObject({ value: { thickness: "450 mm", shape: { kind: "polygon", points: [["0 m", "0 m"], ["2 m", "0 m"], ["2 m", "2 m"]] } } });
+    expect(made?.change.edits[0]).toMatchObject({
+      value: {
+        thickness: "450 mm",
+        shape: {
+          kind: "polygon",
+          points: [
+            ["0 m", "0 m"],
+            ["2 m", "0 m"],
+            ["2 m", "2 m"],
+          ],
+        },
+      },
+    });
   });
 
   it("makes nothing of a rectangle without an area", () => {
@@ -162,9 +294,15 @@ describe("drawing", () => {
   });
 
   it("puts a point load on the column that is clicked, and names columns anew", () => {
-    expect(madeAtPoint("point load", DATA, [4.1, 1.1], "live").change.edits[0]).toMatchObject({ value: { kind: "point", column: "A1", case: "live" } });
-    expect(madeAtPoint("point load", DATA, [1, 1], "").change.edits[0]).toMatchObject({ value: { x: "1 m", y: "1 m" } });
-    expect(madeAtPoint("column", DATA, [1, 3], "").change.edits[0]).toMatchObject({ value: { name: "C1", width_x: "400 mm" } });
+    expect(madeAtPoint("point load", DATA, [4.1, 1.1], "live").change.edits[0]).toMatchObject({
+      value: { kind: "point", column: "A1", case: "live" },
+    });
+    expect(madeAtPoint("point load", DATA, [1, 1], "").change.edits[0]).toMatchObject({
+      value: { x: "1 m", y: "1 m" },
+    });
+    expect(madeAtPoint("column", DATA, [1, 3], "").change.edits[0]).toMatchObject({
+      value: { name: "C1", width_x: "400 mm" },
+    });
     expect(freeName(["C1", "C2"], "C1")).toBe("C3");
     expect(freeName(["wall"], "wall")).toBe("wall 2");
   });
@@ -172,7 +310,11 @@ describe("drawing", () => {
   it("replaces the sides by the outline that is drawn, and keeps the rest of the slab", () => {
     const data: Table = { plate: { length_x: "6 m", length_y: "4 m", thickness: "1 ft", E: "30 GPa", nu: 0.2 } };
     const made = madeOfShape("slab", data, { kind: "rectangle", from: [0, 0], to: [3, 2] }, "");
-    expect(made.change.edits.map((edit) => ("path" in edit ? [edit.op, edit.path.join(".")] : []))).toEqual([["remove", "plate.length_x"], ["remove", "plate.length_y"], ["set", "plate.outline"]]);
+    expect(made.change.edits.map((edit) => ("path" in edit ? [edit.op, edit.path.join(".")] : []))).toEqual([
+      ["remove", "plate.length_x"],
+      ["remove", "plate.length_y"],
+      ["set", "plate.outline"],
+    ]);
     expect(outlineEdits({}, { kind: "circle" }).length).toBe(4);
   });
 });
@@ -186,8 +328,18 @@ describe("what lies under the pointer", () => {
   });
 
   it("takes what cannot be read here from the server's plan", () => {
-    const odd: Table = { plate: { length_x: "1 furlong", length_y: "2 m" }, columns: [{ name: "A", x: "1 rod", y: "0 m" }] };
-    const plan: Table = { outline: [[-1, -1], [1, -1], [1, 1]], columns: [{ path: "columns[1]", x: 5.03, y: 0 }] };
+    const odd: Table = {
+      plate: { length_x: "1 furlong", length_y: "2 m" },
+      columns: [{ name: "A", x: "1 rod", y: "0 m" }],
+    };
+    const plan: Table = {
+      outline: [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+      ],
+      columns: [{ path: "columns[1]", x: 5.03, y: 0 }],
+    };
     expect(itemsOf(odd, plan).map((item) => item.geometry.type)).toEqual(["fixed", "point"]);
     expect(itemsOf(odd, null)).toEqual([]);
   });
@@ -208,7 +360,20 @@ describe("the camera", () => {
 });
 
 describe("line loads along arcs", () => {
-  const arch: Table = { loads: [{ kind: "line", q: "1 kN/m", points: [["-1 m", "0 m"], ["1 m", "0 m"], ["3 m", "0 m"]], bulges: [-1] }] };
+  const arch: Table = {
+    loads: [
+      {
+        kind: "line",
+        q: "1 kN/m",
+        points: [
+          ["-1 m", "0 m"],
+          ["1 m", "0 m"],
+          ["3 m", "0 m"],
+        ],
+        bulges: [-1],
+      },
+    ],
+  };
   const line = readGeometry(arch, ["loads", 0])!;
 
   it("are drawn along the arc, over (0, 1) and straight on", () => {
@@ -221,9 +386,21 @@ describe("line loads along arcs", () => {
     const add = handlesOf(line).find((each) => each.kind === "add")!;
     expect(add).toMatchObject({ index: 1, at: [2, 0] });
     const more = dragged(line, add, [2, 1])!;
-    expect(more).toMatchObject({ points: [[-1, 0], [1, 0], [2, 1], [3, 0]], bulges: [-1] });
+    expect(more).toMatchObject({
+      points: [
+        [-1, 0],
+        [1, 0],
+        [2, 1],
+        [3, 0],
+      ],
+      bulges: [-1],
+    });
     expect(withoutCorner(more, 2)).toEqual(line);
-    expect(editsBetween(line, withoutCorner(line, 0)!)).toContainEqual({ op: "set", path: ["loads", 0, "bulges"], value: [] });
+    expect(editsBetween(line, withoutCorner(line, 0)!)).toContainEqual({
+      op: "set",
+      path: ["loads", 0, "bulges"],
+      value: [],
+    });
   });
 
   it("on a circle lie where its shape is", () => {

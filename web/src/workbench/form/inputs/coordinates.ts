@@ -1,11 +1,11 @@
 // A list of places in plan as a table of x and y.
 
-import { fill, h, icon } from "../../shell/elements";
 import { type Json, listAt, type Path } from "../../model/paths";
 import { place, writtenLike } from "../../model/quantities";
+import type { Node } from "../../model/schema";
+import { fill, h, icon } from "../../shell/elements";
 import { type FormContext, setValue } from "../context";
 import { type Input, tupleInput } from "./inputs";
-import type { Node } from "../../model/schema";
 
 const FEW = 4; // places that are shown without being asked for
 
@@ -13,7 +13,11 @@ const FEW = 4; // places that are shown without being asked for
 export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
   const rows = h("div", { class: "place-rows" });
   const count = h("summary", {});
-  const add = h("button", { type: "button", class: "small", onclick: () => insert(listAt(ctx.data(), path).length) }, "Add place");
+  const add = h(
+    "button",
+    { type: "button", class: "small", onclick: () => insert(listAt(ctx.data(), path).length) },
+    "Add place",
+  );
   const fold = h("details", { class: "place-fold" }, count, rows, add);
   const element = h("div", { class: "places" }, fold);
   let inputs: Input[] = [];
@@ -31,17 +35,52 @@ export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
     if (inputs.length === 0) fold.open = length <= FEW;
     count.textContent = length === 1 ? "1 place" : `${length} places`;
     inputs = Array.from({ length }, (_, n) => tupleInput(ctx, [...path, n], each, 2, ["x", "y"], undefined));
-    fill(rows, ...inputs.map((input, n) =>
-      h("div", { class: "place-row" }, h("span", { class: "number-of" }, String(n + 1)), input.element,
-        h("button", { type: "button", class: "icon", "aria-label": `insert a place after ${n + 1}`, title: "insert after", onclick: () => insert(n + 1) }, icon("add")),
-        h("button", { type: "button", class: "icon", "aria-label": `remove place ${n + 1}`, title: "remove", onclick: () => take(n) }, icon("remove")))));
+    fill(
+      rows,
+      ...inputs.map((input, n) =>
+        h(
+          "div",
+          { class: "place-row" },
+          h("span", { class: "number-of" }, String(n + 1)),
+          input.element,
+          h(
+            "button",
+            {
+              type: "button",
+              class: "icon",
+              "aria-label": `insert a place after ${n + 1}`,
+              title: "insert after",
+              onclick: () => insert(n + 1),
+            },
+            icon("add"),
+          ),
+          h(
+            "button",
+            {
+              type: "button",
+              class: "icon",
+              "aria-label": `remove place ${n + 1}`,
+              title: "remove",
+              onclick: () => take(n),
+            },
+            icon("remove"),
+          ),
+        ),
+      ),
+    );
   };
   const update = () => {
     const { length } = listAt(ctx.data(), path);
     if (length !== inputs.length) build(length);
     for (const input of inputs) input.update();
   };
-  return { element, get focus() { return fold.open ? (inputs[0]?.focus ?? add) : count; }, update };
+  return {
+    element,
+    get focus() {
+      return fold.open ? (inputs[0]?.focus ?? add) : count;
+    },
+    update,
+  };
 }
 
 /** A place half-way between two, in their units; 0, 0 if there are none. */

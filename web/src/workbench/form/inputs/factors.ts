@@ -1,8 +1,8 @@
 // The factors of a combination: one for each load case that takes part.
 
-import { fill, h, newId } from "../../shell/elements";
-import { type Json, listAt, type Path, pathKey, tableAt } from "../../model/paths";
 import { namesIn } from "../../client/store";
+import { type Json, listAt, type Path, pathKey, tableAt } from "../../model/paths";
+import { fill, h, newId } from "../../shell/elements";
 import { type FormContext, setValue, type Widget } from "../context";
 import { type Input, revealIn, showFaults, textInput } from "./inputs";
 
@@ -49,5 +49,11 @@ export function factorsInput(ctx: FormContext, path: Path): Input {
     }
     for (const cell of cells) cell.update();
   };
-  return { element, get focus() { return cells[0]?.focus ?? element; }, update };
+  return {
+    element,
+    get focus() {
+      return cells[0]?.focus ?? element;
+    },
+    update,
+  };
 }

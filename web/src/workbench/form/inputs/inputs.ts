@@ -1,11 +1,11 @@
 // Elements that edit one value of the case file, by what the value is.
 
-import { fill, h, later, newId } from "../../shell/elements";
 import { type Json, type Path, startsWith, valueAt } from "../../model/paths";
-import { type FormContext, setValue, waitsForEnd } from "../context";
-import { faultsAt, faultWords } from "../errors";
 import { namesFor } from "../../model/references";
 import type { Field, Node } from "../../model/schema";
+import { fill, h, later, newId } from "../../shell/elements";
+import { type FormContext, setValue, waitsForEnd } from "../context";
+import { faultsAt, faultWords } from "../errors";
 import { defaultText } from "../labels";
 
 export const QUIET = 350; // ms without a key until what was typed is sent
@@ -121,15 +121,31 @@ function severalInput(ctx: FormContext, path: Path, words: readonly string[], st
     const value = valueAt(ctx.data(), path) ?? standard;
     for (const box of boxes) box.checked = Array.isArray(value) && value.includes(box.value);
   };
-  group.addEventListener("change", () => setValue(ctx, path, boxes.filter((box) => box.checked).map((box) => box.value)));
+  group.addEventListener("change", () =>
+    setValue(
+      ctx,
+      path,
+      boxes.filter((box) => box.checked).map((box) => box.value),
+    ),
+  );
   return { element: group, focus: boxes[0] ?? group, update };
 }
 
 /** A fixed number of values side by side. */
-export function tupleInput(ctx: FormContext, path: Path, each: Node, length: number, labels: readonly string[], standard: Json | undefined): Input {
+export function tupleInput(
+  ctx: FormContext,
+  path: Path,
+  each: Node,
+  length: number,
+  labels: readonly string[],
+  standard: Json | undefined,
+): Input {
   const write = (n: number) => (value: Json | undefined, typing: boolean) => {
     const old = valueAt(ctx.data(), path);
-    const list = Array.from({ length }, (_, k) => (Array.isArray(old) ? old[k] : undefined) ?? filler(each, standard, k));
+    const list = Array.from(
+      { length },
+      (_, k) => (Array.isArray(old) ? old[k] : undefined) ?? filler(each, standard, k),
+    );
     list[n] = value ?? "";
     const empty = value === undefined && list.every((item, k) => item === "" || (!Array.isArray(old) && k !== n));
     setValue(ctx, path, empty ? undefined : list, typing);
@@ -174,7 +190,8 @@ function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
   const element = input.focus as HTMLInputElement;
   const update = () => {
     const value = valueAt(ctx.data(), path);
-    if (document.activeElement !== element) element.value = Array.isArray(value) ? value.map(shown).join(", ") : shown(value);
+    if (document.activeElement !== element)
+      element.value = Array.isArray(value) ? value.map(shown).join(", ") : shown(value);
   };
   return { ...input, update };
 }
@@ -196,12 +213,20 @@ export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
     case "values":
       return valuesInput(ctx, path, node.each);
     default:
-      return textInput(ctx, path, node, { placeholder: placeholder || (node.is === "quantity" ? `e.g. ${node.example}` : "") });
+      return textInput(ctx, path, node, {
+        placeholder: placeholder || (node.is === "quantity" ? `e.g. ${node.example}` : ""),
+      });
   }
 }
 
 /** Show what is wrong with a value: at its element, and in words below it. */
-export function showFaults(ctx: FormContext, path: Path, element: HTMLElement, focus: HTMLElement, messages: HTMLElement): void {
+export function showFaults(
+  ctx: FormContext,
+  path: Path,
+  element: HTMLElement,
+  focus: HTMLElement,
+  messages: HTMLElement,
+): void {
   const faults = faultsAt(ctx.faults(), path);
   element.classList.toggle("faulty", faults.length > 0);
   if (faults.length > 0) focus.setAttribute("aria-invalid", "true");

@@ -1,13 +1,13 @@
 // One key of a part as a row: what it is called, its element, what it means, what is wrong with it.
 
-import { h, newId } from "../../shell/elements";
 import { type Path, pathKey } from "../../model/paths";
-import type { FormContext, Widget } from "../context";
-import { factorsInput } from "./factors";
-import { inputFor, type Input, revealIn, showFaults } from "./inputs";
-import { placesInput } from "./coordinates";
 import type { Field } from "../../model/schema";
+import { h, newId } from "../../shell/elements";
+import type { FormContext, Widget } from "../context";
 import { labelOf, symbolElement } from "../labels";
+import { placesInput } from "./coordinates";
+import { factorsInput } from "./factors";
+import { type Input, inputFor, revealIn, showFaults } from "./inputs";
 
 /** The row of a key that holds a value. */
 export function valueField(ctx: FormContext, path: Path, field: Field): Widget {
@@ -21,7 +21,10 @@ export function valueField(ctx: FormContext, path: Path, field: Field): Widget {
   const element = h(
     "div",
     { class: tall ? "field tall" : "field", "data-path": pathKey(path), title: hintOf(field) },
-    label, input.element, hint, messages,
+    label,
+    input.element,
+    hint,
+    messages,
   );
   const update = () => {
     input.update();
@@ -47,7 +50,8 @@ export function cellField(ctx: FormContext, path: Path, field: Field, label: str
 /** The words and the symbol of a key. */
 export function labelParts(field: Field): (Node | string)[] {
   const words = labelOf(field);
-  const symbol = field.symbol && field.symbol !== words && !field.symbol.includes(",") ? symbolElement(field.symbol) : null;
+  const symbol =
+    field.symbol && field.symbol !== words && !field.symbol.includes(",") ? symbolElement(field.symbol) : null;
   const shown = words || (symbol ? "" : field.name);
   return [shown, ...(shown && symbol ? [" "] : []), ...(symbol ? [symbol] : [])];
 }

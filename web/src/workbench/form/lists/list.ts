@@ -1,19 +1,19 @@
 // A list of tables: as rows of a grid where its tables are flat, else as items that fold.
 
-import { fill, h, icon } from "../../shell/elements";
-import { isTable, type Json, listAt, type Path, pathKey, startsWith, type Table, tableAt } from "../../model/paths";
-import { titleAt } from "../../model/items";
-import { freeName } from "../../plan/tools";
 import { namesIn } from "../../client/store";
-import type { FormContext, Widget } from "../context";
-import { faultsAt, faultsOfList, faultWords } from "../errors";
-import { gridRows } from "./table-rows";
-import { placed } from "../../model/variants";
-import { kindChoice, optionWords, partWidget } from "../section";
+import { starter } from "../../model/defaults";
+import { titleAt } from "../../model/items";
+import { isTable, type Json, listAt, type Path, pathKey, startsWith, type Table, tableAt } from "../../model/paths";
 import { removal } from "../../model/references";
 import type { Node, Part } from "../../model/schema";
-import { starter } from "../../model/defaults";
+import { placed } from "../../model/variants";
+import { freeName } from "../../plan/tools";
+import { fill, h, icon } from "../../shell/elements";
+import type { FormContext, Widget } from "../context";
+import { faultsAt, faultsOfList, faultWords } from "../errors";
 import { summaryOf } from "../labels";
+import { kindChoice, optionWords, partWidget } from "../section";
+import { gridRows } from "./table-rows";
 
 const WIDEST = 7; // columns of a grid
 const FLAT = new Set(["quantity", "number", "whole", "choice", "flag", "text", "tuple", "factors"]);
@@ -37,19 +37,36 @@ export function listWidget(ctx: FormContext, path: Path, of: Node, title: string
   if (kind) fill(kind, ...parts.map((part) => h("option", { value: part.name }, optionWords(part))));
   // layers are all given by the same keys: one choice for the whole list
   const given = !tagged && parts.length > 1 ? listKind(ctx, path, names) : null;
-  const add = h("button", { type: "button", class: "small", onclick: () => insert() }, `Add${kind ? "" : ` ${oneOf(title)}`}`);
+  const add = h(
+    "button",
+    { type: "button", class: "small", onclick: () => insert() },
+    `Add${kind ? "" : ` ${oneOf(title)}`}`,
+  );
   const element = h(
     "div",
     { class: "list", "data-part": pathKey(path) },
-    h("div", { class: "sub-head" }, bare ? h("span", { class: "hint" }, about) : h("h4", { title: about }, title, " ", count, h("span", { class: "hint" }, about))),
-    given?.element, messages, rows, h("div", { class: "list-foot" }, kind, add),
+    h(
+      "div",
+      { class: "sub-head" },
+      bare
+        ? h("span", { class: "hint" }, about)
+        : h("h4", { title: about }, title, " ", count, h("span", { class: "hint" }, about)),
+    ),
+    given?.element,
+    messages,
+    rows,
+    h("div", { class: "list-foot" }, kind, add),
   );
   let shown: Rows | null = null;
   let part: Part | null = null;
 
   const insert = () => {
     const chosen = kind ? parts.find((each) => each.name === kind.value) : (part ?? parts[0]);
-    if (chosen) ctx.change({ edits: [{ op: "add", path, value: newItem(ctx.data(), path, chosen) }], text: `add ${oneOf(title).toLowerCase()}` });
+    if (chosen)
+      ctx.change({
+        edits: [{ op: "add", path, value: newItem(ctx.data(), path, chosen) }],
+        text: `add ${oneOf(title).toLowerCase()}`,
+      });
   };
   const update = () => {
     const items = listAt(ctx.data(), path);
@@ -85,10 +102,15 @@ function isFlat(part: Part): boolean {
 
 /** What a new item starts with. */
 function newItem(data: Table, path: Path, part: Part): Table {
-  const value: Table = { ...(part.kind ? { kind: part.kind } : {}), ...starter(part.name, data), ...placed(data, [...path, 0], part) };
+  const value: Table = {
+    ...(part.kind ? { kind: part.kind } : {}),
+    ...starter(part.name, data),
+    ...placed(data, [...path, 0], part),
+  };
   const named = part.fields.find((field) => field.name === "name");
   if (named?.needed || part.name.endsWith("Support") || part.name === "Borehole") {
-    const stem = part.name === "Column" ? "C1" : part.name === "Borehole" ? "B1" : `${String(path.at(-1)).replace(/s$/, "")} 1`;
+    const stem =
+      part.name === "Column" ? "C1" : part.name === "Borehole" ? "B1" : `${String(path.at(-1)).replace(/s$/, "")} 1`;
     return { name: freeName(namesIn(listAt(data, path)), stem), ...value };
   }
   return value;
@@ -98,24 +120,29 @@ function newItem(data: Table, path: Path, part: Part): Table {
 function listKind(ctx: FormContext, path: Path, names: readonly string[]): Widget {
   const first = kindChoice(ctx, [...path, 0], names);
   const select = first.element.querySelector("select");
-  select?.addEventListener("change", (event) => {
-    event.stopImmediatePropagation();
-    const to = ctx.schema.part(select.value);
-    const key = pathKey([...path, to.name]);
-    const old = listAt(ctx.data(), path);
-    const from = ctx.schema.chosen(names, isTable(old[0]) ? old[0] : {});
-    if (from) ctx.memory.set(pathKey([...path, from.name]), { items: old });
-    const known = ctx.memory.get(key)?.items;
-    const value: Json = Array.isArray(known) && known.length === old.length ? known : old.map(() => starter(to.name, ctx.data()));
-    ctx.change({ edits: [{ op: "set", path, value }], text: `give layers by ${optionWords(to)}` });
-  }, { capture: true });
+  select?.addEventListener(
+    "change",
+    (event) => {
+      event.stopImmediatePropagation();
+      const to = ctx.schema.part(select.value);
+      const key = pathKey([...path, to.name]);
+      const old = listAt(ctx.data(), path);
+      const from = ctx.schema.chosen(names, isTable(old[0]) ? old[0] : {});
+      if (from) ctx.memory.set(pathKey([...path, from.name]), { items: old });
+      const known = ctx.memory.get(key)?.items;
+      const value: Json =
+        Array.isArray(known) && known.length === old.length ? known : old.map(() => starter(to.name, ctx.data()));
+      ctx.change({ edits: [{ op: "set", path, value }], text: `give layers by ${optionWords(to)}` });
+    },
+    { capture: true },
+  );
   return first;
 }
 
 /** Items that fold, each with its summary, a copy and a remove button. */
 function foldedRows(ctx: FormContext, path: Path, of: Node): Rows {
   const element = h("div", { class: "items" });
-  let items: { element: HTMLDetailsElement; update(): void; reveal(target: Path): boolean }[] = [];
+  const items: { element: HTMLDetailsElement; update(): void; reveal(target: Path): boolean }[] = [];
   const update = () => {
     const count = listAt(ctx.data(), path).length;
     while (items.length > count) items.pop()?.element.remove();
@@ -134,7 +161,11 @@ function foldedRows(ctx: FormContext, path: Path, of: Node): Rows {
   return { element, update, reveal };
 }
 
-function foldedItem(ctx: FormContext, path: Path, of: Node): { element: HTMLDetailsElement; update(): void; reveal(target: Path): boolean } {
+function foldedItem(
+  ctx: FormContext,
+  path: Path,
+  of: Node,
+): { element: HTMLDetailsElement; update(): void; reveal(target: Path): boolean } {
   const title = h("span", { class: "item-title" });
   const marks = h("span", { class: "badge" });
   const summary = h("summary", {}, title, marks, ...itemButtons(ctx, path));
@@ -174,12 +205,30 @@ export function itemButtons(ctx: FormContext, path: Path): HTMLElement[] {
   const copy = act(() => {
     const list = path.slice(0, -1);
     const value = structuredClone(tableAt(ctx.data(), path));
-    if (typeof value.name === "string" && value.name) value.name = freeName(namesIn(listAt(ctx.data(), list)), value.name);
-    ctx.change({ edits: [{ op: "add", path: list, value, at: position + 1 }], text: `duplicate ${titleAt(ctx.data(), path)}` });
+    if (typeof value.name === "string" && value.name)
+      value.name = freeName(namesIn(listAt(ctx.data(), list)), value.name);
+    ctx.change({
+      edits: [{ op: "add", path: list, value, at: position + 1 }],
+      text: `duplicate ${titleAt(ctx.data(), path)}`,
+    });
   });
   const remove = act(() => ctx.change(removal(ctx.data(), path)));
   return [
-    h("button", { type: "button", class: "icon", title: "duplicate", "aria-label": `duplicate item ${position + 1}`, onclick: copy }, icon("copy")),
-    h("button", { type: "button", class: "icon", title: "remove", "aria-label": `remove item ${position + 1}`, onclick: remove }, icon("remove")),
+    h(
+      "button",
+      {
+        type: "button",
+        class: "icon",
+        title: "duplicate",
+        "aria-label": `duplicate item ${position + 1}`,
+        onclick: copy,
+      },
+      icon("copy"),
+    ),
+    h(
+      "button",
+      { type: "button", class: "icon", title: "remove", "aria-label": `remove item ${position + 1}`, onclick: remove },
+      icon("remove"),
+    ),
   ];
 }

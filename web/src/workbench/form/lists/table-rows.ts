@@ -1,14 +1,14 @@
 // A list of flat tables as a grid: one row for each table, one column for each key.
 
-import { fill, h } from "../../shell/elements";
-import { listAt, type Path, startsWith, tableAt } from "../../model/paths";
 import { namesIn } from "../../client/store";
-import type { FormContext, Widget } from "../context";
-import { factorCell } from "../inputs/factors";
-import { faultsAt, faultsOfPart, faultWords } from "../errors";
-import { itemButtons, type Rows } from "./list";
+import { listAt, type Path, startsWith, tableAt } from "../../model/paths";
 import type { Field, Part } from "../../model/schema";
+import { fill, h } from "../../shell/elements";
+import type { FormContext, Widget } from "../context";
+import { faultsAt, faultsOfPart, faultWords } from "../errors";
+import { factorCell } from "../inputs/factors";
 import { cellField, hintOf, labelParts } from "../inputs/value-field";
+import { itemButtons, type Rows } from "./list";
 
 interface Row {
   element: HTMLElement;
@@ -32,8 +32,19 @@ export function gridRows(ctx: FormContext, path: Path, part: Part): Rows {
   let columns: Column[] = [];
   let cases = "";
   const build = () => {
-    columns = part.fields.flatMap((field) => (field.node.is === "factors" ? factorColumns(ctx, path, field) : [valueColumn(ctx, field)]));
-    fill(head, h("tr", {}, h("th", { class: "number-of", scope: "col" }, "#"), ...columns.map((column) => column.head), h("th", { class: "acts" })));
+    columns = part.fields.flatMap((field) =>
+      field.node.is === "factors" ? factorColumns(ctx, path, field) : [valueColumn(ctx, field)],
+    );
+    fill(
+      head,
+      h(
+        "tr",
+        {},
+        h("th", { class: "number-of", scope: "col" }, "#"),
+        ...columns.map((column) => column.head),
+        h("th", { class: "acts" }),
+      ),
+    );
     rows = [];
     fill(body);
   };
@@ -98,7 +109,9 @@ function gridRow(ctx: FormContext, path: Path, part: Part, columns: readonly Col
   );
   const update = () => {
     for (const cell of cells) cell.update();
-    const factors = faultsAt(ctx.faults(), [...path, "factors"]).filter((fault) => fault.path.length === path.length + 1);
+    const factors = faultsAt(ctx.faults(), [...path, "factors"]).filter(
+      (fault) => fault.path.length === path.length + 1,
+    );
     const words = [...faultsOfPart(ctx.faults(), path, part), ...factors].map(faultWords);
     fill(messages, ...words.map((each) => h("p", {}, each)));
   };

@@ -1,14 +1,14 @@
 // What happens between pressing and letting go in the drawing: moving, reshaping, drawing.
 
 import type { Change } from "../../client/api";
-import type { Table } from "../../model/paths";
-import { plain, written } from "../../model/quantities";
-import { dragged, type Handle } from "./handles";
 import { editsBetween, type Geometry, isClosed, moved, type Point, type Ring, ringOf } from "../../model/geometry";
 import type { Item } from "../../model/items";
+import type { Table } from "../../model/paths";
+import { plain, written } from "../../model/quantities";
 import { nearestCorner } from "../rendering";
-import type { Snapped } from "./snapping";
 import { type Made, madeAtPoint, madeOfLine, madeOfShape, type Shape, type Tool } from "../tools";
+import { dragged, type Handle } from "./handles";
+import type { Snapped } from "./snapping";
 
 /** What the pointer makes of the drawing for the moment. */
 export interface Ghost {
@@ -23,7 +23,10 @@ export class Moving {
   private readonly held: Point;
   private by: Point = [0, 0];
 
-  constructor(readonly item: Item, private readonly start: Point) {
+  constructor(
+    readonly item: Item,
+    private readonly start: Point,
+  ) {
     this.held = nearestCorner(ringOf(item.geometry), start);
   }
 
@@ -48,7 +51,10 @@ export class Moving {
 export class Reshaping {
   private after: Geometry;
 
-  constructor(readonly item: Item, readonly handle: Handle) {
+  constructor(
+    readonly item: Item,
+    readonly handle: Handle,
+  ) {
     this.after = item.geometry;
   }
 
@@ -116,7 +122,11 @@ export class Drawing {
     const last = this.points.at(-1) ?? first;
     const length = Math.hypot(at[0] - last[0], at[1] - last[1]);
     const angle = (Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI;
-    return { geometry: { type: "line", at: [], points }, item: null, words: `${pair(at)}   ${plain(length, 3)} m at ${plain(angle, 1)}°` };
+    return {
+      geometry: { type: "line", at: [], points },
+      item: null,
+      words: `${pair(at)}   ${plain(length, 3)} m at ${plain(angle, 1)}°`,
+    };
   }
 
   /** What has been drawn, null if it is not enough. */
@@ -148,7 +158,9 @@ export function measures(geometry: Geometry): string {
     default: {
       const ring: Ring = ringOf(geometry);
       const all = isClosed(geometry) ? [...ring, ...ring.slice(0, 1)] : ring;
-      const length = all.slice(1).reduce((sum, point, n) => sum + Math.hypot(point[0] - (all[n]?.[0] ?? 0), point[1] - (all[n]?.[1] ?? 0)), 0);
+      const length = all
+        .slice(1)
+        .reduce((sum, point, n) => sum + Math.hypot(point[0] - (all[n]?.[0] ?? 0), point[1] - (all[n]?.[1] ?? 0)), 0);
       return isClosed(geometry) ? `${ring.length} corners` : `${plain(length, 3)} m long`;
     }
   }

@@ -23,7 +23,14 @@ export function handlesOf(geometry: Geometry): Handle[] {
     case "line":
       return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, false, geometry.bulges ?? [])];
     case "circle":
-      return ([[1, 0], [0, 1], [-1, 0], [0, -1]] as const).map(([x, y], index) => ({
+      return (
+        [
+          [1, 0],
+          [0, 1],
+          [-1, 0],
+          [0, -1],
+        ] as const
+      ).map(([x, y], index) => ({
         kind: "radius",
         index,
         at: [geometry.centre[0] + x * geometry.radius, geometry.centre[1] + y * geometry.radius],
@@ -68,7 +75,9 @@ export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry
       // the plate stays about the origin: the opposite edge goes the other way
       const x = 2 * Math.abs(handle.at[0] < 0 ? box.x[0] : box.x[1]);
       const y = 2 * Math.abs(handle.at[1] < 0 ? box.y[0] : box.y[1]);
-      return x > 0 && y > 0 ? { ...geometry, x: handle.along === "y" ? geometry.x : x, y: handle.along === "x" ? geometry.y : y } : null;
+      return x > 0 && y > 0
+        ? { ...geometry, x: handle.along === "y" ? geometry.x : x, y: handle.along === "x" ? geometry.y : y }
+        : null;
     }
     case "box": {
       const { x, y } = draggedBox(geometry.x, geometry.y, handle, to);
@@ -83,10 +92,16 @@ export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry
       return handle.index === 0 ? { ...geometry, start: to } : { ...geometry, end: to };
     case "line": {
       const points = draggedPoints(geometry.points, handle, to);
-      return geometry.bulges ? { ...geometry, points, bulges: draggedBulges(geometry.bulges, handle) } : { ...geometry, points };
+      return geometry.bulges
+        ? { ...geometry, points, bulges: draggedBulges(geometry.bulges, handle) }
+        : { ...geometry, points };
     }
     case "polygon":
-      return { ...geometry, points: draggedPoints(geometry.points, handle, to), bulges: draggedBulges(geometry.bulges, handle) };
+      return {
+        ...geometry,
+        points: draggedPoints(geometry.points, handle, to),
+        bulges: draggedBulges(geometry.bulges, handle),
+      };
     default:
       return geometry;
   }
@@ -126,7 +141,9 @@ export function withoutCorner(geometry: Geometry, index: number): Geometry | nul
   if (geometry.type === "line" && geometry.points.length > 2) {
     const points = geometry.points.toSpliced(index, 1);
     // with the last corner goes the edge before it, with another one that after it
-    return geometry.bulges ? { ...geometry, points, bulges: geometry.bulges.toSpliced(Math.min(index, geometry.points.length - 2), 1) } : { ...geometry, points };
+    return geometry.bulges
+      ? { ...geometry, points, bulges: geometry.bulges.toSpliced(Math.min(index, geometry.points.length - 2), 1) }
+      : { ...geometry, points };
   }
   if (geometry.type !== "polygon" || geometry.points.length <= 3) return null;
   const bulges = geometry.bulges.length > index ? geometry.bulges.toSpliced(index, 1) : geometry.bulges;

@@ -1,13 +1,13 @@
 // The pointer over the drawing: selecting, moving, reshaping, drawing, shifting and zooming what is seen.
 
 import type { Change } from "../../client/api";
-import { type Path, samePath } from "../../model/paths";
 import type { Store } from "../../client/store";
-import type { Canvas } from "../canvas";
 import { moved, type Point } from "../../model/geometry";
 import type { Item } from "../../model/items";
-import { Drawing, Moving, Reshaping } from "./gestures";
+import { type Path, samePath } from "../../model/paths";
+import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
+import { Drawing, Moving, Reshaping } from "./gestures";
 
 const STILL = 4; // px: what moves less is a click
 
@@ -37,7 +37,11 @@ export class Pointer {
   private lastClick: Point | null = null; // one more click at the same place selects what lies below
   private readonly touches = new Map<number, Point>();
 
-  constructor(private readonly canvas: Canvas, private readonly store: Store, private readonly hooks: PointerHooks) {
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly store: Store,
+    private readonly hooks: PointerHooks,
+  ) {
     const { element } = canvas;
     element.addEventListener("pointerdown", (event) => this.down(event));
     element.addEventListener("pointermove", (event) => this.move(event));
@@ -107,7 +111,9 @@ export class Pointer {
     const again = this.lastClick !== null && !far(this.lastClick, pixel);
     const own = again ? things.find((item) => samePath(item.path, this.store.selection)) : undefined;
     const item = own ?? things[0];
-    this.press = item ? { kind: "thing", item, start: pixel, wasSelected: own !== undefined } : { kind: "empty", start: pixel };
+    this.press = item
+      ? { kind: "thing", item, start: pixel, wasSelected: own !== undefined }
+      : { kind: "empty", start: pixel };
   }
 
   private move(event: PointerEvent): void {
@@ -135,7 +141,10 @@ export class Pointer {
     else if (!press) this.hover(pixel);
   }
 
-  private startDrag(press: { kind: "thing"; item: Item; start: Point } | { kind: "empty"; start: Point }, pixel: Point): void {
+  private startDrag(
+    press: { kind: "thing"; item: Item; start: Point } | { kind: "empty"; start: Point },
+    pixel: Point,
+  ): void {
     const selected = press.kind === "thing" && samePath(press.item.path, this.store.selection);
     const free = press.kind === "thing" && (press.item.kind !== "slab" || selected);
     if (press.kind === "empty" || !free) {
@@ -167,7 +176,11 @@ export class Pointer {
     const { canvas } = this;
     const handle = canvas.handleAt(pixel);
     const item = handle ? null : (canvas.thingsAt(pixel)[0] ?? null);
-    canvas.element.dataset.cursor = handle ? (handle.along ?? handle.kind) : item && item.kind !== "slab" ? "thing" : "";
+    canvas.element.dataset.cursor = handle
+      ? (handle.along ?? handle.kind)
+      : item && item.kind !== "slab"
+        ? "thing"
+        : "";
     if (samePath(canvas.hovered, item?.path ?? null)) return;
     canvas.hovered = item?.path ?? null;
     canvas.paint();
@@ -241,8 +254,11 @@ function far(a: Point, b: Point): boolean {
 
 /** Why a thing cannot be moved. */
 export function whyFixed(item: Item): string {
-  if (item.kind === "slab") return "A rectangle by its sides lies about the origin: drag its edges, or change it into a polygon to move it.";
-  return item.kind === "load" ? `It stands on column ${String(item.table.column)} and goes with it.` : "It cannot be moved at present.";
+  if (item.kind === "slab")
+    return "A rectangle by its sides lies about the origin: drag its edges, or change it into a polygon to move it.";
+  return item.kind === "load"
+    ? `It stands on column ${String(item.table.column)} and goes with it.`
+    : "It cannot be moved at present.";
 }
 
 /** Moving the selected thing by keys: one edit for a row of steps. */
@@ -250,7 +266,10 @@ export class Nudge {
   private by: [number, number] = [0, 0];
   private timer: ReturnType<typeof setTimeout> | null = null;
 
-  constructor(private readonly canvas: Canvas, private readonly push: (change: Change) => void) {}
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly push: (change: Change) => void,
+  ) {}
 
   /** Move by steps of the grid; the edit follows when the keys rest. */
   step(item: Item, dx: number, dy: number): void {
@@ -266,8 +285,8 @@ export class Nudge {
     this.by = [0, 0];
     this.timer = null;
     this.canvas.ghost = null;
-    if (by[0] !== 0 || by[1] !== 0) this.push({ edits: [{ op: "move", path: item.path, by }], text: `move ${item.title}` });
+    if (by[0] !== 0 || by[1] !== 0)
+      this.push({ edits: [{ op: "move", path: item.path, by }], text: `move ${item.title}` });
     this.canvas.paint();
   }
 }
-
