@@ -1,7 +1,7 @@
 // The workbench: a folder of files that groundslab's server hands out.
 import { defineConfig } from "vite";
 
-import { notice } from "./notice";
+import { notice } from "./notice.ts";
 
 export default defineConfig({
   root: "src/workbench",

@@ -1,7 +1,7 @@
 // The report's script and style: one file each, which groundslab writes into every report.
 import { defineConfig } from "vite";
 
-import { notice } from "./notice";
+import { notice } from "./notice.ts";
 
 export default defineConfig({
   build: {

@@ -1,4 +1,5 @@
 // Small meshes and scenes made up for tests.
+
 import {
   type Block,
   type Combination,
@@ -9,6 +10,7 @@ import {
   type Plan,
   type Scene,
 } from "../../src/viewer/data/scene";
+import { makeTiling } from "../../src/viewer/data/triangulation";
 
 const COLUMN = [0, 2, 2, 0, 1, 2, 1, 0, 1];
 const ROW = [0, 0, 2, 2, 0, 1, 2, 1, 1];
@@ -48,6 +50,11 @@ export function beside(a: Mesh, b: Mesh): Mesh {
     nodeCount: a.nodeCount + b.nodeCount,
     elementCount: a.elementCount + b.elementCount,
   };
+}
+
+/** The nodes of all triangles: eight for each element. */
+export function trianglesOf(mesh: Mesh): Uint32Array {
+  return makeTiling(mesh).triangles.subarray(0, 24 * mesh.elementCount);
 }
 
 /** Nodal values of a function. */

@@ -1,6 +1,7 @@
 // A server in the page: keeps data as JSON, answers as the real one does, can be away.
 
-import { type Change, type DocState, type Fault, Outdated, Unreachable } from "../../src/workbench/client/api";
+import { type DocState, type Fault, Outdated, Unreachable } from "../../src/workbench/client/api";
+import type { Change } from "../../src/workbench/model/edits";
 import { foresee } from "../../src/workbench/model/optimistic-edits";
 import type { Table } from "../../src/workbench/model/paths";
 

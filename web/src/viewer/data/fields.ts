@@ -222,9 +222,9 @@ const MOST_BYTES = 256e6;
 const CACHES = new WeakMap<Scene, Map<string, Float32Array>>();
 
 function cacheOf(scene: Scene): Map<string, Float32Array> {
-  let kept = CACHES.get(scene);
-  if (!kept) CACHES.set(scene, (kept = new Map()));
-  return kept;
+  const cache = CACHES.get(scene) ?? new Map<string, Float32Array>();
+  CACHES.set(scene, cache);
+  return cache;
 }
 
 function bytes(kept: Map<string, Float32Array>): number {

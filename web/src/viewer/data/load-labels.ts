@@ -1,20 +1,20 @@
-// What loads are called on a plan: what acts at each place in the combination that is shown.
-import { neat as rounded } from "./color-scale";
+// Labels of loads on a plan: what acts at each place in the combination that is shown.
+import { formatShort } from "./numbers";
 import type { Load } from "./scene";
 
-const neat = (value: number) => rounded(value, 5);
+const round = (value: number) => formatShort(value, 5);
 
-/** A load that is drawn, and its words; empty where another load at the same place speaks for it. */
+/** A load that is drawn, and its label; empty where the label of another load at the same place includes it. */
 export interface ShownLoad {
   load: Load;
-  words: string;
+  text: string;
 }
 
 /**
- * Return the loads that take part, with words.
+ * Return the loads that take part, with labels.
  *
- * With the factors of a combination by load case the words are the sum of all that acts at a place, factors included.
- * Without them (envelopes) each load says its case and that its factor is 1, unless there are no cases.
+ * With the factors of a combination by load case a label is the sum of all that acts at a place, factors included.
+ * Without them (envelopes) each load's label names its case and the factor 1, unless there are no cases.
  */
 export function shownLoads(loads: readonly Load[], factors: ReadonlyMap<string, number> | null): ShownLoad[] {
   const factorOf = (load: Load) => (factors && load.case ? (factors.get(load.case) ?? 0) : 1);
@@ -22,19 +22,19 @@ export function shownLoads(loads: readonly Load[], factors: ReadonlyMap<string, 
   const groups = new Map<string, Load[]>();
   for (const load of acting) groups.set(placeKey(load), [...(groups.get(placeKey(load)) ?? []), load]);
   return acting.map((load) => {
-    if (!factors && load.case) return { load, words: `${wordsOf([load], () => 1)} (1.0 ${load.case})` };
+    if (!factors && load.case) return { load, text: `${labelOf([load], () => 1)} (1.0 ${load.case})` };
     const group = groups.get(placeKey(load))!;
-    return { load, words: group[0] === load ? wordsOf(group, factorOf) : "" };
+    return { load, text: group[0] === load ? labelOf(group, factorOf) : "" };
   });
 }
 
-/** The same for loads of one kind at one place. */
+/** Return a key that loads of one kind at one place share. */
 function placeKey({ kind, points, ring }: Load): string {
   return JSON.stringify([kind, points ?? ring ?? null]);
 }
 
-/** How large loads at one place are together. */
-function wordsOf(loads: readonly Load[], factorOf: (load: Load) => number): string {
+/** Return the sum of loads at one place. */
+function labelOf(loads: readonly Load[], factorOf: (load: Load) => number): string {
   const sums = new Map<string, { value: number; unit: string }>();
   for (const load of loads) {
     for (const [symbol, value, unit] of load.parts) {
@@ -44,10 +44,10 @@ function wordsOf(loads: readonly Load[], factorOf: (load: Load) => number): stri
   const end = sums.get("q_end");
   sums.delete("q_end");
   const all = [...sums];
-  const some = all.filter(([, { value }]) => neat(value) !== "0");
+  const some = all.filter(([, { value }]) => round(value) !== "0");
   const words = (some.length > 0 ? some : all.slice(0, 1)).map(([symbol, { value, unit }]) => {
-    const to = end && neat(end.value) !== neat(value) ? ` to ${neat(end.value)}` : "";
-    return `${symbol} = ${neat(value)}${to} ${unit}`;
+    const to = end && round(end.value) !== round(value) ? ` to ${round(end.value)}` : "";
+    return `${symbol} = ${round(value)}${to} ${unit}`;
   });
   return words.join(", ") + (loads.some((load) => load.varies) ? " and varying" : "");
 }

@@ -1,4 +1,5 @@
 // Which element holds a point, and values between the nodes.
+import { elementBoxes } from "./boxes";
 import type { Mesh } from "./scene";
 import { q9, q9Slopes } from "./shape-functions";
 
@@ -23,14 +24,8 @@ export class Locator {
   private last = 0; // neighbours are asked for one after the other
 
   constructor(private readonly mesh: Mesh) {
-    const boxes = boxesOf(mesh);
-    let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
-    for (let e = 0; e < mesh.elementCount; e++) {
-      x0 = Math.min(x0, boxes[4 * e]!);
-      y0 = Math.min(y0, boxes[4 * e + 1]!);
-      x1 = Math.max(x1, boxes[4 * e + 2]!);
-      y1 = Math.max(y1, boxes[4 * e + 3]!);
-    }
+    const { boxes, whole } = elementBoxes(mesh, BULGE);
+    const [x0, y0, x1, y1] = whole;
     const [width, height] = [Math.max(x1 - x0, 1e-9), Math.max(y1 - y0, 1e-9)];
     const side = Math.sqrt((width * height) / Math.max(mesh.elementCount, 1));
     const cells = (length: number) => Math.min(2048, Math.max(1, Math.round(length / side)));
@@ -128,23 +123,4 @@ function clamp(value: number): number {
 
 function beside(spot: Spot): number {
   return Math.max(Math.abs(spot.xi), Math.abs(spot.eta));
-}
-
-/** Return x0, y0, x1, y1 of each element, with room for curved sides. */
-function boxesOf(mesh: Mesh): Float64Array {
-  const boxes = new Float64Array(4 * mesh.elementCount);
-  for (let e = 0; e < mesh.elementCount; e++) {
-    let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
-    for (let a = 0; a < 9; a++) {
-      const node = 2 * mesh.elements[9 * e + a]!;
-      const [x, y] = [mesh.nodes[node]!, mesh.nodes[node + 1]!];
-      x0 = Math.min(x0, x);
-      y0 = Math.min(y0, y);
-      x1 = Math.max(x1, x);
-      y1 = Math.max(y1, y);
-    }
-    const [dx, dy] = [BULGE * (x1 - x0), BULGE * (y1 - y0)];
-    boxes.set([x0 - dx, y0 - dy, x1 + dx, y1 + dy], 4 * e);
-  }
-  return boxes;
 }

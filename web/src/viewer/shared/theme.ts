@@ -1,52 +1,41 @@
-// Light and dark: by the system's wish until the user chooses; the choice is kept where the browser allows it.
+// Light and dark: the system's preference until the user chooses; the choice is stored where the browser allows it.
+import { readStored, writeStored } from "./storage";
 
 export type Theme = "light" | "dark";
 
 const KEY = "groundslab-theme";
 const DARK = "(prefers-color-scheme: dark)";
+const listeners = new Set<(theme: Theme) => void>();
 
-/** Return the theme that holds: the user's choice, else the system's. */
-export function theme(): Theme {
-  const chosen = document.documentElement.dataset["theme"] ?? kept();
+/** Return the theme in force: the user's choice, else the system's preference. */
+export function currentTheme(): Theme {
+  const chosen = document.documentElement.dataset.theme ?? readStored(KEY);
   if (chosen === "light" || chosen === "dark") return chosen;
   return matchMedia(DARK).matches ? "dark" : "light";
 }
 
-/** Put a theme into force and remember it. */
-export function setTheme(to: Theme): void {
-  document.documentElement.dataset["theme"] = to;
-  try {
-    localStorage.setItem(KEY, to);
-  } catch {
-    // a page from file:// may have no storage: then the choice lasts as long as the page
-  }
-  for (const tell of LISTENERS) tell(to);
+/** Switch between light and dark, and store the choice. */
+export function switchTheme(): void {
+  const theme = currentTheme() === "dark" ? "light" : "dark";
+  document.documentElement.dataset.theme = theme;
+  writeStored(KEY, theme);
+  for (const listener of listeners) listener(theme);
 }
 
-/** Call back whenever the theme changes, by the user or by the system; returns what ends it. */
-export function onTheme(tell: (theme: Theme) => void): () => void {
-  LISTENERS.add(tell);
-  const bySystem = () => tell(theme());
+/** Call back whenever the theme changes, by the user or the system; returns a function that stops it. */
+export function onThemeChange(listener: (theme: Theme) => void): () => void {
+  listeners.add(listener);
+  const bySystem = () => listener(currentTheme());
   const query = matchMedia(DARK);
   query.addEventListener("change", bySystem);
   return () => {
-    LISTENERS.delete(tell);
+    listeners.delete(listener);
     query.removeEventListener("change", bySystem);
   };
 }
 
-/** Put the kept choice into force; call once when the page starts. */
+/** Apply the stored choice; call once when the page starts. */
 export function startTheme(): void {
-  const chosen = kept();
-  if (chosen) document.documentElement.dataset["theme"] = chosen;
-}
-
-const LISTENERS = new Set<(theme: Theme) => void>();
-
-function kept(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
+  const chosen = readStored(KEY);
+  if (chosen) document.documentElement.dataset.theme = chosen;
 }

@@ -1,6 +1,7 @@
 // The server's HTTP interface: what it says and how to ask it.
 
-import type { Json, Path, Table } from "../model/paths";
+import type { Change } from "../model/edits";
+import type { Path, Table } from "../model/paths";
 
 export interface Fault {
   where: string;
@@ -42,21 +43,6 @@ export interface DocState {
   unkept?: string;
   /** Whether another program has changed the file since it was read. */
   outside?: boolean;
-}
-
-export type Edit =
-  | { op: "set"; path: Path; value: Json }
-  | { op: "length"; path: Path; value: number | readonly unknown[] }
-  | { op: "add"; path: Path; value: Json; at?: number }
-  | { op: "remove"; path: Path }
-  | { op: "move"; path: Path; by: readonly [number, number] }
-  | { op: "text"; value: string };
-
-/** What the user did: one step of undo. */
-export interface Change {
-  edits: Edit[];
-  text: string;
-  merge?: boolean;
 }
 
 export interface Folder {

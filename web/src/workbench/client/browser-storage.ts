@@ -1,9 +1,10 @@
-// What the browser remembers between visits: the token of the server, what is unfolded.
+// What the browser keeps between visits: the server's token, which sections of the form are open.
+import { readStored, writeStored } from "../../viewer/shared/storage";
 
 const TOKEN = "groundslab-token";
 const SECTIONS = "groundslab-sections";
 
-/** The token in the page's address, which is then taken out of it; else the one that this tab had before. */
+/** Return the token in the page's address, which is then removed from it; else the one that this tab had before. */
 export function takeToken(): string {
   const address = new URL(location.href);
   const token = address.searchParams.get("token");
@@ -15,38 +16,17 @@ export function takeToken(): string {
   return token;
 }
 
-/** Hear of a token that another tab of the same address has taken: the server was started anew. */
-export function tokenFromElsewhere(take: (token: string) => void): void {
+/** Call back with a token that another tab of the same address has taken, because the server was restarted. */
+export function onTokenElsewhere(listener: (token: string) => void): void {
   new BroadcastChannel(TOKEN).addEventListener("message", (event: MessageEvent<unknown>) => {
     if (typeof event.data !== "string") return;
     sessionStorage.setItem(TOKEN, event.data);
-    take(event.data);
+    listener(event.data);
   });
 }
 
-/** Which sections of the form are unfolded. */
+/** Which sections of the form are open. */
 export const openSections = {
-  read(): string[] | null {
-    const text = read(SECTIONS);
-    return text === null ? null : text.split(" ").filter(Boolean);
-  },
-  write(keys: string[]): void {
-    write(SECTIONS, keys.join(" "));
-  },
+  read: (): string[] | null => readStored(SECTIONS)?.split(" ").filter(Boolean) ?? null,
+  write: (keys: string[]): void => writeStored(SECTIONS, keys.join(" ")),
 };
-
-function read(key: string): string | null {
-  try {
-    return localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-function write(key: string, value: string): void {
-  try {
-    localStorage.setItem(key, value);
-  } catch {
-    // without storage the page forgets
-  }
-}

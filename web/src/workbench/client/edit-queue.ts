@@ -1,6 +1,7 @@
 // Edits on their way to the server: one at a time, in order, none lost when the server is away.
 
-import { type Api, type Change, type DocState, Outdated, Refused, Stranger, Unreachable } from "./api";
+import type { Change } from "../model/edits";
+import { type Api, type DocState, Outdated, Refused, Stranger, Unreachable } from "./api";
 
 export interface QueueHooks {
   /** The version that the next edit builds on. */

@@ -1,8 +1,9 @@
 // What the page knows, and who wants to hear of changes. No elements here.
 
+import type { Change, Edit } from "../model/edits";
 import { foresee } from "../model/optimistic-edits";
-import { type Json, type Path, samePath, type Table } from "../model/paths";
-import type { Change, DocState, Edit } from "./api";
+import { type Path, samePath, type Table } from "../model/paths";
+import type { DocState } from "./api";
 
 /** How the page stands with the server. */
 export type Connection = "ok" | "away" | "stranger";
@@ -28,7 +29,19 @@ export interface Solved {
   design: string;
 }
 
-export type Topic = "doc" | "data" | "connection" | "run" | "solved" | "selection" | "waiting" | "autosolve" | "notice";
+/** What listeners can be called about. */
+export const TOPICS = [
+  "doc",
+  "data",
+  "connection",
+  "run",
+  "solved",
+  "selection",
+  "waiting",
+  "autosolve",
+  "notice",
+] as const;
+export type Topic = (typeof TOPICS)[number];
 
 /** A short word to the user, with something to do about it. */
 export interface Notice {
@@ -64,8 +77,8 @@ export class Store {
     };
   }
 
-  /** Tell all who listen to a topic. */
-  tell(topic: Topic): void {
+  /** Call all listeners of a topic. */
+  emit(topic: Topic): void {
     for (const listener of [...(this.listeners.get(topic) ?? [])]) listener();
   }
 
@@ -77,20 +90,20 @@ export class Store {
     this.readable = doc.data ?? this.readable;
     if (doc.autosolve !== undefined && doc.autosolve !== this.autosolve) {
       this.autosolve = doc.autosolve;
-      this.tell("autosolve");
+      this.emit("autosolve");
     }
     this.foreseeAll();
-    if (fewer) this.tell("waiting");
-    this.tell("doc");
-    this.tell("data");
+    if (fewer) this.emit("waiting");
+    this.emit("doc");
+    this.emit("data");
   }
 
   /** Take the edits that wait. */
   setWaiting(waiting: readonly Change[]): void {
     this.waiting = [...waiting];
     this.foreseeAll();
-    this.tell("waiting");
-    this.tell("data");
+    this.emit("waiting");
+    this.emit("data");
   }
 
   get waitingCount(): number {
@@ -107,28 +120,28 @@ export class Store {
   setConnection(connection: Connection): void {
     if (this.connection === connection) return;
     this.connection = connection;
-    this.tell("connection");
+    this.emit("connection");
   }
 
   setRun(run: Run): void {
     this.run = run;
-    this.tell("run");
+    this.emit("run");
   }
 
   setSolved(solved: Solved | null): void {
     this.solved = solved;
-    this.tell("solved");
+    this.emit("solved");
   }
 
   select(path: Path | null): void {
     if (samePath(this.selection, path)) return;
     this.selection = path;
-    this.tell("selection");
+    this.emit("selection");
   }
 
-  say(notice: Notice | null): void {
+  notify(notice: Notice | null): void {
     this.notice = notice;
-    this.tell("notice");
+    this.emit("notice");
   }
 
   /** Whether the text is broken, so that form and drawing cannot be edited. */
@@ -141,12 +154,4 @@ export class Store {
     for (const change of this.waiting) for (const edit of change.edits) data = foresee(data, edit);
     this.data = data;
   }
-}
-
-/** Names in a list of tables, such as those of columns or load cases. */
-export function namesIn(list: readonly Json[]): string[] {
-  return list.flatMap((each) => {
-    const name = typeof each === "object" && each !== null && !Array.isArray(each) ? each.name : undefined;
-    return typeof name === "string" && name ? [name] : [];
-  });
 }

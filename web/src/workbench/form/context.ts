@@ -1,6 +1,7 @@
 // What the parts of a form share.
 
-import type { Change, Edit, Fault } from "../client/api";
+import type { Fault } from "../client/api";
+import type { Change, Edit } from "../model/edits";
 import { titleAt } from "../model/items";
 import { type Json, type Path, sameValue, type Table, valueAt } from "../model/paths";
 import { isCalled, renames } from "../model/references";

@@ -1,14 +1,13 @@
 // The whole case file as a form: one section that folds for each key at the top of the file.
 
-import type { Fault } from "../client/api";
+import { h, setText } from "../../viewer/shared/dom";
 import { isTable, type Json, type Path, type Table } from "../model/paths";
 import type { Field } from "../model/schema";
-import { fill, h, setText } from "../shell/elements";
 import type { FormContext, Widget } from "./context";
-import { faultsAt, faultsOfPart, faultWords } from "./errors";
+import { issueCount, issuesAt, issuesOfPart, showIssues } from "./errors";
 import { heading, shortValue } from "./labels";
-import { listWidget } from "./lists/list";
-import { nodeWidget, subPart } from "./section";
+import "./form.css";
+import { nodeWidget } from "./section";
 
 /** The sections in the order of thought: what there is, what acts, what is wanted, how it is computed. */
 const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
@@ -58,8 +57,7 @@ export function formPanel(
   }
   const update = () => {
     for (const each of sections) each.update();
-    const words = faultsOfPart(ctx.faults(), [], root).map(faultWords);
-    fill(messages, ...words.map((each) => h("p", {}, each)));
+    showIssues(messages, issuesOfPart(ctx.faults(), [], root));
   };
   const reveal = (target: Path) => sections.some((each) => each.reveal(target));
   return { element, update, reveal };
@@ -81,7 +79,7 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
   let body: Widget | null = null;
   const build = () => {
     if (!element.open || body) return;
-    body = bareWidget(ctx, path, field);
+    body = nodeWidget(ctx, path, field, true);
     element.append(h("div", { class: "section-body" }, body.element));
     body.update();
   };
@@ -92,9 +90,9 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
   });
   const update = () => {
     setText(digest, digestOf(field, ctx.data(), isOptional(ctx, field)));
-    const count = faultsAt(ctx.faults(), path).length;
+    const count = issuesAt(ctx.faults(), path).length;
     setText(badge, count > 0 ? String(count) : "");
-    badge.title = faultCount(count);
+    badge.title = issueCount(count);
     build();
     if (element.open) body?.update();
   };
@@ -105,19 +103,6 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
     return body?.reveal(target) ?? false;
   };
   return { element, update, reveal };
-}
-
-/** A section's content without a title, which the section has. */
-function bareWidget(ctx: FormContext, path: Path, field: Field): Widget {
-  const { node } = field;
-  if (node.is === "part" || node.is === "kinds") return subPart(ctx, path, field, node, true);
-  return node.is === "list"
-    ? listWidget(ctx, path, node.of, HEADINGS[field.name] ?? heading(field.name), field.hint, true)
-    : nodeWidget(ctx, path, field);
-}
-
-function faultCount(count: number): string {
-  return count === 0 ? "" : count === 1 ? "1 fault" : `${count} faults`;
 }
 
 /** Whether a section does nothing unless it is there. */
@@ -154,9 +139,4 @@ export function digestOf(field: Field, data: Table, optional: boolean): string {
   return (
     [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean).join(", ") || "by default"
   );
-}
-
-/** A fault in one line for the list of all faults. */
-export function faultLine(fault: Fault): string {
-  return `${fault.where}: got ${fault.got}, expected ${fault.expected}${fault.mend ? ` — ${fault.mend}` : ""}`;
 }

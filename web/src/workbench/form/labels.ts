@@ -1,33 +1,10 @@
 // How keys, symbols and values are written for people.
 
+import { symbolElement } from "../../viewer/shared/symbols";
 import { isTable, type Json, type Table } from "../model/paths";
 import type { Field, Part } from "../model/schema";
-import { h } from "../shell/elements";
 
-const GREEK: Record<string, string> = {
-  alpha: "α",
-  beta: "β",
-  gamma: "γ",
-  delta: "δ",
-  kappa: "κ",
-  nu: "ν",
-  psi: "ψ",
-  mu: "μ",
-  phi: "φ",
-};
 const LONGEST_LABEL = 30;
-
-/** A symbol with subscripts and Greek letters: `alpha_T`, `q_x, q_y`. */
-export function symbolElement(symbol: string): HTMLElement {
-  const element = h("i", { class: "symbol" });
-  symbol.split(", ").forEach((each, n) => {
-    const [stem = "", below] = each.split("_");
-    if (n > 0) element.append(", ");
-    element.append(GREEK[stem] ?? stem);
-    if (below) element.append(h("sub", {}, GREEK[below] ?? below));
-  });
-  return element;
-}
 
 /** What a field is called: its key in words, or what its letter means. */
 export function labelOf(field: Field): string {
@@ -87,4 +64,23 @@ export function summaryOf(table: Table, part: Part | null): string {
   if (typeof table.column === "string" && table.column) pieces.push(`on ${table.column}`);
   if (typeof table.case === "string" && table.case) pieces.push(`(${table.case})`);
   return pieces.filter(Boolean).join("  ·  ");
+}
+
+/** The words and the symbol of a key. */
+export function labelParts(field: Field): (Node | string)[] {
+  const words = labelOf(field);
+  const symbol =
+    field.symbol && field.symbol !== words && !field.symbol.includes(",") ? symbolElement(field.symbol) : null;
+  const shown = words || (symbol ? "" : field.name);
+  return [shown, ...(shown && symbol ? [" "] : []), ...(symbol ? [symbol] : [])];
+}
+
+/** What the label does not say yet. */
+export function furtherHint(field: Field): string {
+  return labelOf(field).toLowerCase() === field.hint.toLowerCase() ? field.range : hintOf(field);
+}
+
+/** What a key means and what it may be. */
+export function hintOf(field: Field): string {
+  return field.range ? `${field.hint} (${field.range})` : field.hint;
 }

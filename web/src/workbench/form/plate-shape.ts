@@ -1,33 +1,31 @@
 // The slab's outline: a rectangle about the origin, or a shape that is drawn where it lies.
 
-import type { Edit } from "../client/api";
+import { h, newId } from "../../viewer/shared/dom";
+import type { Edit } from "../model/edits";
 import { readSides, ringOf } from "../model/geometry";
+import { outlineEdits } from "../model/new-items";
 import { type Path, pathKey, startsWith, type Table, tableAt } from "../model/paths";
 import { written } from "../model/quantities";
 import { placed } from "../model/variants";
-import { outlineEdits } from "../plan/tools";
-import { fill, h, newId } from "../shell/elements";
 import type { FormContext, Widget } from "./context";
 import { valueField } from "./inputs/value-field";
-import { partWidget } from "./section";
 
 /** Keys of the plate that this element shows in place of the plain list of fields. */
 export const SHAPE_KEYS = ["length_x", "length_y", "outline"] as const;
 const SIDES = "sides";
-const SHAPES = ["Rectangle", "Polygon", "Circle"] as const;
+export const SHAPES = ["Rectangle", "Polygon", "Circle"] as const;
 
-const OUTLINE: Path = ["plate", "outline"];
+export const OUTLINE: Path = ["plate", "outline"];
 
 /** The choice of the outline, and the sides of a rectangle about the origin. */
 export function plateShape(ctx: FormContext): Widget {
-  const select = h("select", { id: newId("input") });
-  fill(
-    select,
-    h("option", { value: SIDES }, "rectangle about the origin"),
+  const options = [
+    h("option", { value: SIDES }, "rectangle centered on the origin"),
     ...SHAPES.map((name) =>
       h("option", { value: name }, name === "Rectangle" ? "rectangle anywhere" : name.toLowerCase()),
     ),
-  );
+  ];
+  const select = h("select", { id: newId("input") }, ...options);
   const plate = ctx.schema.part("Plate");
   const sides = plate.fields
     .filter((field) => field.name === "length_x" || field.name === "length_y")
@@ -41,28 +39,24 @@ export function plateShape(ctx: FormContext): Widget {
   const element = h("div", { class: "plate-shape" }, row, ...sides.map((side) => side.element));
   select.addEventListener("change", () => {
     const edits = select.value === SIDES ? sidesEdits(ctx.data()) : shapeEdits(ctx, select.value);
-    ctx.change({
-      edits,
-      text: `change the slab's outline to ${select.value === SIDES ? "a rectangle about the origin" : `a ${select.value.toLowerCase()}`}`,
-    });
+    const name = select.value === SIDES ? "rectangle centered on the origin" : select.value.toLowerCase();
+    ctx.change({ edits, text: `change the slab's outline to a ${name}` });
   });
   const update = () => {
     const table = tableAt(ctx.data(), ["plate"]);
     const chosen = table.outline === undefined ? null : ctx.schema.chosen(SHAPES, tableAt(ctx.data(), OUTLINE));
     select.value = table.outline === undefined ? SIDES : (chosen?.name ?? "");
-    // a length that stands beside an outline is shown, so that its fault is
-    sides.forEach(
-      (side, n) =>
-        (side.element.hidden = table.outline !== undefined && table[n === 0 ? "length_x" : "length_y"] === undefined),
-    );
+    // a length that stands beside an outline is shown, so that its issue is
+    sides.forEach((side, n) => {
+      side.element.hidden = table.outline !== undefined && table[n === 0 ? "length_x" : "length_y"] === undefined;
+    });
     for (const side of sides) side.update();
   };
   return { element, update, reveal: (target) => sides.some((side) => side.reveal(target)) };
 }
 
 /** The measures of an outline that is drawn where it lies. */
-export function plateOutline(ctx: FormContext): Widget {
-  const inner = partWidget(ctx, OUTLINE, { is: "kinds", parts: SHAPES });
+export function plateOutline(ctx: FormContext, inner: Widget): Widget {
   inner.element.classList.add("without-kind");
   const update = () => {
     inner.element.hidden = tableAt(ctx.data(), ["plate"]).outline === undefined;

@@ -1,6 +1,7 @@
 // Shapes in plan in metres: what the case file's texts mean, and back to edits.
 
-import type { Edit } from "../client/api";
+import { type Box, boxAround } from "../../viewer/data/boxes";
+import type { Edit } from "./edits";
 import { isTable, type Json, type Path, valueAt } from "./paths";
 import { metres, place, places } from "./quantities";
 
@@ -14,7 +15,7 @@ export type Geometry =
   | { type: "polygon"; at: Path; points: Ring; bulges: readonly number[] }
   | { type: "circle"; at: Path; centre: Point; radius: number }
   | { type: "point"; at: Path; x: number; y: number }
-  | { type: "line"; at: Path; points: Ring; bulges?: readonly number[] }
+  | { type: "line"; at: Path; points: Ring; bulges: readonly number[] }
   | { type: "segment"; at: Path; start: Point; end: Point }
   | { type: "fixed"; at: Path; points: Ring; closed: boolean };
 
@@ -41,9 +42,7 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
     const points = places(table.points);
     if (!points || points.length === 0) return null;
     const bulges = Array.isArray(table.bulges) ? table.bulges.map((each) => (typeof each === "number" ? each : 0)) : [];
-    if (table.kind !== "polygon")
-      return bulges.some((each) => each !== 0) ? { type: "line", at, points, bulges } : { type: "line", at, points };
-    return { type: "polygon", at, points, bulges };
+    return { type: table.kind === "polygon" ? "polygon" : "line", at, points, bulges };
   }
   const [x, y] = [metres(table.x), metres(table.y)];
   return x !== null && y !== null ? { type: "point", at, x, y } : null;
@@ -65,10 +64,11 @@ export function ringOf(geometry: Geometry): Ring {
       return corners([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2]);
     case "box":
       return corners(geometry.x, geometry.y);
+    case "line":
     case "polygon":
       return geometry.points.flatMap((point, n) => {
-        const next = geometry.points[(n + 1) % geometry.points.length] ?? point;
-        return [point, ...arc(point, next, geometry.bulges[n] ?? 0)];
+        const next = geometry.points[n + 1] ?? (geometry.type === "polygon" ? geometry.points[0] : undefined);
+        return next ? [point, ...arc(point, next, geometry.bulges[n] ?? 0)] : [point];
       });
     case "circle":
       return Array.from({ length: 180 }, (_, n): Point => {
@@ -77,11 +77,6 @@ export function ringOf(geometry: Geometry): Ring {
           geometry.centre[0] + geometry.radius * Math.cos(angle),
           geometry.centre[1] + geometry.radius * Math.sin(angle),
         ];
-      });
-    case "line":
-      return geometry.points.flatMap((point, n) => {
-        const next = geometry.points[n + 1];
-        return next ? [point, ...arc(point, next, geometry.bulges?.[n] ?? 0)] : [point];
       });
     case "point":
       return [[geometry.x, geometry.y]];
@@ -159,14 +154,9 @@ export function nearest(a: Point, b: Point, [x, y]: Point): { at: Point; distanc
 }
 
 /** The rectangle [x0, y0, x1, y1] around places, null if there are none. */
-export function boundsOf(points: Iterable<Point>): [number, number, number, number] | null {
-  let bounds: [number, number, number, number] | null = null;
-  for (const [x, y] of points) {
-    bounds = bounds
-      ? [Math.min(bounds[0], x), Math.min(bounds[1], y), Math.max(bounds[2], x), Math.max(bounds[3], y)]
-      : [x, y, x, y];
-  }
-  return bounds;
+export function boundsOf(points: Iterable<Point>): Box | null {
+  const box = boxAround(points);
+  return box[0] <= box[2] ? box : null;
 }
 
 /** The geometry moved as a whole. */
@@ -188,35 +178,34 @@ export function moved(geometry: Geometry, [dx, dy]: Point): Geometry {
   }
 }
 
-/** The edits that write a geometry in place of an older one of the same type. */
+/** The keys of the case file that hold lengths of a geometry, and its properties. */
+const LENGTHS: Record<Geometry["type"], Record<string, string>> = {
+  sides: { length_x: "x", length_y: "y" },
+  box: { x: "x", y: "y" },
+  point: { x: "x", y: "y" },
+  circle: { centre: "centre", radius: "radius" },
+  segment: { start: "start", end: "end" },
+  line: { points: "points" },
+  polygon: { points: "points" },
+  fixed: {},
+};
+
+/** Return the edits that write a geometry in place of an older one of the same type. */
 export function editsBetween(before: Geometry, after: Geometry): Edit[] {
-  const edits: Edit[] = [];
-  const length = (key: string, old: unknown, value: number | readonly unknown[]) => {
-    if (JSON.stringify(old) !== JSON.stringify(value)) edits.push({ op: "length", path: [...before.at, key], value });
-  };
-  if (before.type === "sides" && after.type === "sides") {
-    length("length_x", before.x, after.x);
-    length("length_y", before.y, after.y);
-  } else if (before.type === "box" && after.type === "box") {
-    length("x", before.x, after.x);
-    length("y", before.y, after.y);
-  } else if (before.type === "point" && after.type === "point") {
-    length("x", before.x, after.x);
-    length("y", before.y, after.y);
-  } else if (before.type === "circle" && after.type === "circle") {
-    length("centre", before.centre, after.centre);
-    length("radius", before.radius, after.radius);
-  } else if (before.type === "segment" && after.type === "segment") {
-    length("start", before.start, after.start);
-    length("end", before.end, after.end);
-  } else if (before.type === "line" && after.type === "line") {
-    length("points", before.points, after.points);
-    if (JSON.stringify(before.bulges) !== JSON.stringify(after.bulges))
-      edits.push({ op: "set", path: [...before.at, "bulges"], value: [...(after.bulges ?? [])] });
-  } else if (before.type === "polygon" && after.type === "polygon") {
-    length("points", before.points, after.points);
-    if (JSON.stringify(before.bulges) !== JSON.stringify(after.bulges))
-      edits.push({ op: "set", path: [...before.at, "bulges"], value: [...after.bulges] });
-  }
+  const differs = (a: unknown, b: unknown) => JSON.stringify(a) !== JSON.stringify(b);
+  const [old, value] = [before, after] as unknown as Record<string, number | readonly unknown[]>[];
+  const edits = Object.entries(LENGTHS[before.type]).flatMap(([key, property]): Edit[] =>
+    differs(old?.[property], value?.[property])
+      ? [{ op: "length", path: [...before.at, key], value: value![property]! }]
+      : [],
+  );
+  if ("bulges" in before && "bulges" in after && differs(before.bulges, after.bulges))
+    edits.push({ op: "set", path: [...before.at, "bulges"], value: [...after.bulges] });
   return edits;
+}
+
+/** Return the corner of a ring nearest to a place. */
+export function nearestCorner(ring: Ring, at: Point): Point {
+  const distance = (point: Point) => Math.hypot(point[0] - at[0], point[1] - at[1]);
+  return ring.reduce((best, each) => (distance(each) < distance(best) ? each : best), ring[0] ?? at);
 }

@@ -1,23 +1,9 @@
 // All things of the case file that have a place in plan.
 
+import type { Kind } from "../../viewer/plan/symbols";
 import { boundsOf, corners, type Geometry, type Point, type Ring, readGeometry, readSides, ringOf } from "./geometry";
 import { isTable, type Json, listAt, type Path, pathWords, type Table, tableAt, valueAt } from "./paths";
 import { metres } from "./quantities";
-
-export type Kind =
-  | "slab"
-  | "opening"
-  | "zone"
-  | "column"
-  | "support"
-  | "load"
-  | "borehole"
-  | "soil zone"
-  | "void"
-  | "gap"
-  | "output point"
-  | "section line"
-  | "strip";
 
 export interface Item {
   kind: Kind;

@@ -1,7 +1,7 @@
 // What an edit does to the data, foreseen here so that form and drawing need not wait for the server.
 
-import type { Edit } from "../client/api";
-import { isTable, type Json, type Path, type Table, valueAt } from "./paths";
+import type { Change, Edit } from "./edits";
+import { isTable, type Json, type Path, sameValue, type Table, valueAt } from "./paths";
 import { writtenLike } from "./quantities";
 import { movedTable } from "./translation";
 
@@ -55,4 +55,13 @@ function within(
     delete table[step];
   } else table[step] = inner;
   return table;
+}
+
+/** Whether what a change is about has the same value in two states of the data. */
+export function changesSameValues(change: Change, before: Table, after: Table): boolean {
+  return change.edits.every((edit) => {
+    if (edit.op === "text") return false;
+    const path = edit.op === "add" ? edit.path : edit.path.slice(0, 2);
+    return sameValue(valueAt(before, path), valueAt(after, path));
+  });
 }

@@ -1,8 +1,8 @@
 // Names that other parts of the file call: renamed and removed together with those who call them.
 
-import type { Change, Edit } from "../client/api";
-import { namesIn } from "../client/store";
+import type { Change, Edit } from "./edits";
 import { titleAt } from "./items";
+import { namesIn } from "./names";
 import { isTable, type Json, listAt, type Path, type Table } from "./paths";
 
 /** Which key of which list calls the names of a list. */
@@ -40,12 +40,9 @@ export function renames(data: Table, path: Path, to: string): Edit[] {
     names.includes(to)
   )
     return [];
-  const edits: Edit[] = [];
-  for (const caller of CALLERS.filter((each) => each.names === path[0])) {
-    callersOf(data, caller, from).forEach((n) =>
-      edits.push({ op: "set", path: [caller.list, n, caller.key], value: to }),
-    );
-  }
+  const edits = CALLERS.filter((each) => each.names === path[0]).flatMap((caller) =>
+    callersOf(data, caller, from).map((n): Edit => ({ op: "set", path: [caller.list, n, caller.key], value: to })),
+  );
   if (path[0] === "cases") {
     listAt(data, ["combinations"]).forEach((each, n) => {
       const factors = isTable(each) && isTable(each.factors) ? each.factors : {};

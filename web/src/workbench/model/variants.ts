@@ -1,7 +1,7 @@
 // Switching a table to another kind: what both kinds share stays, what the other needs is filled in.
 
-import type { Edit } from "../client/api";
 import { starter } from "./defaults";
+import type { Edit } from "./edits";
 import { boundsOf, type Point, readGeometry, readSides, ringOf } from "./geometry";
 import { type Json, type Path, sameValue, type Table, tableAt, valueAt } from "./paths";
 import { written } from "./quantities";

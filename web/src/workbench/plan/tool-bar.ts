@@ -1,8 +1,7 @@
 // The tools beside the drawing, with names and keys.
-
-import { h, setText } from "../shell/elements";
+import { h } from "../../viewer/shared/dom";
 import { toolIcon } from "./tool-icons";
-import { TOOLS, type Tool, type ToolName, toolOf } from "./tools";
+import { type Tool, type ToolName, toolOf } from "./tools";
 
 export interface ToolBar {
   readonly element: HTMLElement;
@@ -19,61 +18,43 @@ const GROUPS: readonly (readonly ToolName[])[] = [
   ["section line"],
 ];
 
-/** The tool bar; `changed` hears of another tool. */
-export function toolBar(changed: (tool: Tool) => void): ToolBar {
-  const buttons = new Map<ToolName, HTMLButtonElement>();
+/** Make the tool bar; `onChange` is called with every tool that is chosen. */
+export function toolBar(onChange: (tool: Tool) => void): ToolBar {
   let current = toolOf("select");
+  const makeButton = ({ name, label, key, hint }: Tool) => {
+    const attributes = {
+      type: "button",
+      class: "tool",
+      title: `${label} (${key}). ${hint}`,
+      "aria-keyshortcuts": key,
+      "data-tool": name,
+      onclick: () => choose(name),
+    };
+    return h("button", attributes, toolIcon(name), h("span", {}, label), h("kbd", {}, key));
+  };
+  const groups = GROUPS.map((names) => names.map((name) => makeButton(toolOf(name))));
+  const buttons = groups.flat();
+  const mark = () => {
+    for (const each of buttons) {
+      const isCurrent = each.dataset.tool === current.name;
+      each.setAttribute("aria-pressed", String(isCurrent));
+      each.tabIndex = isCurrent ? 0 : -1;
+    }
+  };
   const choose = (name: ToolName) => {
     current = toolOf(name);
-    for (const [each, button] of buttons) {
-      button.setAttribute("aria-pressed", String(each === name));
-      button.tabIndex = each === name ? 0 : -1;
-    }
-    changed(current);
+    mark();
+    onChange(current);
   };
-  const make = (tool: Tool) => {
-    const button = h(
-      "button",
-      {
-        type: "button",
-        class: "tool",
-        title: `${tool.label} (${tool.key}). ${tool.hint}`,
-        "aria-pressed": tool.name === "select",
-        "aria-keyshortcuts": tool.key,
-        "data-tool": tool.name,
-        onclick: () => choose(tool.name),
-      },
-      toolIcon(tool.name),
-      h("span", {}, tool.label),
-      h("kbd", {}, tool.key),
-    );
-    button.setAttribute("aria-pressed", String(tool.name === current.name));
-    button.tabIndex = tool.name === current.name ? 0 : -1;
-    buttons.set(tool.name, button);
-    return button;
-  };
-  const element = h(
-    "div",
-    { class: "tools", role: "toolbar", "aria-label": "drawing tools", "aria-orientation": "vertical" },
-    ...GROUPS.map((names) => h("div", { class: "tool-group" }, ...names.map((name) => make(toolOf(name))))),
-  );
+  mark();
+  const attributes = { class: "tools", role: "toolbar", "aria-label": "drawing tools", "aria-orientation": "vertical" };
+  const element = h("div", attributes, ...groups.map((group) => h("div", { class: "tool-group" }, ...group)));
   element.addEventListener("keydown", (event) => {
     const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
     if (by === 0) return;
     event.preventDefault();
-    const all = [...buttons.values()];
-    all[(all.findIndex((button) => button === document.activeElement) + by + all.length) % all.length]?.focus();
+    const now = buttons.indexOf(document.activeElement as HTMLButtonElement);
+    buttons[(now + by + buttons.length) % buttons.length]?.focus();
   });
   return { element, current: () => current, choose };
-}
-
-/** The tool of a key, null if no tool has it. */
-export function toolForKey(key: string): ToolName | null {
-  return TOOLS.find((tool) => tool.key.toLowerCase() === key.toLowerCase())?.name ?? null;
-}
-
-/** Say what to do now below the drawing. */
-export function hintLine(): { element: HTMLElement; say(words: string): void } {
-  const element = h("p", { class: "drawing-hint", role: "status" });
-  return { element, say: (words) => setText(element, words) };
 }

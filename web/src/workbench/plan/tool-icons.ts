@@ -1,9 +1,8 @@
-// Small pictures for the tools, drawn with lines of 16 x 16.
-
-import { svg } from "../shell/elements";
+// Icons of the tools.
+import { lineIcon } from "../shell/icons";
 import type { ToolName } from "./tools";
 
-const PICTURES: Record<ToolName, string> = {
+const PATHS: Record<ToolName, string> = {
   select: "M4 2l8 7-4 .6L10.3 14l-1.8.8-2.2-4.3L4 13z",
   slab: "M2 4h12v8H2z",
   opening: "M2 3h12v10H2zM5.5 6h5v4h-5zM5.5 6l5 4M10.5 6l-5 4",
@@ -20,11 +19,6 @@ const PICTURES: Record<ToolName, string> = {
   "section line": "M2 12L14 4M1 10.5l2.2 3M12.8 2.5l2.2 3",
 };
 
-/** The picture of a tool. */
 export function toolIcon(name: ToolName): SVGSVGElement {
-  return svg(
-    "svg",
-    { viewBox: "0 0 16 16", width: 16, height: 16, class: "icon-line", "aria-hidden": "true" },
-    svg("path", { d: PICTURES[name] }),
-  );
+  return lineIcon(PATHS[name]);
 }

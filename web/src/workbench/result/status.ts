@@ -1,7 +1,8 @@
 // The line above the result: what it is of, whether it is up to date, what the solver is doing.
 
+import { type Child, fill, h, setText } from "../../viewer/shared/dom";
 import type { Run, Solved, Store } from "../client/store";
-import { fill, h, setText } from "../shell/elements";
+import { issueLine } from "../form/errors";
 
 /** How the shown result stands to the model. */
 export type Freshness = "none" | "fresh" | "stale";
@@ -25,13 +26,13 @@ export function statusWords(
     case "solving":
       return `${old}Solving${run.text ? `: ${run.text}` : " …"}`;
     case "refused":
-      return `${old}Not solved: ${run.message || "the model has faults"}`;
+      return `${old}Not solved: ${run.message || "the model has errors"}`;
     case "cancelled":
       return `${old}Solving was cancelled.`;
     default:
       if (fresh === "none") return "Not solved yet.";
-      if (fresh === "stale" && faults > 0) return `${old}Mend the ${faults === 1 ? "fault" : "faults"} to renew them.`;
-      if (fresh === "stale") return autosolve ? old : `${old}Solve to renew them.`;
+      if (fresh === "stale" && faults > 0) return `${old}Fix the ${faults === 1 ? "error" : "errors"} to update them.`;
+      if (fresh === "stale") return autosolve ? old : `${old}Solve to update them.`;
       return [solved?.design ?? "", `Solved in ${seconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
   }
 }
@@ -62,45 +63,24 @@ export function statusLine(store: Store): HTMLElement {
   return element;
 }
 
-/** What stands in place of a result while there is none. */
+/** What is shown in place of a result while there is none. */
 export function emptyResult(store: Store, solve: () => void): { element: HTMLElement; update(): void } {
   const element = h("div", { class: "empty-result" });
+  const show = (title: string, text: string, ...more: Child[]) =>
+    fill(element, h("h3", {}, title), h("p", {}, text), ...more);
   const update = () => {
     const { run, doc } = store;
-    const faults = doc?.faults.length ?? 0;
-    if (run.kind === "solving") fill(element, h("h3", {}, "Solving …"), h("p", {}, "The first result appears here."));
-    else if (run.kind === "refused")
-      fill(
-        element,
-        h("h3", {}, "Not solved"),
-        h("p", {}, run.message),
-        ...run.faults.map((fault) =>
-          h(
-            "p",
-            { class: "quiet" },
-            `${fault.where}: got ${fault.got}, expected ${fault.expected}${fault.mend ? ` — ${fault.mend}` : ""}`,
-          ),
-        ),
+    const count = doc?.faults.length ?? 0;
+    if (run.kind === "solving") return show("Solving …", "The first result appears here.");
+    if (run.kind === "refused")
+      return show("Not solved", run.message, ...run.faults.map((each) => h("p", { class: "quiet" }, issueLine(each))));
+    if (count > 0)
+      return show(
+        "No result yet",
+        `Fix the ${count === 1 ? "error" : `${count} errors`} listed below the model first.`,
       );
-    else if (faults > 0)
-      fill(
-        element,
-        h("h3", {}, "No result yet"),
-        h(
-          "p",
-          {},
-          faults === 1
-            ? "Mend the fault first; it stands below the model."
-            : `Mend the ${faults} faults first; they stand below the model.`,
-        ),
-      );
-    else
-      fill(
-        element,
-        h("h3", {}, "No result yet"),
-        h("p", {}, "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve."),
-        h("button", { type: "button", class: "main", onclick: solve }, "Solve"),
-      );
+    const how = "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve.";
+    show("No result yet", how, h("button", { type: "button", class: "main", onclick: solve }, "Solve"));
   };
   store.on(["run", "doc", "solved"], update);
   return { element, update };

@@ -1,9 +1,10 @@
 // The figures of a combination that a reader wants first, and the certificates of all.
 
-import { make, number, symbol } from "../../viewer";
+import { formatNumber } from "../../viewer/data/numbers";
+import { fill, h } from "../../viewer/shared/dom";
+import { symbolElement } from "../../viewer/shared/symbols";
 import type { Summary, SummaryOfOne } from "../client/api";
 import type { Json } from "../model/paths";
-import { fill, h } from "../shell/elements";
 
 /** What can be judged of the design: what fails or needs attention comes in words. */
 function designOf(summary: Summary | null): HTMLElement[] {
@@ -44,8 +45,14 @@ export function showSummary(element: HTMLElement, one: SummaryOfOne | null, summ
                 h(
                   "tr",
                   {},
-                  h("th", { scope: "row" }, row.label, row.symbol ? " " : "", row.symbol ? symbol(row.symbol) : null),
-                  h("td", {}, typeof row.value === "number" ? number(row.value) : (row.value ?? "")),
+                  h(
+                    "th",
+                    { scope: "row" },
+                    row.label,
+                    row.symbol ? " " : "",
+                    row.symbol ? symbolElement(row.symbol) : null,
+                  ),
+                  h("td", {}, typeof row.value === "number" ? formatNumber(row.value) : (row.value ?? "")),
                   h("td", { class: "unit" }, row.unit),
                   h("td", { class: "note" }, row.note),
                 ),
@@ -135,11 +142,7 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
   fill(
     element,
     verdict,
-    make(
-      "div",
-      { class: "wide" },
-      h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows)),
-    ),
+    h("div", { class: "wide" }, h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows))),
   );
 }
 
@@ -151,7 +154,7 @@ function powerOfTen(value: number): string {
 
 function figure(value: Json | undefined): string {
   if (typeof value === "number")
-    return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? number(value) : powerOfTen(value);
+    return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? formatNumber(value) : powerOfTen(value);
   if (typeof value === "boolean") return value ? "yes" : "no";
   return typeof value === "string" ? value : "";
 }

@@ -1,7 +1,7 @@
 // Words across the page: the server is away, edits wait, something was refused.
 
+import { fill, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { fill, h } from "./elements";
 
 /** The banner below the top bar; it takes no room while there is nothing to say. */
 export function banner(store: Store, retry: () => void): HTMLElement {
@@ -66,7 +66,7 @@ export function notices(store: Store): HTMLElement {
               type: "button",
               class: "small",
               onclick: () => {
-                store.say(null);
+                store.notify(null);
                 action.run();
               },
             },
@@ -75,11 +75,11 @@ export function notices(store: Store): HTMLElement {
         : null,
       h(
         "button",
-        { type: "button", class: "icon", "aria-label": "close this message", onclick: () => store.say(null) },
+        { type: "button", class: "icon", "aria-label": "close this message", onclick: () => store.notify(null) },
         "×",
       ),
     );
-    timer = notice.kind === "info" ? setTimeout(() => store.say(null), SHORT) : null;
+    timer = notice.kind === "info" ? setTimeout(() => store.notify(null), SHORT) : null;
   });
   return element;
 }

@@ -6,7 +6,7 @@ import type { Store } from "../client/store";
 import { ask } from "./dialogs";
 import { chooseFile } from "./file-dialog";
 
-export class Actions {
+export class Commands {
   constructor(
     private readonly api: Api,
     private readonly store: Store,
@@ -89,7 +89,7 @@ export class Actions {
     this.asking(async () => {
       await this.api.autosolve(on);
       this.store.autosolve = on;
-      this.store.tell("autosolve");
+      this.store.emit("autosolve");
     });
 
   /** Another document: results and selection of the old one are gone. */
@@ -128,7 +128,7 @@ export class Actions {
     return this.asking(async () => {
       const state = await make();
       this.store.setDoc(state.offer ? await this.offered(state) : state);
-      if (done) this.store.say({ kind: "info", text: `${this.store.doc?.file ?? "The case"} is ${done}.` });
+      if (done) this.store.notify({ kind: "info", text: `${this.store.doc?.file ?? "The case"} is ${done}.` });
     }, known);
   }
 
@@ -142,7 +142,7 @@ export class Actions {
       if (error instanceof Unreachable || error instanceof Stranger) this.lost(error);
       else if (error instanceof Refused && known(error)) return false;
       else
-        this.store.say({
+        this.store.notify({
           kind: "bad",
           text: error instanceof Refused ? error.message : String(error),
           ...(error instanceof Refused ? elsewhere(error) : {}),

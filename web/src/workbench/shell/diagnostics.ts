@@ -1,45 +1,37 @@
-// All faults of the case file below the model; each leads to its field.
-
+// All issues of the case file below the model; each leads to its field.
+import { fill, h } from "../../viewer/shared/dom";
 import type { Fault } from "../client/api";
 import type { Store } from "../client/store";
-import { faultLine } from "../form/form-panel";
-import { fill, h } from "./elements";
+import { issueCount, issueLine } from "../form/errors";
 
-export interface FaultList {
+export interface IssueList {
   readonly element: HTMLElement;
   open(): void;
 }
 
-/** The line with the number of faults, and the list that it opens. */
-export function faultList(store: Store, go: (fault: Fault) => void): FaultList {
-  const count = h("span", { class: "fault-count" });
-  const rows = h("ul", {});
-  const first = h("span", { class: "first-fault" });
-  const element = h("details", { class: "fault-list" }, h("summary", {}, count, first), rows);
-  const update = () => {
-    const faults = store.doc?.faults ?? [];
-    element.classList.toggle("bad", faults.length > 0);
-    count.textContent = store.doc?.checking
-      ? "Being checked …"
-      : faults.length === 0
-        ? "No faults"
-        : faults.length === 1
-          ? "1 fault"
-          : `${faults.length} faults`;
-    first.textContent = faults[0] ? faultLine(faults[0]) : "";
-    if (faults.length === 0) element.open = false;
-    fill(
-      rows,
-      ...faults.map((fault) =>
-        h("li", {}, h("button", { type: "button", onclick: () => go(fault) }, faultLine(fault))),
-      ),
-    );
-  };
+/** The line with the number of issues, and the list that it opens; `onChoose` is called with an issue that is clicked. */
+export function issueList(store: Store, onChoose: (issue: Fault) => void): IssueList {
+  const count = h("span", { class: "issue-count" });
+  const rows = h("ul");
+  const first = h("span", { class: "first-issue" });
+  const element = h("details", { class: "issue-list" }, h("summary", {}, count, first), rows);
+  const makeRow = (issue: Fault) =>
+    h("li", {}, h("button", { type: "button", onclick: () => onChoose(issue) }, issueLine(issue)));
+  store.on(["doc"], () => {
+    const issues = store.doc?.faults ?? [];
+    element.classList.toggle("bad", issues.length > 0);
+    count.textContent = store.doc?.checking ? "Checking …" : issueCount(issues.length) || "No errors";
+    first.textContent = issues[0] ? issueLine(issues[0]) : "";
+    if (issues.length === 0) element.open = false;
+    fill(rows, ...issues.map(makeRow));
+  });
   element.addEventListener("click", (event) => {
     // nothing to open
-    if (store.doc?.faults.length === 0 && event.target instanceof Node && !rows.contains(event.target))
-      event.preventDefault();
+    const isRow = event.target instanceof Node && rows.contains(event.target);
+    if (store.doc?.faults.length === 0 && !isRow) event.preventDefault();
   });
-  store.on(["doc"], update);
-  return { element, open: () => (element.open = true) };
+  const open = () => {
+    element.open = true;
+  };
+  return { element, open };
 }

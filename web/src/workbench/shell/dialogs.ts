@@ -1,6 +1,6 @@
 // Questions to the user.
 
-import { h, newId } from "./elements";
+import { h, newId } from "../../viewer/shared/dom";
 
 export interface Answer<T> {
   label: string;

@@ -1,8 +1,8 @@
 // Choosing a case file on the server's machine: to open, or to save under a name.
 
+import { fill, h, newId } from "../../viewer/shared/dom";
 import { type Api, type Folder, Refused } from "../client/api";
 import { ask } from "./dialogs";
-import { fill, h, newId } from "./elements";
 
 export interface Chosen {
   file: string;
@@ -107,7 +107,8 @@ class FileDialog {
   }
 
   private async show(folder: string | null): Promise<void> {
-    const turn = (this.turn += 1);
+    this.turn += 1;
+    const { turn } = this;
     try {
       const found = await this.api.files(folder);
       if (turn !== this.turn) return;
@@ -147,7 +148,7 @@ class FileDialog {
     if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
     event.preventDefault();
     const all = [...this.list.querySelectorAll("button")];
-    const now = all.findIndex((each) => each === document.activeElement);
+    const now = all.indexOf(document.activeElement as HTMLButtonElement);
     all[Math.min(all.length - 1, Math.max(0, now + (event.key === "ArrowDown" ? 1 : -1)))]?.focus();
   }
 

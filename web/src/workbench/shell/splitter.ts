@@ -1,16 +1,18 @@
 // A bar between two parts of the page that can be dragged, or moved by arrow keys.
-
-import { h } from "./elements";
+import { h } from "../../viewer/shared/dom";
+import { readStored, writeStored } from "../../viewer/shared/storage";
 
 const STEP = 0.02;
 
-/** Let a share (0 to 1) of an element be changed by dragging; it stands in a variable of its style, and is remembered. */
+/**
+ * Let a share (0 to 1) of an element be changed by dragging. It is a variable of the element's style, and is stored.
+ */
 export function splitter(
   parent: HTMLElement,
   variable: string,
   axis: "x" | "y",
-  at: number,
-  range: readonly [number, number],
+  initial: number,
+  [least, most]: readonly [number, number],
   label: string,
 ): HTMLElement {
   const key = `groundslab${variable}`;
@@ -21,12 +23,12 @@ export function splitter(
     "aria-label": label,
     "aria-orientation": axis === "x" ? "vertical" : "horizontal",
   });
-  let share = remembered(key) ?? at;
-  const set = (to: number) => {
-    share = Math.min(range[1], Math.max(range[0], to));
+  let share = Number(readStored(key)) || initial;
+  const set = (value: number) => {
+    share = Math.min(most, Math.max(least, value));
     parent.style.setProperty(variable, `${(share * 100).toFixed(2)}%`);
     bar.setAttribute("aria-valuenow", String(Math.round(share * 100)));
-    remember(key, share);
+    writeStored(key, String(share));
   };
   bar.addEventListener("pointerdown", (event) => {
     bar.setPointerCapture(event.pointerId);
@@ -44,25 +46,7 @@ export function splitter(
     event.preventDefault();
     set(share + (event.key === on ? STEP : -STEP));
   });
-  bar.addEventListener("dblclick", () => set(at));
+  bar.addEventListener("dblclick", () => set(initial));
   set(share);
   return bar;
-}
-
-/** A number that an earlier visit has left, null if there is none. */
-function remembered(key: string): number | null {
-  try {
-    const value = Number(localStorage.getItem(key) ?? "x");
-    return Number.isFinite(value) && value > 0 ? value : null;
-  } catch {
-    return null;
-  }
-}
-
-function remember(key: string, value: number): void {
-  try {
-    localStorage.setItem(key, String(value));
-  } catch {
-    // without storage the page forgets
-  }
 }

@@ -1,6 +1,6 @@
 // Tabs: one panel of several is shown.
 
-import { h, newId } from "./elements";
+import { h, newId } from "../../viewer/shared/dom";
 
 export interface Tab {
   name: string;

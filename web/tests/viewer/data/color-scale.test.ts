@@ -1,17 +1,13 @@
 import { describe, expect, it } from "vitest";
-import {
-  bandOf,
-  colourOf,
-  crossesZero,
-  neat,
-  number,
-  roundLevels,
-  roundStep,
-  roundTicks,
-  scaleOf,
-  tickTexts,
-} from "../../../src/viewer/data/color-scale";
+import { bandOf, type ColorScale, crossesZero, makeScale, roundLevels } from "../../../src/viewer/data/color-scale";
+import { formatNumber, formatShort, formatTicks, roundStep, roundTicks } from "../../../src/viewer/data/numbers";
 import { randoms } from "../synthetic";
+
+/** The color that a value is drawn in. */
+const colorOf = (scale: ColorScale, value: number) => {
+  const band = bandOf(scale, value);
+  return band < 0 ? scale.under : (scale.colors[band] ?? scale.over);
+};
 
 describe("round numbers", () => {
   it("are 1, 2, 2.5 or 5 times a power of ten", () => {
@@ -38,61 +34,61 @@ describe("round numbers", () => {
   it("are written without the rounding of binary numbers", () => {
     expect(roundLevels(0, 1, 10)).toEqual([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1]);
     expect(roundTicks(-0.31, 0.29, 6)).toEqual([-0.3, -0.2, -0.1, 0, 0.1, 0.2]);
-    expect(tickTexts([-2.5, 0, 2.5])).toEqual(["−2.5", "0.0", "2.5"]);
-    expect(tickTexts([0, 500, 1000])).toEqual(["0", "500", "1000"]);
-    expect(tickTexts([-0.6, -0.3, -1.1e-17, 0.3, 0.6])).toEqual(["−0.6", "−0.3", "0.0", "0.3", "0.6"]);
-    expect(tickTexts([0.1 + 0.2, 1e-17, 0.6])).toEqual(["0.3", "0.0", "0.6"]);
-    expect(tickTexts([0, 1e-17, 2e-4])).toEqual(["0", "0", "0.000200"]);
+    expect(formatTicks([-2.5, 0, 2.5])).toEqual(["−2.5", "0.0", "2.5"]);
+    expect(formatTicks([0, 500, 1000])).toEqual(["0", "500", "1000"]);
+    expect(formatTicks([-0.6, -0.3, -1.1e-17, 0.3, 0.6])).toEqual(["−0.6", "−0.3", "0.0", "0.3", "0.6"]);
+    expect(formatTicks([0.1 + 0.2, 1e-17, 0.6])).toEqual(["0.3", "0.0", "0.6"]);
+    expect(formatTicks([0, 1e-17, 2e-4])).toEqual(["0", "0", "0.000200"]);
   });
 });
 
-describe("a colour scale", () => {
+describe("a color scale", () => {
   it("parts at zero with two hues where the sign matters", () => {
-    const scale = scaleOf(-30, 100, true);
+    const scale = makeScale(-30, 100, true);
     expect(scale.diverging).toBe(true);
     expect(scale.levels).toContain(0);
-    const [[below], [above]] = [[colourOf(scale, -5)], [colourOf(scale, 5)]];
+    const [[below], [above]] = [[colorOf(scale, -5)], [colorOf(scale, 5)]];
     expect(below![2]).toBeGreaterThan(below![0]); // blue
     expect(above![0]).toBeGreaterThan(above![2]); // red
     // as far from zero, as dark
-    const even = scaleOf(-100, 100, true);
+    const even = makeScale(-100, 100, true);
     const grey = ([red, green, blue]: number[]) => 0.3 * red! + 0.6 * green! + 0.1 * blue!;
-    expect(Math.abs(grey(colourOf(even, -75)) - grey(colourOf(even, 75)))).toBeLessThan(40);
+    expect(Math.abs(grey(colorOf(even, -75)) - grey(colorOf(even, 75)))).toBeLessThan(40);
   });
 
   it("goes from dark to light where it does not", () => {
-    for (const scale of [scaleOf(0, 100, true), scaleOf(-5, 100, false)]) {
+    for (const scale of [makeScale(0, 100, true), makeScale(-5, 100, false)]) {
       expect(scale.diverging).toBe(false);
-      const light = scale.colours.map(([red, green, blue]) => 0.3 * red + 0.6 * green + 0.1 * blue);
+      const light = scale.colors.map(([red, green, blue]) => 0.3 * red + 0.6 * green + 0.1 * blue);
       expect(light).toEqual([...light].sort((one, other) => one - other));
     }
   });
 
   it("puts each value into its band", () => {
-    const scale = scaleOf(0, 100, false);
+    const scale = makeScale(0, 100, false);
     expect(scale.levels).toEqual([0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100]);
     expect([0, 9.99, 10, 55, 99.9, 100, 100.001, -0.001].map((value) => bandOf(scale, value))).toEqual([
       0, 0, 1, 5, 9, 9, 9, 0,
     ]);
     expect([-3, 104].map((value) => bandOf(scale, value))).toEqual([-1, 10]);
-    expect(colourOf(scale, 104)).toEqual(scale.over);
-    expect(colourOf(scale, -3)).toEqual(scale.under);
+    expect(colorOf(scale, 104)).toEqual(scale.over);
+    expect(colorOf(scale, -3)).toEqual(scale.under);
   });
 
   it("ends where it was told to", () => {
-    const scale = scaleOf(0, 87, false, [0, 87]);
+    const scale = makeScale(0, 87, false, [0, 87]);
     expect(scale.levels[0]).toBe(0);
     expect(scale.levels[scale.levels.length - 1]).toBe(87);
-    expect(bandOf(scale, 86.9)).toBe(scale.colours.length - 1);
-    expect(bandOf(scale, 88)).toBe(scale.colours.length);
+    expect(bandOf(scale, 86.9)).toBe(scale.colors.length - 1);
+    expect(bandOf(scale, 88)).toBe(scale.colors.length);
   });
 
   it("has bands even for a single value", () => {
     for (const value of [0, 5, -3e-9]) {
-      const scale = scaleOf(value, value, true);
-      expect(scale.colours.length).toBeGreaterThan(0);
+      const scale = makeScale(value, value, true);
+      expect(scale.colors.length).toBeGreaterThan(0);
       expect(bandOf(scale, value)).toBeGreaterThanOrEqual(0);
-      expect(bandOf(scale, value)).toBeLessThan(scale.colours.length);
+      expect(bandOf(scale, value)).toBeLessThan(scale.colors.length);
     }
   });
 
@@ -105,7 +101,7 @@ describe("a colour scale", () => {
 
 describe("numbers", () => {
   it("have four significant digits and a true minus", () => {
-    expect([0, 123.456, -0.0123456, 98765.4, 1.5e7, 2e-6, NaN].map((value) => number(value))).toEqual([
+    expect([0, 123.456, -0.0123456, 98765.4, 1.5e7, 2e-6, NaN].map((value) => formatNumber(value))).toEqual([
       "0",
       "123.5",
       "−0.01235",
@@ -114,6 +110,12 @@ describe("numbers", () => {
       "2.000e−6",
       "–",
     ]);
-    expect([800, 0.5, 12.25, 100, 2000].map((value) => neat(value))).toEqual(["800", "0.5", "12.25", "100", "2000"]);
+    expect([800, 0.5, 12.25, 100, 2000].map((value) => formatShort(value))).toEqual([
+      "800",
+      "0.5",
+      "12.25",
+      "100",
+      "2000",
+    ]);
   });
 });

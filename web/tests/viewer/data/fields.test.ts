@@ -145,9 +145,9 @@ describe("fields of a scene", () => {
     expect(valueAt(scene, locator, 0, "bottom_x", spot).value).toBeCloseTo(mine, 4);
     expect(valueAt(scene, locator, "largest:ultimate", "bottom_x", spot).value).toBeCloseTo(Math.max(mine, 1), 4);
     const largest = values(scene, "largest:ultimate", "m_2");
-    nodal(mesh, (x, y) => Math.max(principal(x * y - 4, 3 - x, 2)[1], 0)).forEach((value, i) =>
-      expect(largest[i]).toBeCloseTo(value, 4),
-    );
+    nodal(mesh, (x, y) => Math.max(principal(x * y - 4, 3 - x, 2)[1], 0)).forEach((value, i) => {
+      expect(largest[i]).toBeCloseTo(value, 4);
+    });
   });
 
   it("know contact, in an envelope only where every combination has it", () => {

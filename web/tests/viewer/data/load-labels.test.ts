@@ -43,7 +43,7 @@ const area: Load = {
   varies: true,
 };
 const words = (loads: Load[], factors: [string, number][] | null) =>
-  shownLoads(loads, factors && new Map(factors)).map((each) => each.words);
+  shownLoads(loads, factors && new Map(factors)).map((each) => each.text);
 
 describe("loads in a combination", () => {
   it("are called by what acts at their place, factors included", () => {

@@ -12,7 +12,7 @@ describe("a packed scene", () => {
     expect(scene.mesh.elements).toEqual(mesh.elements);
     expect(scene.mesh.nodeCount).toBe(15);
     expect(scene.mesh.elementCount).toBe(2);
-    const settlement = block(scene, scene.head.combinations[0]!.values!["settlement"]!);
+    const settlement = block(scene, scene.head.combinations[0]!.values!.settlement!);
     expect(settlement[2]).toBe(5);
   });
 
@@ -69,10 +69,7 @@ describe("a packed scene", () => {
     expect(
       () =>
         decode(buffer.slice(0, buffer.byteLength - 200)).mesh &&
-        block(
-          decode(buffer.slice(0, buffer.byteLength - 200)),
-          decode(buffer).head.combinations[0]!.values!["contact"]!,
-        ),
+        block(decode(buffer.slice(0, buffer.byteLength - 200)), decode(buffer).head.combinations[0]!.values!.contact!),
     ).toThrow("cut off");
     expect(() => decode(packedScene(mesh, [], { format: 1 }))).toThrow("format 1");
     expect(() => decode(packedScene({ ...mesh, elements: mesh.elements.map((node) => node + 1) }, []))).toThrow(

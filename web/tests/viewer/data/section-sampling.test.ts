@@ -38,7 +38,7 @@ describe("a section", () => {
         borders.push((samples.s[i]! + samples.s[i - 1]!) / 2 - 1);
     });
     expect(borders).toHaveLength(4);
-    [0, 3, 4, 7].forEach((x, i) => expect(borders[i]).toBeCloseTo(x, 3));
+    for (const [i, x] of [0, 3, 4, 7].entries()) expect(borders[i]).toBeCloseTo(x, 3);
   });
 
   it("jumps where two sections of the plate meet", () => {

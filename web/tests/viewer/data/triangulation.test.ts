@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Mesh } from "../../../src/viewer/data/scene";
-import { borderOf, facesOf, linesOf, partsIn, tilingOf } from "../../../src/viewer/data/triangulation";
-import { beside, grid } from "../synthetic";
+import { borderLines, makeTiling, sideLines, visibleRanges } from "../../../src/viewer/data/triangulation";
+import { beside, grid, trianglesOf } from "../synthetic";
 
 function areaOf(mesh: Mesh, faces: ArrayLike<number>, start = 0, count = faces.length): number {
   let area = 0;
@@ -24,52 +24,52 @@ describe("the triangles of a mesh", () => {
   const area = 24 - 2.9 * 1.9;
 
   it("fill it once, all counter-clockwise", () => {
-    const faces = facesOf(mesh);
+    const faces = trianglesOf(mesh);
     expect(areaOf(mesh, faces)).toBeCloseTo(area, 3);
     for (let f = 0; f < faces.length; f += 3) expect(areaOf(mesh, faces, f, 3)).toBeGreaterThan(0);
   });
 
   it("fill it once in tiles too, fine and coarse", () => {
-    const tiling = tilingOf(mesh);
+    const tiling = makeTiling(mesh);
     expect(tiling.tiles.length).toBeGreaterThan(4);
     for (const coarse of [false, true]) {
-      const parts = partsIn(tiling, [-1e9, -1e9, 1e9, 1e9], coarse);
+      const parts = visibleRanges(tiling, [-1e9, -1e9, 1e9, 1e9], coarse);
       expect(parts).toHaveLength(1);
-      expect(areaOf(mesh, tiling.faces, ...parts[0]!)).toBeCloseTo(area, 3);
+      expect(areaOf(mesh, tiling.triangles, ...parts[0]!)).toBeCloseTo(area, 3);
     }
     expect(tiling.side).toBeCloseTo(0.1, 3);
   });
 
   it("leave out what is not seen, and nothing that is", () => {
-    const tiling = tilingOf(mesh);
+    const tiling = makeTiling(mesh);
     const box = [1, 1, 1.5, 1.4] as const;
-    const parts = partsIn(tiling, box, false);
-    expect(parts.reduce((sum, [, count]) => sum + count, 0)).toBeLessThan(facesOf(mesh).length / 2);
+    const parts = visibleRanges(tiling, box, false);
+    expect(parts.reduce((sum, [, count]) => sum + count, 0)).toBeLessThan(trianglesOf(mesh).length / 2);
     // every element that touches the box is there
-    const seen = new Set(parts.flatMap(([start, count]) => [...tiling.faces.subarray(start, start + count)]));
+    const seen = new Set(parts.flatMap(([start, count]) => [...tiling.triangles.subarray(start, start + count)]));
     for (let i = 0; i < mesh.nodeCount; i++) {
       const [x, y] = [mesh.nodes[2 * i]!, mesh.nodes[2 * i + 1]!];
       if (x > box[0] && x < box[2] && y > box[1] && y < box[3]) expect(seen.has(i)).toBe(true);
     }
-    expect(partsIn(tiling, [100, 100, 101, 101], false)).toEqual([]);
+    expect(visibleRanges(tiling, [100, 100, 101, 101], false)).toEqual([]);
   });
 });
 
 describe("the sides of a mesh", () => {
   it("are drawn once each", () => {
     // 3 x 2 elements: 3 * 3 + 4 * 2 = 17 sides, two lines of two ends for each
-    expect(linesOf(grid(3, 2))).toHaveLength(17 * 4);
+    expect(sideLines(grid(3, 2))).toHaveLength(17 * 4);
   });
 
   it("are borders where they belong to one element only, also between sections", () => {
-    expect(borderOf(grid(3, 2))).toHaveLength(10 * 3);
+    expect(borderLines(grid(3, 2))).toHaveLength(10 * 4);
     expect(
-      borderOf(
+      borderLines(
         beside(
           grid(3, 2),
           grid(3, 2, (x, y) => [1 + x, y]),
         ),
       ),
-    ).toHaveLength(20 * 3);
+    ).toHaveLength(20 * 4);
   });
 });

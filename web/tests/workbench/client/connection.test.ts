@@ -206,7 +206,7 @@ describe("words", () => {
     expect(statusWords("fresh", { kind: "idle" }, failing, true, 0)).toBe(
       "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails. Solved in 12 s.",
     );
-    expect(statusWords("stale", { kind: "idle" }, solved, true, 2)).toContain("Mend the faults");
+    expect(statusWords("stale", { kind: "idle" }, solved, true, 2)).toContain("Fix the errors");
     expect(
       statusWords("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0),
     ).toMatch(/earlier state of the model.*Solving/);

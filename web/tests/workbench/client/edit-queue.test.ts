@@ -1,7 +1,8 @@
 // Edits on their way: in order, joined while typing, kept while the server is away.
 import { describe, expect, it } from "vitest";
-import type { Change, DocState } from "../../../src/workbench/client/api";
+import type { DocState } from "../../../src/workbench/client/api";
 import { EditQueue, joins } from "../../../src/workbench/client/edit-queue";
+import type { Change } from "../../../src/workbench/model/edits";
 import { sameValue, valueAt } from "../../../src/workbench/model/paths";
 import { FakeApi } from "../fake-api";
 

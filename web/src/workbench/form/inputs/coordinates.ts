@@ -1,23 +1,20 @@
-// A list of places in plan as a table of x and y.
+// A list of points in plan as a table of x and y.
 
+import { button, fill, h } from "../../../viewer/shared/dom";
 import { type Json, listAt, type Path } from "../../model/paths";
 import { place, writtenLike } from "../../model/quantities";
 import type { Node } from "../../model/schema";
-import { fill, h, icon } from "../../shell/elements";
+import { iconButton } from "../../shell/icons";
 import { type FormContext, setValue } from "../context";
 import { type Input, tupleInput } from "./inputs";
 
-const FEW = 4; // places that are shown without being asked for
+const FEW = 4; // points that are shown at once
 
-/** One row for each place, to be changed, added and removed. */
+/** One row for each point, to be changed, added and removed. */
 export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
   const rows = h("div", { class: "place-rows" });
   const count = h("summary", {});
-  const add = h(
-    "button",
-    { type: "button", class: "small", onclick: () => insert(listAt(ctx.data(), path).length) },
-    "Add place",
-  );
+  const add = button("Add point", "", () => insert(listAt(ctx.data(), path).length), "small");
   const fold = h("details", { class: "place-fold" }, count, rows, add);
   const element = h("div", { class: "places" }, fold);
   let inputs: Input[] = [];
@@ -26,48 +23,28 @@ export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
     const list = listAt(ctx.data(), path);
     setValue(ctx, path, list.toSpliced(n, 0, between(list[n - 1], list[n] ?? list[0])));
   };
-  const take = (n: number) => {
+  const remove = (n: number) => {
     const list = listAt(ctx.data(), path).toSpliced(n, 1);
     setValue(ctx, path, list.length > 0 ? list : undefined);
   };
   const build = (length: number) => {
-    // few places are shown at once, many when they are asked for
+    // few points are shown at once, many when the user unfolds them
     if (inputs.length === 0) fold.open = length <= FEW;
-    count.textContent = length === 1 ? "1 place" : `${length} places`;
+    count.textContent = length === 1 ? "1 point" : `${length} points`;
     inputs = Array.from({ length }, (_, n) => tupleInput(ctx, [...path, n], each, 2, ["x", "y"], undefined));
-    fill(
-      rows,
-      ...inputs.map((input, n) =>
-        h(
-          "div",
-          { class: "place-row" },
-          h("span", { class: "number-of" }, String(n + 1)),
-          input.element,
-          h(
-            "button",
-            {
-              type: "button",
-              class: "icon",
-              "aria-label": `insert a place after ${n + 1}`,
-              title: "insert after",
-              onclick: () => insert(n + 1),
-            },
-            icon("add"),
-          ),
-          h(
-            "button",
-            {
-              type: "button",
-              class: "icon",
-              "aria-label": `remove place ${n + 1}`,
-              title: "remove",
-              onclick: () => take(n),
-            },
-            icon("remove"),
-          ),
-        ),
-      ),
-    );
+    const makeRow = (input: Input, n: number) => {
+      const add = iconButton("add", "insert after", `insert a point after ${n + 1}`, () => insert(n + 1));
+      const drop = iconButton("remove", "remove", `remove point ${n + 1}`, () => remove(n));
+      return h(
+        "div",
+        { class: "place-row" },
+        h("span", { class: "number-of" }, String(n + 1)),
+        input.element,
+        add,
+        drop,
+      );
+    };
+    fill(rows, ...inputs.map(makeRow));
   };
   const update = () => {
     const { length } = listAt(ctx.data(), path);
@@ -83,7 +60,7 @@ export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
   };
 }
 
-/** A place half-way between two, in their units; 0, 0 if there are none. */
+/** Return a point half-way between two, in their units; 0, 0 if there are none. */
 function between(a: Json | undefined, b: Json | undefined): Json {
   const [from, to] = [place(a), place(b)];
   if (!from || !to) return ["0 m", "0 m"];

@@ -1,10 +1,10 @@
 // The factors of a combination: one for each load case that takes part.
 
-import { namesIn } from "../../client/store";
-import { type Json, listAt, type Path, pathKey, tableAt } from "../../model/paths";
-import { fill, h, newId } from "../../shell/elements";
+import { fill, h } from "../../../viewer/shared/dom";
+import { namesIn } from "../../model/names";
+import { type Json, listAt, type Path, tableAt } from "../../model/paths";
 import { type FormContext, setValue, type Widget } from "../context";
-import { type Input, revealIn, showFaults, textInput } from "./inputs";
+import { type Input, inputCell, textInput } from "./inputs";
 
 /** The factor of one load case. */
 function factorInput(ctx: FormContext, path: Path, name: string, label: string): Input {
@@ -16,18 +16,9 @@ function factorInput(ctx: FormContext, path: Path, name: string, label: string):
   return textInput(ctx, [...path, name], { is: "number", words: [] }, { label, placeholder: "–", write });
 }
 
-/** The factor of one load case as a cell of a grid. */
+/** The factor of one load case as a cell of a table. */
 export function factorCell(ctx: FormContext, path: Path, name: string, label: string): Widget {
-  const input = factorInput(ctx, path, name, label);
-  const own: Path = [...path, name];
-  const messages = h("div", { class: "messages", id: newId("fault") });
-  input.focus.setAttribute("aria-describedby", messages.id);
-  const element = h("div", { class: "cell", "data-path": pathKey(own) }, input.element, messages);
-  const update = () => {
-    input.update();
-    showFaults(ctx, own, element, input.focus, messages);
-  };
-  return { element, update, reveal: (target) => revealIn(input, own, target, element) };
+  return inputCell(ctx, [...path, name], factorInput(ctx, path, name, label));
 }
 
 /** One number for each load case; empty where the case does not take part. */

@@ -1,11 +1,12 @@
 // Elements that edit one value of the case file, by what the value is.
 
-import { type Json, type Path, startsWith, valueAt } from "../../model/paths";
+import { fill, h, newId } from "../../../viewer/shared/dom";
+import { debounce } from "../../client/debounce";
+import { type Json, type Path, pathKey, startsWith, valueAt } from "../../model/paths";
 import { namesFor } from "../../model/references";
 import type { Field, Node } from "../../model/schema";
-import { fill, h, later, newId } from "../../shell/elements";
-import { type FormContext, setValue, waitsForEnd } from "../context";
-import { faultsAt, faultWords } from "../errors";
+import { type FormContext, setValue, type Widget, waitsForEnd } from "../context";
+import { issuesAt, showIssues } from "../errors";
 import { defaultText } from "../labels";
 
 export const QUIET = 350; // ms without a key until what was typed is sent
@@ -58,7 +59,7 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
     write(parsed(node, input.value), sent > 0);
     sent += 1;
   };
-  const soon = later(QUIET, send);
+  const soon = debounce(QUIET, send);
   const atEnd = waitsForEnd(path);
   input.addEventListener("focus", () => (sent = 0));
   input.addEventListener("input", () => {
@@ -158,7 +159,10 @@ export function tupleInput(
     }),
   );
   const element = h("span", { class: "tuple" }, ...cells.map((cell) => cell.element));
-  return { element, focus: cells[0]?.focus ?? element, update: () => cells.forEach((cell) => cell.update()) };
+  const update = () => {
+    for (const cell of cells) cell.update();
+  };
+  return { element, focus: cells[0]?.focus ?? element, update };
 }
 
 /** What stands in for a value of a tuple that nobody has given: its default, with a unit. */
@@ -199,8 +203,6 @@ function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
 /** The element for a node that is a single value. */
 export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
   const { node } = field;
-  const example = node.is === "quantity" ? `e.g. ${node.example}` : "";
-  const placeholder = field.default !== undefined ? defaultText(field.default) : field.needed ? example : "";
   switch (node.is) {
     case "choice":
       return choiceInput(ctx, path, node.words, field.default);
@@ -214,31 +216,40 @@ export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
       return valuesInput(ctx, path, node.each);
     default:
       return textInput(ctx, path, node, {
-        placeholder: placeholder || (node.is === "quantity" ? `e.g. ${node.example}` : ""),
+        placeholder: defaultText(field.default) || (node.is === "quantity" ? `e.g. ${node.example}` : ""),
       });
   }
 }
 
-/** Show what is wrong with a value: at its element, and in words below it. */
-export function showFaults(
+/** Return a widget of an input within an element: it shows what is wrong with the value at a path, and leads to it. */
+export function inputWidget(
   ctx: FormContext,
   path: Path,
+  input: Input,
   element: HTMLElement,
-  focus: HTMLElement,
   messages: HTMLElement,
-): void {
-  const faults = faultsAt(ctx.faults(), path);
-  element.classList.toggle("faulty", faults.length > 0);
-  if (faults.length > 0) focus.setAttribute("aria-invalid", "true");
-  else focus.removeAttribute("aria-invalid");
-  const words = faults.map(faultWords);
-  if (messages.textContent !== words.join("")) fill(messages, ...words.map((each) => h("p", {}, each)));
+): Widget {
+  const update = () => {
+    input.update();
+    const issues = issuesAt(ctx.faults(), path);
+    element.classList.toggle("faulty", issues.length > 0);
+    if (issues.length > 0) input.focus.setAttribute("aria-invalid", "true");
+    else input.focus.removeAttribute("aria-invalid");
+    showIssues(messages, issues);
+  };
+  const reveal = (target: Path) => {
+    if (!startsWith(target, path)) return false;
+    element.scrollIntoView({ block: "nearest" });
+    input.focus.focus();
+    return true;
+  };
+  return { element, update, reveal };
 }
 
-/** Go to a value if a path leads to it. */
-export function revealIn(input: Input, path: Path, target: Path, element: HTMLElement): boolean {
-  if (!startsWith(target, path)) return false;
-  element.scrollIntoView({ block: "nearest" });
-  input.focus.focus();
-  return true;
+/** Return a widget of an input alone, for a cell of a table. */
+export function inputCell(ctx: FormContext, path: Path, input: Input): Widget {
+  const messages = h("div", { class: "messages", id: newId("issue") });
+  input.focus.setAttribute("aria-describedby", messages.id);
+  const element = h("div", { class: "cell", "data-path": pathKey(path) }, input.element, messages);
+  return inputWidget(ctx, path, input, element, messages);
 }

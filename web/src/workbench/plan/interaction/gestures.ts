@@ -1,25 +1,45 @@
-// What happens between pressing and letting go in the drawing: moving, reshaping, drawing.
-
-import type { Change } from "../../client/api";
-import { editsBetween, type Geometry, isClosed, moved, type Point, type Ring, ringOf } from "../../model/geometry";
+// What pointers do between press and release: moving, reshaping and drawing.
+import { withMinus } from "../../../viewer/data/numbers";
+import type { Addition, Change } from "../../model/edits";
+import {
+  editsBetween,
+  type Geometry,
+  isClosed,
+  moved,
+  nearestCorner,
+  type Point,
+  type Ring,
+  ringOf,
+} from "../../model/geometry";
 import type { Item } from "../../model/items";
+import { addLine, addPoint, addShape, type DrawnShape } from "../../model/new-items";
 import type { Table } from "../../model/paths";
 import { plain, written } from "../../model/quantities";
-import { nearestCorner } from "../rendering";
-import { type Made, madeAtPoint, madeOfLine, madeOfShape, type Shape, type Tool } from "../tools";
+import type { Tool } from "../tools";
 import { dragged, type Handle } from "./handles";
 import type { Snapped } from "./snapping";
 
-/** What the pointer makes of the drawing for the moment. */
-export interface Ghost {
+/** What the drawing becomes if the pointer is released now. */
+export interface Preview {
   geometry: Geometry;
-  /** The thing that it stands for; null for a new one. */
+  /** The item that it stands for; null for a new one. */
   item: Item | null;
-  words: string;
+  text: string;
 }
 
-/** Moving a thing as a whole: the place by which it is held goes to round lengths and corners. */
-export class Moving {
+/** Dragging an item. */
+export interface DragGesture {
+  readonly item: Item;
+  /** Return the place to be snapped for a place of the pointer. */
+  aim(at: Point): Point;
+  /** Move to a snapped place. */
+  moveTo(snapped: Snapped): Preview;
+  /** Return the change that was made, null for none. */
+  change(): Change | null;
+}
+
+/** Moving an item: the corner by which it is held goes to round lengths and other corners. */
+export class MoveGesture implements DragGesture {
   private readonly held: Point;
   private by: Point = [0, 0];
 
@@ -30,15 +50,14 @@ export class Moving {
     this.held = nearestCorner(ringOf(item.geometry), start);
   }
 
-  /** Where the held place would be, to be snapped. */
-  wanted(at: Point): Point {
+  aim(at: Point): Point {
     return [this.held[0] + at[0] - this.start[0], this.held[1] + at[1] - this.start[1]];
   }
 
-  to({ at }: Snapped): Ghost {
+  moveTo({ at }: Snapped): Preview {
     this.by = [tidy(at[0] - this.held[0]), tidy(at[1] - this.held[1])];
-    const words = `${pair(at)}   Δ ${signed(this.by[0])}, ${signed(this.by[1])} m`;
-    return { geometry: moved(this.item.geometry, this.by), item: this.item, words };
+    const text = `${pair(at)}   Δ ${signed(this.by[0])}, ${signed(this.by[1])} m`;
+    return { geometry: moved(this.item.geometry, this.by), item: this.item, text };
   }
 
   change(): Change | null {
@@ -47,8 +66,8 @@ export class Moving {
   }
 }
 
-/** Dragging one handle of a thing. */
-export class Reshaping {
+/** Dragging one handle of an item. */
+export class ReshapeGesture implements DragGesture {
   private after: Geometry;
 
   constructor(
@@ -58,9 +77,13 @@ export class Reshaping {
     this.after = item.geometry;
   }
 
-  to({ at }: Snapped): Ghost {
+  aim(at: Point): Point {
+    return at;
+  }
+
+  moveTo({ at }: Snapped): Preview {
     this.after = dragged(this.item.geometry, this.handle, at) ?? this.after;
-    return { geometry: this.after, item: this.item, words: `${pair(at)}   ${measures(this.after)}` };
+    return { geometry: this.after, item: this.item, text: `${pair(at)}   ${measures(this.after)}` };
   }
 
   change(): Change | null {
@@ -71,8 +94,8 @@ export class Reshaping {
   }
 }
 
-/** Drawing a new thing: by dragging, or by clicking place after place. */
-export class Drawing {
+/** Drawing a new item: by dragging, or by clicking place after place. */
+export class DrawGesture {
   readonly points: Point[] = [];
   private dragging = false;
 
@@ -104,64 +127,60 @@ export class Drawing {
     return true;
   }
 
-  /** Whether what is drawn is a dragged rectangle. */
-  private get boxed(): boolean {
-    return this.tool.draws === "shape" && this.points.length === 2;
-  }
-
-  /** What is drawn if the pointer stays where it is. */
-  ghost({ at }: Snapped): Ghost {
-    const points: Ring = [...this.points, at];
+  /** Return what is drawn if the pointer is released at a place. */
+  preview({ at }: Snapped): Preview {
     const [first] = this.points;
-    if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, words: pair(at) };
-    const size = `${plain(Math.abs(at[0] - first[0]), 3)} × ${plain(Math.abs(at[1] - first[1]), 3)} m`;
+    if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, text: pair(at) };
     if (this.tool.draws === "shape" && this.dragging) {
-      const box: Geometry = { type: "box", at: [], x: [first[0], at[0]], y: [first[1], at[1]] };
-      return { geometry: box, item: null, words: `${pair(at)}   ${size}` };
+      const geometry: Geometry = { type: "box", at: [], x: [first[0], at[0]], y: [first[1], at[1]] };
+      const text = sizeText(Math.abs(at[0] - first[0]), Math.abs(at[1] - first[1]));
+      return { geometry, item: null, text: `${pair(at)}   ${text}` };
     }
     const last = this.points.at(-1) ?? first;
-    const length = Math.hypot(at[0] - last[0], at[1] - last[1]);
-    const angle = (Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI;
-    return {
-      geometry: { type: "line", at: [], points },
-      item: null,
-      words: `${pair(at)}   ${plain(length, 3)} m at ${plain(angle, 1)}°`,
-    };
+    const length = plain(Math.hypot(at[0] - last[0], at[1] - last[1]), 3);
+    const angle = plain((Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI, 1);
+    const geometry: Geometry = { type: "line", at: [], points: [...this.points, at], bulges: [] };
+    return { geometry, item: null, text: `${pair(at)}   ${length} m at ${angle}°` };
   }
 
-  /** What has been drawn, null if it is not enough. */
-  made(data: Table, loadCase: string): Made | null {
+  /** Return the change that adds what has been drawn, null if it is not enough. */
+  finish(data: Table, loadCase: string): Addition | null {
     const { tool, points } = this;
     const [first, second] = points;
-    if (!first) return null;
-    if (tool.draws === "point") return madeAtPoint(tool.name, data, first, loadCase);
+    if (!first || tool.name === "select") return null;
+    if (tool.draws === "point") return addPoint(tool.name, data, first, loadCase);
     if (!second) return null;
-    if (tool.draws === "line" || tool.draws === "segment") return madeOfLine(tool.name, data, points, loadCase);
-    if (this.boxed && (first[0] === second[0] || first[1] === second[1])) return null;
-    if (!this.boxed && points.length < 3) return null;
-    const shape: Shape = this.boxed ? { kind: "rectangle", from: first, to: second } : { kind: "polygon", points };
-    return madeOfShape(tool.name, data, shape, loadCase);
+    if (tool.draws !== "shape") return addLine(tool.name, data, points, loadCase);
+    const isBox = points.length === 2;
+    if (isBox && (first[0] === second[0] || first[1] === second[1])) return null;
+    const shape: DrawnShape = isBox ? { kind: "rectangle", from: first, to: second } : { kind: "polygon", points };
+    return addShape(tool.name, data, shape, loadCase);
   }
 }
 
-/** The measures of a geometry in words. */
-export function measures(geometry: Geometry): string {
+function sizeText(x: number, y: number): string {
+  return `${plain(x, 3)} × ${plain(y, 3)} m`;
+}
+
+/** Return the measures of a geometry as text. */
+function measures(geometry: Geometry): string {
   switch (geometry.type) {
     case "sides":
-      return `${plain(geometry.x, 3)} × ${plain(geometry.y, 3)} m`;
+      return sizeText(geometry.x, geometry.y);
     case "box":
-      return `${plain(geometry.x[1] - geometry.x[0], 3)} × ${plain(geometry.y[1] - geometry.y[0], 3)} m`;
+      return sizeText(geometry.x[1] - geometry.x[0], geometry.y[1] - geometry.y[0]);
     case "circle":
       return `r = ${plain(geometry.radius, 3)} m`;
     case "point":
       return pair([geometry.x, geometry.y]);
     default: {
       const ring: Ring = ringOf(geometry);
-      const all = isClosed(geometry) ? [...ring, ...ring.slice(0, 1)] : ring;
-      const length = all
-        .slice(1)
-        .reduce((sum, point, n) => sum + Math.hypot(point[0] - (all[n]?.[0] ?? 0), point[1] - (all[n]?.[1] ?? 0)), 0);
-      return isClosed(geometry) ? `${ring.length} corners` : `${plain(length, 3)} m long`;
+      if (isClosed(geometry)) return `${ring.length} corners`;
+      const lengths = ring.slice(1).map(([x, y], n) => Math.hypot(x - ring[n]![0], y - ring[n]![1]));
+      return `${plain(
+        lengths.reduce((sum, length) => sum + length, 0),
+        3,
+      )} m long`;
     }
   }
 }
@@ -170,9 +189,9 @@ function near(a: Point, b: Point, reach: number): boolean {
   return Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
 }
 
-/** A place in words: x and y to a millimetre. */
-export function pair([x, y]: Point): string {
-  return `x ${written(x)}, y ${written(y)}`.replaceAll("-", "−");
+/** Return x and y to a millimeter as text. */
+function pair([x, y]: Point): string {
+  return withMinus(`x ${written(x)}, y ${written(y)}`);
 }
 
 function signed(value: number): string {

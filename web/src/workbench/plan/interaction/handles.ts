@@ -18,10 +18,12 @@ export function handlesOf(geometry: Geometry): Handle[] {
       return boxHandles([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2]);
     case "box":
       return boxHandles(geometry.x, geometry.y);
-    case "polygon":
-      return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, true, geometry.bulges)];
     case "line":
-      return [...cornersOf(geometry.points, "corner"), ...middles(geometry.points, false, geometry.bulges ?? [])];
+    case "polygon":
+      return [
+        ...geometry.points.map((at, index): Handle => ({ kind: "corner", index, at })),
+        ...middles(geometry.points, geometry.type === "polygon", geometry.bulges),
+      ];
     case "circle":
       return (
         [
@@ -40,10 +42,6 @@ export function handlesOf(geometry: Geometry): Handle[] {
     default:
       return [];
   }
-}
-
-function cornersOf(points: Ring, kind: "corner"): Handle[] {
-  return points.map((at, index) => ({ kind, index, at }));
 }
 
 /** Handles that add a corner; none on an arc, whose bulge would be lost. */
@@ -90,30 +88,17 @@ export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry
     }
     case "segment":
       return handle.index === 0 ? { ...geometry, start: to } : { ...geometry, end: to };
-    case "line": {
-      const points = draggedPoints(geometry.points, handle, to);
-      return geometry.bulges
-        ? { ...geometry, points, bulges: draggedBulges(geometry.bulges, handle) }
-        : { ...geometry, points };
+    case "line":
+    case "polygon": {
+      if (handle.kind !== "add") return { ...geometry, points: geometry.points.with(handle.index, to) };
+      // the edges beside a new corner are straight
+      const next = handle.index + 1;
+      const bulges = geometry.bulges.length < next ? geometry.bulges : geometry.bulges.toSpliced(next, 0, 0);
+      return { ...geometry, points: geometry.points.toSpliced(next, 0, to), bulges };
     }
-    case "polygon":
-      return {
-        ...geometry,
-        points: draggedPoints(geometry.points, handle, to),
-        bulges: draggedBulges(geometry.bulges, handle),
-      };
     default:
       return geometry;
   }
-}
-
-function draggedPoints(points: Ring, handle: Handle, to: Point): Ring {
-  return handle.kind === "add" ? points.toSpliced(handle.index + 1, 0, to) : points.with(handle.index, to);
-}
-
-/** The bulges after a handle was dragged: a new corner's edge is straight. */
-function draggedBulges(bulges: readonly number[], handle: Handle): readonly number[] {
-  return handle.kind === "add" && bulges.length > handle.index ? bulges.toSpliced(handle.index + 1, 0, 0) : bulges;
 }
 
 function draggedBox(
@@ -136,16 +121,13 @@ function rising([a, b]: readonly [number, number]): [number, number] {
   return a < b ? [a, b] : [b, a];
 }
 
-/** The geometry without one of its corners; null where too few would be left. */
+/** Return the geometry without one of its corners; null where too few would be left. */
 export function withoutCorner(geometry: Geometry, index: number): Geometry | null {
-  if (geometry.type === "line" && geometry.points.length > 2) {
-    const points = geometry.points.toSpliced(index, 1);
-    // with the last corner goes the edge before it, with another one that after it
-    return geometry.bulges
-      ? { ...geometry, points, bulges: geometry.bulges.toSpliced(Math.min(index, geometry.points.length - 2), 1) }
-      : { ...geometry, points };
-  }
-  if (geometry.type !== "polygon" || geometry.points.length <= 3) return null;
-  const bulges = geometry.bulges.length > index ? geometry.bulges.toSpliced(index, 1) : geometry.bulges;
-  return { ...geometry, points: geometry.points.toSpliced(index, 1), bulges };
+  if (geometry.type !== "line" && geometry.type !== "polygon") return null;
+  const { points, bulges } = geometry;
+  const isLine = geometry.type === "line";
+  if (points.length <= (isLine ? 2 : 3)) return null;
+  // the edge after the corner goes with it, the one before it at the end of a line
+  const edge = isLine ? Math.min(index, points.length - 2) : index;
+  return { ...geometry, points: points.toSpliced(index, 1), bulges: bulges.toSpliced(edge, 1) };
 }

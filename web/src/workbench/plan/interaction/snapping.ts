@@ -52,10 +52,3 @@ export function roundedTo(value: number, step: number): number {
   const rounded = Math.round(value / step) * step;
   return Number(rounded.toFixed(Math.max(0, 3 - Math.floor(Math.log10(step))))) + 0;
 }
-
-/** The round step 1, 2 or 5 times a power of ten that is at least `least`. */
-export function roundStep(least: number): number {
-  const power = 10 ** Math.floor(Math.log10(least));
-  const factor = [1, 2, 5, 10].find((each) => each * power >= least * (1 - 1e-9)) ?? 10;
-  return Number((factor * power).toPrecision(1));
-}
