@@ -59,7 +59,7 @@ export class PlanView {
   private painted: { camera: Camera; when: number } | null = null; // what the renderer drew last
 
   constructor(container: HTMLElement) {
-    this.renderer = createRenderer((replacement) => {
+    this.renderer = createRenderer(false, (replacement) => {
       this.renderer = replacement;
       this.load();
     });

@@ -72,15 +72,18 @@ export function colorize(raster: Raster, picture: Picture, view: View, palette: 
       const below = y + 1 < height ? i + width : i;
       const line = picture.lines && band < UNDER && (isOther(bands[right]!, band) || isOther(bands[below]!, band));
       const shade = (line ? 0.68 : 1) * (light ? light[i]! / 255 : 1);
-      const stripe = x - y - anchor - Math.floor((x - y - anchor) / pitch) * pitch < 1.4 * view.ratio;
+      const color = colors[band]!;
+      const isLifted = lifted !== null && lifted[i] === 1;
+      const along = x - y - anchor;
+      const isStripe = isLifted && along - Math.floor(along / pitch) * pitch < 1.4 * view.ratio;
       for (let k = 0; k < 3; k++) {
-        let part = colors[band]![k]! * shade;
-        if (lifted?.[i]) part = paper[k]! + 0.45 * (part - paper[k]!);
-        if (lifted?.[i] && stripe) part = 0.45 * part + 0.55 * hatch[k]!;
+        let part = color[k]! * shade;
+        if (isLifted) part = paper[k]! + 0.45 * (part - paper[k]!);
+        if (isStripe) part = 0.45 * part + 0.55 * hatch[k]!;
         pixels[4 * i + k] = part;
       }
       pixels[4 * i + 3] = 255;
-      if (lifted && [right, below].some((j) => bands[j] !== NOTHING && lifted[j] !== lifted[i])) boundary.push(i);
+      if (lifted && (changes(bands, lifted, i, right) || changes(bands, lifted, i, below))) boundary.push(i);
     }
   for (const i of boundary) drawBoundary(raster, pixels, i, 2.2 * view.ratio, 255);
   for (const i of boundary) drawBoundary(raster, pixels, i, 0.9 * view.ratio, 0);
@@ -127,15 +130,14 @@ export class SoftwareRenderer implements FieldRenderer {
     if (!mesh || !tiling || !picture) return;
     const raster = rasterize(mesh, tiling.triangles, rangesIn(tiling, view), picture, view);
     const pixels = colorize(raster, picture, view, palette);
-    const screen = projectNodes(mesh, picture, view);
     const ink = rgbOf(palette.ink);
     if (picture.mesh) {
       this.sides ??= sideLines(mesh);
-      drawLines(raster, pixels, screen, this.sides, [0, 0, 0], 0.28, view.ratio);
+      drawLines(raster, pixels, projectNodes(mesh, picture, view), this.sides, [0, 0, 0], 0.28, view.ratio);
     }
     if (picture.settlement) {
       this.border ??= borderLines(mesh);
-      drawLines(raster, pixels, screen, this.border, ink, 1, view.ratio);
+      drawLines(raster, pixels, projectNodes(mesh, picture, view), this.border, ink, 1, view.ratio);
     }
     for (const [ends, color] of [
       [this.lines?.flat, rgbOf(palette.ink2)],
@@ -149,6 +151,11 @@ export class SoftwareRenderer implements FieldRenderer {
 
 function dotsOf({ width, height, ratio }: View): [number, number] {
   return [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
+}
+
+/** Whether contact changes between two pixels of the plate. */
+function changes(bands: Uint8Array, lifted: Uint8Array, i: number, j: number): boolean {
+  return lifted[i] !== lifted[j] && bands[j] !== NOTHING;
 }
 
 function isOther(neighbor: number, band: number): boolean {

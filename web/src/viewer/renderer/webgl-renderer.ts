@@ -32,8 +32,8 @@ vec4 bent() { return modelViewMatrix * vec4(position.xy, position.z - settlement
 const VERTEX = `${PLACE}
 in float value;
 in float contact;
-centroid out float vValue;
-centroid out float vContact;
+SAMPLED out float vValue;
+SAMPLED out float vContact;
 out vec3 vPlace;
 void main() {
   vValue = value;
@@ -45,8 +45,8 @@ void main() {
 
 const FRAGMENT = `
 precision highp float;
-centroid in float vValue;
-centroid in float vContact;
+SAMPLED in float vValue;
+SAMPLED in float vContact;
 in vec3 vPlace;
 uniform sampler2D uBands;
 uniform float uOrigin, uStep, uCount, uLow, uHigh, uLines, uRatio, uContact, uLit;
@@ -115,28 +115,28 @@ export class WebglRenderer implements FieldRenderer {
     uAnchor: { value: new Vector2() },
     uExaggeration: this.exaggeration,
   };
-  // a list of materials: then only the geometry's groups are drawn
-  private readonly surface = new Surface(new BufferGeometry(), [
-    new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
-      uniforms: this.uniforms,
-      side: 2,
-    }),
-  ]);
+  private readonly surface: Surface<BufferGeometry, RawShaderMaterial[]>;
   private readonly sides = this.makeLines(0.28);
   private readonly border = this.makeLines();
   private readonly flat = this.makeLines();
   private readonly columns = this.makeLines();
-  private readonly parts = [this.surface, this.sides, this.border, this.flat, this.columns];
+  private readonly parts: readonly (WebglRenderer["surface"] | ReturnType<WebglRenderer["makeLines"]>)[];
   private mesh: Mesh | null = null;
   private tiling: Tiling | null = null;
   private size = "";
 
   /** Throws if no graphics card stands behind the browser's WebGL 2: without one the processor does better alone. */
-  constructor() {
-    const context = contextOf(this.canvas, { antialias: true, alpha: false, depth: true, stencil: false });
+  constructor(antialias: boolean) {
+    const context = contextOf(this.canvas, { antialias, alpha: false, depth: true, stencil: false });
+    // of several samples for a pixel some lie beyond the triangle, where values must not be taken
+    const [vertexShader, fragmentShader] = [VERTEX, FRAGMENT].map((shader) =>
+      shader.replaceAll("SAMPLED", antialias ? "centroid" : ""),
+    ) as [string, string];
+    const { uniforms } = this;
+    const material = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, side: 2 });
+    // a list of materials: then only the geometry's groups are drawn
+    this.surface = new Surface(new BufferGeometry(), [material]);
+    this.parts = [this.surface, this.sides, this.border, this.flat, this.columns];
     this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
     this.parts.forEach((part, order) => {
       Object.assign(part, { frustumCulled: false, visible: false, renderOrder: order });

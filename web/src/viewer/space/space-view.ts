@@ -52,7 +52,7 @@ export class SpaceView {
   private frame = 0;
 
   constructor(container: HTMLElement) {
-    this.renderer = createRenderer((replacement) => {
+    this.renderer = createRenderer(true, (replacement) => {
       this.renderer = replacement;
       this.load();
     });
