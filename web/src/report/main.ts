@@ -1,7 +1,7 @@
 // The report's script: the viewer, where the page has a place for it. The page works without it.
 
 import type { Choice } from "../viewer/data/fields";
-import { fromGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
+import { decodeGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
 import { Viewer } from "../viewer/panels/viewer";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
@@ -14,7 +14,7 @@ async function start(): Promise<void> {
   if (!place || !packed?.textContent?.trim()) return;
   place.textContent = "Unpacking the results …";
   try {
-    const scene = await fromGzipBase64(packed.textContent);
+    const scene = await decodeGzipBase64(packed.textContent);
     packed.textContent = ""; // the text is no longer needed
     place.textContent = "";
     const { field, combination } = place.dataset;

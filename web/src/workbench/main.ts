@@ -7,7 +7,7 @@ import { onTokenElsewhere, takeToken } from "./client/browser-storage";
 import { Connection } from "./client/connection";
 import { EditQueue } from "./client/edit-queue";
 import { Store } from "./client/store";
-import { changesSameValues } from "./model/optimistic-edits";
+import { isUntouched } from "./model/optimistic-edits";
 import { buildPage } from "./shell/page";
 import { askOffer, askWhichText } from "./shell/unsaved-work";
 
@@ -17,13 +17,16 @@ const store = new Store();
 const queue: EditQueue = new EditQueue(api, {
   base: () => store.doc?.version ?? 0,
   adopt: (state, waiting) => store.setDoc(state, waiting),
-  fits: (change, state) => changesSameValues(change, store.doc?.data ?? {}, state.data ?? {}),
-  refused: (change, why) => store.notify({ kind: "bad", text: `“${change.text}” was not done: ${why}` }),
-  lost: (error) => connection.lost(error),
-  changed: () => store.setWaiting(queue.waiting),
+  fits: (change, state) => isUntouched(change, store.doc?.data ?? {}, state.data ?? {}),
+  onRefused: (change, why) => store.notify({ kind: "bad", text: `“${change.text}” was not done: ${why}` }),
+  onLost: (error) => connection.handleLoss(error),
+  onChange: () => store.setWaiting(queue.waiting),
 });
 const resolveOffer = (state: DocState) => askOffer(api, state);
-const connection: Connection = new Connection(api, store, queue, { offered: resolveOffer, differs: askWhichText });
+const connection: Connection = new Connection(api, store, queue, {
+  resolveOffer: resolveOffer,
+  askWhichText: askWhichText,
+});
 
 // while the keyboard is used, the drawing shows that it has the focus
 const setInput = (kind: string) => {
@@ -52,7 +55,7 @@ const cover = h("p", { class: "cover" }, "Loading …");
 document.body.replaceChildren(cover);
 store.on(["connection"], () => {
   cover.textContent =
-    store.connection === "stranger"
+    store.connection === "unauthorized"
       ? "This address is no longer valid. Open the address that groundslab app has printed."
       : "The server does not answer. Start it with: groundslab app";
 });

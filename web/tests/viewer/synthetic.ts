@@ -3,7 +3,7 @@
 import {
   type Block,
   type Combination,
-  decode,
+  decodeScene,
   type Field,
   type Head,
   type Mesh,
@@ -170,7 +170,7 @@ export function packedScene(mesh: Mesh, given: Given[], change: Partial<Head> = 
 }
 
 export function sceneOf(mesh: Mesh, given: Given[], change: Partial<Head> = {}): Scene {
-  return decode(packedScene(mesh, given, change));
+  return decodeScene(packedScene(mesh, given, change));
 }
 
 /** Random numbers in 0 .. 1, the same in every run. */

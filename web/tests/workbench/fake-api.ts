@@ -1,8 +1,9 @@
 // A server in the page: keeps data as JSON, answers as the real one does, can be away.
 
-import { type DocState, type Fault, Outdated, Unreachable } from "../../src/workbench/client/api";
+import { type DocState, Outdated, Unreachable } from "../../src/workbench/client/api";
 import type { Change } from "../../src/workbench/model/edits";
-import { foresee } from "../../src/workbench/model/optimistic-edits";
+import type { Issue } from "../../src/workbench/model/issues";
+import { applyOptimistic } from "../../src/workbench/model/optimistic-edits";
 import type { Table } from "../../src/workbench/model/paths";
 
 export class FakeApi {
@@ -10,7 +11,7 @@ export class FakeApi {
   away = false;
   /** Answers get lost although the edit arrives. */
   deaf = false;
-  faults: Fault[] = [];
+  faults: Issue[] = [];
   /** So many answers come before the text has been read. */
   unread = 0;
   readonly received: Change[] = [];
@@ -49,7 +50,7 @@ export class FakeApi {
     if (base !== this.version) throw new Outdated(this.present());
     this.received.push(change);
     this.steps.push({ data: this.data, text: change.text });
-    for (const edit of change.edits) this.data = foresee(this.data, edit);
+    for (const edit of change.edits) this.data = applyOptimistic(this.data, edit);
     this.version += 1;
     if (this.deaf) throw new Unreachable("the answer was lost");
     return this.present();
@@ -57,7 +58,7 @@ export class FakeApi {
 
   /** A change made by another page. */
   elsewhere(change: Change): void {
-    for (const edit of change.edits) this.data = foresee(this.data, edit);
+    for (const edit of change.edits) this.data = applyOptimistic(this.data, edit);
     this.version += 1;
   }
 }

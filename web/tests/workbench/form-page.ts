@@ -1,15 +1,15 @@
-import type { Fault } from "../../src/workbench/client/api";
 import type { FormContext } from "../../src/workbench/form/context";
 import { partWidget } from "../../src/workbench/form/section";
 import type { Change } from "../../src/workbench/model/edits";
-import { foresee } from "../../src/workbench/model/optimistic-edits";
+import type { Issue } from "../../src/workbench/model/issues";
+import { applyOptimistic } from "../../src/workbench/model/optimistic-edits";
 import { type Path, pathKey, type Table } from "../../src/workbench/model/paths";
 import { schema } from "./schema";
 
 /** A page with a form over data that every change is applied to. */
 export class Page {
   readonly changes: Change[] = [];
-  faults: Fault[] = [];
+  faults: Issue[] = [];
   readonly ctx: FormContext;
   update: () => void = () => undefined;
 
@@ -18,10 +18,10 @@ export class Page {
       schema,
       memory: new Map(),
       data: () => this.data,
-      faults: () => this.faults,
+      issues: () => this.faults,
       change: (change) => {
         this.changes.push(change);
-        for (const edit of change.edits) this.data = foresee(this.data, edit);
+        for (const edit of change.edits) this.data = applyOptimistic(this.data, edit);
         this.update();
       },
     };
@@ -56,5 +56,5 @@ export const fault = (
   got = '"30"',
   expected = 'a pressure such as "30 MPa"',
   mend = "the unit is missing",
-): Fault => ({ where: "", path, got, expected, mend });
+): Issue => ({ where: "", path, got, expected, mend });
 export const PLATE: Table = { plate: { length_x: "6 m", length_y: "4 m", thickness: "250 mm", E: "30 GPa", nu: 0.2 } };

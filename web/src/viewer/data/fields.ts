@@ -1,6 +1,6 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
-import type { Locator, Spot } from "./point-location";
-import { block, type Combination, type Extreme, type Scene } from "./scene";
+import type { LocalPoint, Locator } from "./point-location";
+import { type Combination, type Extreme, readBlock, type Scene } from "./scene";
 
 /** A combination by its index in the head, or an envelope over all certified combinations (of one limit state). */
 export type Choice = number | Envelope;
@@ -50,23 +50,23 @@ export function fieldsOf(scene: Scene): FieldInfo[] {
 }
 
 /** Where a field is smallest and largest: value, x, y. */
-export interface Ends {
+export interface FieldExtremes {
   min: Extreme;
   max: Extreme;
 }
 
 /** Return where a field of a combination or an envelope is smallest and largest at nodes. */
-export function endsOf(scene: Scene, choice: Choice, name: string): Ends {
-  const of = values(scene, choice, name);
+export function extremesOf(scene: Scene, choice: Choice, name: string): FieldExtremes {
+  const of = nodalValues(scene, choice, name);
   const told = isEnvelope(choice) ? undefined : scene.head.combinations[choice]?.extremes[name];
-  const { min, max, minNode, maxNode } = extremes(of);
+  const { min, max, minNode, maxNode } = findExtremes(of);
   const at = (node: number): [number, number] => [scene.mesh.nodes[2 * node]!, scene.mesh.nodes[2 * node + 1]!];
   return { min: told?.min ?? [min, ...at(minNode)], max: told?.max ?? [max, ...at(maxNode)] };
 }
 
 /** Return the largest line force along the plate's edges in a combination or an envelope [kN/m], if there is any. */
 export function lineForceOf(scene: Scene, choice: Choice): Extreme | null {
-  const found = members(scene, choice)
+  const found = combinationsOf(scene, choice)
     .map((each) => scene.head.combinations[each]?.extremes.line_force?.max)
     .filter((each) => each !== undefined);
   return found.length ? found.reduce((most, each) => (each[0] > most[0] ? each : most)) : null;
@@ -80,18 +80,18 @@ export function fieldOf(scene: Scene, name: string): FieldInfo {
 }
 
 /** Return the principal moments m_1 >= m_2 by Mohr's circle. */
-export function principal(mx: number, my: number, mxy: number): [number, number] {
+export function principalMoments(mx: number, my: number, mxy: number): [number, number] {
   const [middle, radius] = [(mx + my) / 2, Math.hypot((mx - my) / 2, mxy)];
   return [middle + radius, middle - radius];
 }
 
 /** Return the direction of the strips that m_1 bends, from x [degrees]. */
-export function direction(mx: number, my: number, mxy: number): number {
+export function principalDirection(mx: number, my: number, mxy: number): number {
   return (Math.atan2(2 * mxy, mx - my) * 90) / Math.PI;
 }
 
 /** Return the design moments along x and y at the bottom, >= 0 (Wood 1968, Armer 1968), sagging positive. */
-export function woodArmer(mx: number, my: number, mxy: number): [number, number] {
+export function designMoments(mx: number, my: number, mxy: number): [number, number] {
   const twist = Math.abs(mxy);
   const [x, y] = [mx + twist, my + twist];
   // where one of them would be negative it is none, and the other grows by the twist that is left to it alone
@@ -102,20 +102,20 @@ export function woodArmer(mx: number, my: number, mxy: number): [number, number]
 }
 
 /** Return one derived moment of m_x, m_y and m_xy. */
-export function derive(name: string, mx: number, my: number, mxy: number): number {
+export function deriveMoment(name: string, mx: number, my: number, mxy: number): number {
   switch (name) {
     case "m_1":
-      return principal(mx, my, mxy)[0];
+      return principalMoments(mx, my, mxy)[0];
     case "m_2":
-      return principal(mx, my, mxy)[1];
+      return principalMoments(mx, my, mxy)[1];
     case "bottom_x":
-      return woodArmer(mx, my, mxy)[0];
+      return designMoments(mx, my, mxy)[0];
     case "bottom_y":
-      return woodArmer(mx, my, mxy)[1];
+      return designMoments(mx, my, mxy)[1];
     case "top_x":
-      return 0 - woodArmer(-mx, -my, mxy)[0];
+      return 0 - designMoments(-mx, -my, mxy)[0];
     case "top_y":
-      return 0 - woodArmer(-mx, -my, mxy)[1];
+      return 0 - designMoments(-mx, -my, mxy)[1];
     default:
       throw new RangeError(`no derived field ${name}`);
   }
@@ -132,9 +132,9 @@ export function shown(scene: Scene): Combination[] {
 }
 
 /** Return the indices of the combinations that an envelope goes over: certified, with values, of its limit state. */
-export function members(scene: Scene, choice: Choice): number[] {
+export function combinationsOf(scene: Scene, choice: Choice): number[] {
   if (!isEnvelope(choice)) return [choice];
-  const [, state] = parts(choice);
+  const [, state] = splitEnvelope(choice);
   return scene.head.combinations.flatMap((each, i) =>
     each.values !== null && each.certified && (state === null || each.limit_state === state) ? [i] : [],
   );
@@ -142,7 +142,7 @@ export function members(scene: Scene, choice: Choice): number[] {
 
 /** Return the envelopes that a scene offers: none of one combination, one pair for each limit state that has several. */
 export function envelopesOf(scene: Scene): Envelope[] {
-  const all = members(scene, "largest").map((i) => scene.head.combinations[i]!.limit_state);
+  const all = combinationsOf(scene, "largest").map((i) => scene.head.combinations[i]!.limit_state);
   if (all.length < 2) return [];
   const states = [...new Set(all)];
   if (states.length === 1) return ["largest", "smallest"];
@@ -150,14 +150,15 @@ export function envelopesOf(scene: Scene): Envelope[] {
   return [...several.flatMap((state): Envelope[] => [`largest:${state}`, `smallest:${state}`]), "largest", "smallest"];
 }
 
-/** Return how a choice is called. */
+/** Return the name of a choice. */
 export function choiceName(scene: Scene, choice: Choice): string {
-  if (!isEnvelope(choice)) {
-    const of = scene.head.combinations[choice];
-    return of ? (scene.head.combinations.length > 1 ? `${of.number} ${of.name}` : of.name) : "";
+  const { combinations } = scene.head;
+  if (isEnvelope(choice)) {
+    const [which, state] = splitEnvelope(choice);
+    return `${which === "largest" ? "max" : "min"} of all ${state === null ? "" : `${state} `}combinations`;
   }
-  const [which, state] = parts(choice);
-  return `${which} of ${state === null ? "all" : `all ${state}`} combinations`;
+  const one = combinations[choice];
+  return one ? (combinations.length > 1 ? `${one.number} ${one.name}` : one.name) : "";
 }
 
 /** Return a choice from its text, as a select element keeps it. */
@@ -166,7 +167,7 @@ export function parseChoice(text: string): Choice {
 }
 
 /** Return nodal values of a field, of a combination or an envelope; kept for the next time. */
-export function values(scene: Scene, choice: Choice, name: string): Float32Array {
+export function nodalValues(scene: Scene, choice: Choice, name: string): Float32Array {
   const key = `${choice} ${name}`;
   const kept = cacheOf(scene);
   const before = kept.get(key);
@@ -176,40 +177,48 @@ export function values(scene: Scene, choice: Choice, name: string): Float32Array
     kept.set(key, before);
     return before;
   }
-  const made = isEnvelope(choice) ? envelope(scene, choice, name) : ofCombination(scene, choice, name);
+  const made = isEnvelope(choice) ? envelopeValues(scene, choice, name) : combinationValues(scene, choice, name);
   kept.set(key, made);
   for (const [oldest, array] of kept) {
-    if (bytes(kept) <= MOST_BYTES || array === made) break;
+    if (sizeOf(kept) <= MOST_BYTES || array === made) break;
     kept.delete(oldest);
   }
   return made;
 }
 
 /** A value at a place, and the combination (index) that it comes from. */
-export interface Found {
+export interface FieldValue {
   value: number;
   from: number;
 }
 
 /** Return the value of a field at a place: of a combination, or the extreme over an envelope's combinations there. */
-export function valueAt(scene: Scene, locator: Locator, choice: Choice, name: string, spot: Spot): Found {
-  let found: Found = { value: NaN, from: -1 };
-  const largest = !isEnvelope(choice) || parts(choice)[0] === "largest";
-  for (const from of members(scene, choice)) {
-    const value = ofOne(scene, locator, from, name, spot);
+export function fieldValueAt(
+  scene: Scene,
+  locator: Locator,
+  choice: Choice,
+  name: string,
+  spot: LocalPoint,
+): FieldValue {
+  let found: FieldValue = { value: NaN, from: -1 };
+  const largest = !isEnvelope(choice) || splitEnvelope(choice)[0] === "largest";
+  for (const from of combinationsOf(scene, choice)) {
+    const value = interpolateField(scene, locator, from, name, spot);
     if (found.from < 0 || (largest ? value > found.value : value < found.value)) found = { value, from };
   }
   return found;
 }
 
 /** Return whether a place is in contact; in an envelope, whether it is in all of its combinations. */
-export function inContact(scene: Scene, locator: Locator, choice: Choice, spot: Spot): boolean | null {
+export function isInContact(scene: Scene, locator: Locator, choice: Choice, spot: LocalPoint): boolean | null {
   if (!scene.head.fields.some((field) => field.name === CONTACT)) return null;
-  return members(scene, choice).every((from) => locator.interpolate(values(scene, from, CONTACT), spot) < 0);
+  return combinationsOf(scene, choice).every(
+    (from) => locator.interpolate(nodalValues(scene, from, CONTACT), spot) < 0,
+  );
 }
 
 /** Return the smallest and largest of nodal values and their nodes. */
-export function extremes(of: Float32Array): { min: number; max: number; minNode: number; maxNode: number } {
+export function findExtremes(of: Float32Array): { min: number; max: number; minNode: number; maxNode: number } {
   let [minNode, maxNode] = [0, 0];
   for (let i = 1; i < of.length; i++) {
     if (of[i]! < of[minNode]!) minNode = i;
@@ -227,13 +236,13 @@ function cacheOf(scene: Scene): Map<string, Float32Array> {
   return cache;
 }
 
-function bytes(kept: Map<string, Float32Array>): number {
+function sizeOf(kept: Map<string, Float32Array>): number {
   let sum = 0;
   for (const array of kept.values()) sum += array.byteLength;
   return sum;
 }
 
-function parts(choice: Envelope): ["largest" | "smallest", string | null] {
+function splitEnvelope(choice: Envelope): ["largest" | "smallest", string | null] {
   const at = choice.indexOf(":");
   const which = (at < 0 ? choice : choice.slice(0, at)) as "largest" | "smallest";
   return [which, at < 0 ? null : choice.slice(at + 1)];
@@ -243,40 +252,40 @@ function isDerived(name: string): boolean {
   return DERIVED.some((each) => each.name === name);
 }
 
-function ofCombination(scene: Scene, index: number, name: string): Float32Array {
+function combinationValues(scene: Scene, index: number, name: string): Float32Array {
   if (isDerived(name)) {
-    const [mx, my, mxy] = MOMENTS.map((moment) => values(scene, index, moment)) as [
+    const [mx, my, mxy] = MOMENTS.map((moment) => nodalValues(scene, index, moment)) as [
       Float32Array,
       Float32Array,
       Float32Array,
     ];
-    return mx.map((value, i) => derive(name, value, my[i]!, mxy[i]!));
+    return mx.map((value, i) => deriveMoment(name, value, my[i]!, mxy[i]!));
   }
   const of = scene.head.combinations[index]?.values?.[name];
   if (!of) throw new RangeError(`no values of ${name} in combination ${index}`);
-  return block(scene, of);
+  return readBlock(scene, of);
 }
 
-function envelope(scene: Scene, choice: Envelope, name: string): Float32Array {
-  const of = members(scene, choice);
+function envelopeValues(scene: Scene, choice: Envelope, name: string): Float32Array {
+  const of = combinationsOf(scene, choice);
   if (!of.length) throw new RangeError("no combination for this envelope");
   // a place counts as lifted if it is in any of the combinations
-  const largest = name === CONTACT || parts(choice)[0] === "largest";
-  const result = ofCombination(scene, of[0]!, name).slice();
+  const largest = name === CONTACT || splitEnvelope(choice)[0] === "largest";
+  const result = combinationValues(scene, of[0]!, name).slice();
   for (const index of of.slice(1)) {
-    const other = ofCombination(scene, index, name);
+    const other = combinationValues(scene, index, name);
     for (let i = 0; i < result.length; i++)
       if (largest ? other[i]! > result[i]! : other[i]! < result[i]!) result[i] = other[i]!;
   }
   return result;
 }
 
-function ofOne(scene: Scene, locator: Locator, index: number, name: string, spot: Spot): number {
-  if (!isDerived(name)) return locator.interpolate(values(scene, index, name), spot);
-  const [mx, my, mxy] = MOMENTS.map((moment) => locator.interpolate(values(scene, index, moment), spot)) as [
+function interpolateField(scene: Scene, locator: Locator, index: number, name: string, spot: LocalPoint): number {
+  if (!isDerived(name)) return locator.interpolate(nodalValues(scene, index, name), spot);
+  const [mx, my, mxy] = MOMENTS.map((moment) => locator.interpolate(nodalValues(scene, index, moment), spot)) as [
     number,
     number,
     number,
   ];
-  return derive(name, mx, my, mxy);
+  return deriveMoment(name, mx, my, mxy);
 }

@@ -5,7 +5,7 @@ import type { Load } from "./scene";
 const round = (value: number) => formatShort(value, 5);
 
 /** A load that is drawn, and its label; empty where the label of another load at the same place includes it. */
-export interface ShownLoad {
+export interface LabeledLoad {
   load: Load;
   text: string;
 }
@@ -16,7 +16,7 @@ export interface ShownLoad {
  * With the factors of a combination by load case a label is the sum of all that acts at a place, factors included.
  * Without them (envelopes) each load's label names its case and the factor 1, unless there are no cases.
  */
-export function shownLoads(loads: readonly Load[], factors: ReadonlyMap<string, number> | null): ShownLoad[] {
+export function labelLoads(loads: readonly Load[], factors: ReadonlyMap<string, number> | null): LabeledLoad[] {
   const factorOf = (load: Load) => (factors && load.case ? (factors.get(load.case) ?? 0) : 1);
   const acting = loads.filter((load) => factorOf(load) !== 0);
   const groups = new Map<string, Load[]>();

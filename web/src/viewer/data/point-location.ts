@@ -1,10 +1,10 @@
 // Which element holds a point, and values between the nodes.
 import { elementBoxes } from "./boxes";
 import type { Mesh } from "./scene";
-import { q9, q9Slopes } from "./shape-functions";
+import { shapeDerivatives, shapeFunctions } from "./shape-functions";
 
 /** A place in an element, on the reference square. */
-export interface Spot {
+export interface LocalPoint {
   element: number;
   xi: number;
   eta: number;
@@ -13,14 +13,14 @@ export interface Spot {
 /** A side of quadratic shape bulges beyond the box of its three nodes by at most an eighth of that box. */
 const BULGE = 0.125;
 /** A point this far outside the reference square still counts as in the element: nodes are single-precision numbers. */
-const NEAR = 1e-4;
+const TOLERANCE = 1e-4;
 
 export class Locator {
   private readonly low: [number, number];
   private readonly size: [number, number]; // of a bucket [m]
   private readonly count: [number, number]; // of buckets
   private readonly first: Uint32Array; // of each bucket, in `held`
-  private readonly held: Uint32Array; // elements, bucket by bucket
+  private readonly members: Uint32Array; // elements, bucket by bucket
   private last = 0; // neighbours are asked for one after the other
 
   constructor(private readonly mesh: Mesh) {
@@ -45,34 +45,35 @@ export class Locator {
     });
     for (let b = 0; b + 1 < this.first.length; b++) this.first[b + 1]! += this.first[b]!;
     const next = this.first.slice();
-    this.held = new Uint32Array(this.first[this.first.length - 1]!);
+    this.members = new Uint32Array(this.first[this.first.length - 1]!);
     each((bucket, element) => {
-      this.held[next[bucket]!++] = element;
+      this.members[next[bucket]!++] = element;
     });
   }
 
   /** Return the element that holds a point [m] and the point's place in it, or null outside the mesh. */
-  at(x: number, y: number): Spot | null {
+  locate(x: number, y: number): LocalPoint | null {
     const [i, j] = [(x - this.low[0]) / this.size[0], (y - this.low[1]) / this.size[1]];
-    if (!(i >= -NEAR && j >= -NEAR && i <= this.count[0] + NEAR && j <= this.count[1] + NEAR)) return null;
-    const again = this.in(this.last, x, y);
-    if (again && beside(again) <= 1) return again;
+    if (!(i >= -TOLERANCE && j >= -TOLERANCE && i <= this.count[0] + TOLERANCE && j <= this.count[1] + TOLERANCE))
+      return null;
+    const again = this.locateIn(this.last, x, y);
+    if (again && distanceFromCenter(again) <= 1) return again;
     const [column, row] = this.bucket(x, y);
     const bucket = row * this.count[0] + column;
-    let best: Spot | null = null;
+    let best: LocalPoint | null = null;
     for (let k = this.first[bucket]!; k < this.first[bucket + 1]!; k++) {
-      const spot = this.in(this.held[k]!, x, y);
-      if (spot && (best === null || beside(spot) < beside(best))) best = spot;
-      if (best && beside(best) <= 1) break;
+      const spot = this.locateIn(this.members[k]!, x, y);
+      if (spot && (best === null || distanceFromCenter(spot) < distanceFromCenter(best))) best = spot;
+      if (best && distanceFromCenter(best) <= 1) break;
     }
-    if (!best || beside(best) > 1 + NEAR) return null;
+    if (!best || distanceFromCenter(best) > 1 + TOLERANCE) return null;
     this.last = best.element;
     return best;
   }
 
   /** Return nodal values at a place, by the nine shape functions. */
-  interpolate(values: Float32Array, spot: Spot): number {
-    const N = q9(spot.xi, spot.eta);
+  interpolate(values: Float32Array, spot: LocalPoint): number {
+    const N = shapeFunctions(spot.xi, spot.eta);
     const { elements } = this.mesh;
     let sum = 0;
     for (let a = 0; a < 9; a++) sum += N[a]! * values[elements[9 * spot.element + a]!]!;
@@ -86,13 +87,13 @@ export class Locator {
   }
 
   /** Return the place of a point in one element by Newton's method, or null if it is nowhere near. */
-  private in(element: number, x: number, y: number): Spot | null {
+  private locateIn(element: number, x: number, y: number): LocalPoint | null {
     const { nodes, elements } = this.mesh;
     if (element >= this.mesh.elementCount) return null;
     let [xi, eta] = [0, 0];
     for (let step = 0; step < 20; step++) {
-      const N = q9(xi, eta);
-      const [dxi, deta] = q9Slopes(xi, eta);
+      const N = shapeFunctions(xi, eta);
+      const [dxi, deta] = shapeDerivatives(xi, eta);
       let [dx, dy, a, b, c, d] = [x, y, 0, 0, 0, 0];
       for (let k = 0; k < 9; k++) {
         const node = 2 * elements[9 * element + k]!;
@@ -121,6 +122,6 @@ function clamp(value: number): number {
   return Math.min(1.5, Math.max(-1.5, value));
 }
 
-function beside(spot: Spot): number {
+function distanceFromCenter(spot: LocalPoint): number {
   return Math.max(Math.abs(spot.xi), Math.abs(spot.eta));
 }

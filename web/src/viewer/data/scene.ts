@@ -146,7 +146,7 @@ const FORMAT = 2;
 const BYTES = { u8: 1, u16: 2, u32: 4, i32: 4, f32: 4 } as const;
 
 /** Read a packed scene: 4 bytes length, JSON, padding to a multiple of 8, data. */
-export function decode(buffer: ArrayBuffer): Scene {
+export function decodeScene(buffer: ArrayBuffer): Scene {
   if (buffer.byteLength < 4) throw new SceneError("The results are empty.");
   const length = new DataView(buffer).getUint32(0, true);
   if (4 + length > buffer.byteLength) throw new SceneError("The results are cut off.");
@@ -154,13 +154,13 @@ export function decode(buffer: ArrayBuffer): Scene {
   if (head.format !== FORMAT)
     throw new SceneError(`The results have format ${head.format}; this page reads format ${FORMAT}.`);
   const start = Math.ceil((4 + length) / 8) * 8;
-  const nodes = real(buffer, start, head.mesh.nodes);
-  const raw = rawOf(buffer, start, head.mesh.elements);
+  const nodes = readNumbers(buffer, start, head.mesh.nodes);
+  const raw = readRaw(buffer, start, head.mesh.elements);
   const elements = raw instanceof Uint32Array ? raw : Uint32Array.from(raw);
   const nodeCount = nodes.length / 2;
   for (const node of elements)
     if (node >= nodeCount) throw new SceneError("The results are damaged: an element names a node that is not there.");
-  const section = head.mesh.section ? Uint16Array.from(rawOf(buffer, start, head.mesh.section)) : null;
+  const section = head.mesh.section ? Uint16Array.from(readRaw(buffer, start, head.mesh.section)) : null;
   return {
     head,
     data: buffer,
@@ -170,12 +170,12 @@ export function decode(buffer: ArrayBuffer): Scene {
 }
 
 /** Read base64 of a gzipped packed scene, as a report holds it. */
-export async function fromGzipBase64(text: string): Promise<Scene> {
+export async function decodeGzipBase64(text: string): Promise<Scene> {
   if (typeof DecompressionStream === "undefined")
     throw new SceneError(
       "This browser is too old to unpack the results (it has no DecompressionStream). A version from 2023 or later can.",
     );
-  const bytes = fromBase64(text);
+  const bytes = decodeBase64(text);
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
   let buffer: ArrayBuffer;
   try {
@@ -183,16 +183,16 @@ export async function fromGzipBase64(text: string): Promise<Scene> {
   } catch {
     throw new SceneError("The results in this file are damaged: they cannot be unpacked.");
   }
-  return decode(buffer);
+  return decodeScene(buffer);
 }
 
 /** Return the numbers of a block, in its own units. */
-export function block(scene: Scene, of: Block): Float32Array {
-  return real(scene.data, scene.start, of);
+export function readBlock(scene: Scene, of: Block): Float32Array {
+  return readNumbers(scene.data, scene.start, of);
 }
 
-function real(buffer: ArrayBuffer, start: number, of: Block): Float32Array {
-  const raw = rawOf(buffer, start, of);
+function readNumbers(buffer: ArrayBuffer, start: number, of: Block): Float32Array {
+  const raw = readRaw(buffer, start, of);
   if (raw instanceof Float32Array && of.scale === 1 && of.shift === 0) return raw;
   const values = new Float32Array(raw.length);
   const { scale, shift } = of;
@@ -200,7 +200,7 @@ function real(buffer: ArrayBuffer, start: number, of: Block): Float32Array {
   return values;
 }
 
-function rawOf(
+function readRaw(
   buffer: ArrayBuffer,
   start: number,
   of: Block,
@@ -222,7 +222,7 @@ function rawOf(
   }
 }
 
-function fromBase64(text: string): Uint8Array<ArrayBuffer> {
+function decodeBase64(text: string): Uint8Array<ArrayBuffer> {
   const letters = atob(text.replace(/\s+/g, ""));
   const bytes = new Uint8Array(letters.length);
   for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);

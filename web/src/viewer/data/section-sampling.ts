@@ -1,6 +1,6 @@
 // Values of a field along a straight line through the plate.
-import { type Choice, valueAt } from "./fields";
-import type { Locator, Spot } from "./point-location";
+import { type Choice, fieldValueAt } from "./fields";
+import type { LocalPoint, Locator } from "./point-location";
 import type { Point, Scene } from "./scene";
 
 /** Where a line was sampled: distances from its start [m], and where in the mesh, null off the plate. */
@@ -8,7 +8,7 @@ export interface Samples {
   start: Point;
   end: Point;
   s: number[];
-  spots: (Spot | null)[];
+  spots: (LocalPoint | null)[];
 }
 
 const BISECTIONS = 22;
@@ -18,17 +18,18 @@ const BISECTIONS = 22;
  *
  * So kinks, jumps where the thickness changes, and edges of openings are where they are.
  */
-export function sample(locator: Locator, start: Point, end: Point, count = 400): Samples {
+export function sampleLine(locator: Locator, start: Point, end: Point, count = 400): Samples {
   const length = Math.hypot(end[0] - start[0], end[1] - start[1]);
-  const at = (part: number) => locator.at(start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1]));
+  const at = (part: number) =>
+    locator.locate(start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1]));
   const parts: number[] = [];
-  const spots: (Spot | null)[] = [];
-  const keep = (part: number, spot: Spot | null) => {
+  const spots: (LocalPoint | null)[] = [];
+  const keep = (part: number, spot: LocalPoint | null) => {
     parts.push(part);
     spots.push(spot);
   };
   // walk from a to b, which lie in different elements, by halving until the border between them is found
-  const border = (a: number, inA: Spot | null, b: number, inB: Spot | null, left: number): void => {
+  const border = (a: number, inA: LocalPoint | null, b: number, inB: LocalPoint | null, left: number): void => {
     if (inA?.element === inB?.element) return;
     if (left === 0) {
       keep(a, inA);
@@ -59,18 +60,18 @@ export function sample(locator: Locator, start: Point, end: Point, count = 400):
 }
 
 /** Return a field along a line, null off the plate. */
-export function along(
+export function sampleField(
   scene: Scene,
   locator: Locator,
   choice: Choice,
   field: string,
   samples: Samples,
 ): (number | null)[] {
-  return samples.spots.map((spot) => (spot ? valueAt(scene, locator, choice, field, spot).value : null));
+  return samples.spots.map((spot) => (spot ? fieldValueAt(scene, locator, choice, field, spot).value : null));
 }
 
 /** The smallest and largest value along a line, with their distances from its start; null if it misses the plate. */
-export function peaks(
+export function findPeaks(
   s: readonly number[],
   y: readonly (number | null)[],
 ): { min: [number, number]; max: [number, number] } | null {
@@ -85,7 +86,7 @@ export function peaks(
 }
 
 /** Return the ends of the axis of values: with zero unless all values are far from it. */
-export function limits(low: number | null, high: number | null): [number, number] {
+export function axisLimits(low: number | null, high: number | null): [number, number] {
   let [from, to] = [low ?? 0, high ?? 0];
   if (from > 0 && from < 0.7 * to) from = 0;
   if (to < 0 && to > 0.7 * from) to = 0;
@@ -95,6 +96,6 @@ export function limits(low: number | null, high: number | null): [number, number
 }
 
 /** Settlements and moments are drawn downwards, as the plate settles and where its face is in tension. */
-export function downwards(field: string): boolean {
+export function pointsDownward(field: string): boolean {
   return field === "settlement" || field.startsWith("moment") || /^(m_|bottom|top)/.test(field);
 }

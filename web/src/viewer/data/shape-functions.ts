@@ -23,19 +23,19 @@ function lagrange(xi: number): [number, number, number] {
   return [(xi * (xi - 1)) / 2, 1 - xi * xi, (xi * (xi + 1)) / 2];
 }
 
-function slopes(xi: number): [number, number, number] {
+function lagrangeDerivatives(xi: number): [number, number, number] {
   return [xi - 0.5, -2 * xi, xi + 0.5];
 }
 
 /** Return the nine shape functions at (xi, eta). */
-export function q9(xi: number, eta: number): number[] {
+export function shapeFunctions(xi: number, eta: number): number[] {
   const x = lagrange(xi);
   const y = lagrange(eta);
   return COLUMN.map((column, a) => x[column] * y[ROW[a]!]!);
 }
 
 /** Return the derivatives of the nine shape functions with respect to xi and to eta. */
-export function q9Slopes(xi: number, eta: number): [number[], number[]] {
-  const [x, y, dx, dy] = [lagrange(xi), lagrange(eta), slopes(xi), slopes(eta)];
+export function shapeDerivatives(xi: number, eta: number): [number[], number[]] {
+  const [x, y, dx, dy] = [lagrange(xi), lagrange(eta), lagrangeDerivatives(xi), lagrangeDerivatives(eta)];
   return [COLUMN.map((column, a) => dx[column] * y[ROW[a]!]!), COLUMN.map((column, a) => x[column] * dy[ROW[a]!]!)];
 }

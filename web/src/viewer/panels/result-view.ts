@@ -6,9 +6,9 @@ import {
   envelopesOf,
   fieldOf,
   fieldsOf,
+  fieldValueAt,
   isEnvelope,
   parseChoice,
-  valueAt,
 } from "../data/fields";
 import { formatNumber, withMinus } from "../data/numbers";
 import { Locator } from "../data/point-location";
@@ -198,10 +198,10 @@ export class ResultView {
     const { scene, locator } = this;
     if (!at || !scene || !locator) return setText(this.reading, "");
     let text = `x ${at[0].toFixed(2)}  y ${at[1].toFixed(2)} m`;
-    const spot = this.plan.shown ? locator.at(...at) : null;
+    const spot = this.plan.shown ? locator.locate(...at) : null;
     if (spot) {
       const info = fieldOf(scene, this.field);
-      const found = valueAt(scene, locator, this.choice, this.field, spot);
+      const found = fieldValueAt(scene, locator, this.choice, this.field, spot);
       text += `   ${symbolText(info.symbol)} = ${formatNumber(found.value)} ${info.unit}`;
       if (isEnvelope(this.choice)) text += ` (combination ${scene.head.combinations[found.from]?.number ?? ""})`;
     }

@@ -4,7 +4,7 @@ import { type Choice, choiceName, fieldOf, isEnvelope } from "../data/fields";
 import { formatNumber, formatShort } from "../data/numbers";
 import type { Locator } from "../data/point-location";
 import type { Point, Scene } from "../data/scene";
-import { along, downwards, limits, peaks, type Samples, sample } from "../data/section-sampling";
+import { axisLimits, findPeaks, pointsDownward, type Samples, sampleField, sampleLine } from "../data/section-sampling";
 import { h } from "../shared/dom";
 import { FONT, type Palette, paletteOf } from "../shared/palette";
 import { symbolText } from "../shared/symbols";
@@ -54,10 +54,11 @@ export class SectionChart {
   /** Draw a section; null: nothing. */
   show(section: Section | null): void {
     this.section = section;
-    this.samples = section && sample(section.locator, section.start, section.end);
+    this.samples = section && sampleLine(section.locator, section.start, section.end);
     this.curves =
-      section?.choices.map((choice) => along(section.scene, section.locator, choice, section.field, this.samples!)) ??
-      [];
+      section?.choices.map((choice) =>
+        sampleField(section.scene, section.locator, choice, section.field, this.samples!),
+      ) ?? [];
     this.draw();
   }
 
@@ -92,7 +93,7 @@ export class SectionChart {
   }
 
   private crossesPlate(): boolean {
-    return this.curves.some((curve) => peaks(this.samples!.s, curve) !== null);
+    return this.curves.some((curve) => findPeaks(this.samples!.s, curve) !== null);
   }
 
   private resize(): void {
@@ -127,7 +128,7 @@ export class SectionChart {
       height,
       scales: {
         x: { time: false, range: () => [0, Math.max(this.length(), 1e-9)] },
-        y: { dir: downwards(field) ? -1 : 1, range: (_, low, high) => limits(low, high) },
+        y: { dir: pointsDownward(field) ? -1 : 1, range: (_, low, high) => axisLimits(low, high) },
       },
       axes: makeAxes(`${symbolText(info.symbol)} [${info.unit}]`, times, palette),
       legend: { show: times === 1 },
@@ -176,7 +177,7 @@ export class SectionChart {
       ctx.stroke();
     }
     const found = this.curves.flatMap((curve, i) => {
-      const ends = peaks(this.samples!.s, curve);
+      const ends = findPeaks(this.samples!.s, curve);
       const choice = this.section!.choices[i]!;
       return ends ? [ends.min, ends.max].map(([s, value]): Peak => ({ s, value, choice })) : [];
     });

@@ -2,15 +2,15 @@
 import {
   type Choice,
   choiceName,
-  direction,
   type FieldInfo,
   fieldsOf,
-  inContact,
+  fieldValueAt,
   isEnvelope,
-  valueAt,
+  isInContact,
+  principalDirection,
 } from "../data/fields";
 import { formatNumber, withMinus } from "../data/numbers";
-import type { Locator, Spot } from "../data/point-location";
+import type { LocalPoint, Locator } from "../data/point-location";
 import type { Point, Scene } from "../data/scene";
 import { thicknessText } from "../plan/symbols";
 import { type Child, fill, h } from "../shared/dom";
@@ -32,18 +32,18 @@ export class ValuePanel {
     if (!scene || !locator || !point) return this.showHint();
     const [x, y] = point;
     const place = h("div", { class: "gs-values-at" }, `x ${meters(x)} m, y ${meters(y)} m`);
-    const spot = locator.at(x, y);
+    const spot = locator.locate(x, y);
     if (!spot) return fill(this.element, place, h("p", {}, "This point is not on the plate."));
     const rows = fieldsOf(scene).map((info) => this.makeRow(scene, locator, choice, spot, info, info.name === field));
     if (!isEnvelope(choice) && fieldsOf(scene).some((each) => each.name === "m_1")) {
       const [mx, my, mxy] = ["moment_x", "moment_y", "moment_xy"].map(
-        (name) => valueAt(scene, locator, choice, name, spot).value,
+        (name) => fieldValueAt(scene, locator, choice, name, spot).value,
       ) as [number, number, number];
       rows.push(
         makeRow(
           "phi_1",
           "direction of the strips that m_1 bends, from x",
-          formatNumber(direction(mx, my, mxy), 3),
+          formatNumber(principalDirection(mx, my, mxy), 3),
           "°",
         ),
       );
@@ -61,11 +61,11 @@ export class ValuePanel {
     scene: Scene,
     locator: Locator,
     choice: Choice,
-    spot: Spot,
+    spot: LocalPoint,
     info: FieldInfo,
     isChosen: boolean,
   ): HTMLElement {
-    const found = valueAt(scene, locator, choice, info.name, spot);
+    const found = fieldValueAt(scene, locator, choice, info.name, spot);
     const row = makeRow(info.symbol, info.meaning, formatNumber(found.value), info.unit);
     const from = scene.head.combinations[found.from];
     if (isEnvelope(choice))
@@ -91,8 +91,8 @@ function makeRow(symbol: string, meaning: string, value: string, unit: string): 
   return h("tr", { title: meaning }, name, h("td", {}, value), h("td", { class: "gs-unit" }, unit));
 }
 
-function makeNotes(scene: Scene, locator: Locator, choice: Choice, spot: Spot): Child[] {
-  const contact = inContact(scene, locator, choice, spot);
+function makeNotes(scene: Scene, locator: Locator, choice: Choice, spot: LocalPoint): Child[] {
+  const contact = isInContact(scene, locator, choice, spot);
   const no = isEnvelope(choice) ? "not in every combination" : "no";
   const section = sectionText(scene, spot.element);
   const governing = "In brackets: the number of the combination that governs; hold the pointer over it for its name.";

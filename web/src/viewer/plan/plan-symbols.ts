@@ -1,5 +1,5 @@
 // The symbols of a solved plan.
-import { shownLoads } from "../data/load-labels";
+import { labelLoads } from "../data/load-labels";
 import type { Load, Plan, Ring } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
 import { type PlanSymbol, thicknessText } from "./symbols";
@@ -77,7 +77,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
     area("slab", plan.outline),
     ...plan.openings.map(({ ring }) => area("opening", ring)),
     ...(layers.output ? output : []),
-    ...(layers.loads ? shownLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
+    ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),
     ...(layers.columns ? plan.columns.map((each) => ({ ...point("column", each), foot: each.ring })) : []),
   ];

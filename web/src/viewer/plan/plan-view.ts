@@ -1,5 +1,14 @@
 // The plate in plan: a field in colors, and above it the symbols of the plan.
-import { type Choice, CONTACT, type Ends, endsOf, extremes, fieldOf, isEnvelope, values } from "../data/fields";
+import {
+  type Choice,
+  CONTACT,
+  extremesOf,
+  type FieldExtremes,
+  fieldOf,
+  findExtremes,
+  isEnvelope,
+  nodalValues,
+} from "../data/fields";
 import { formatNumber } from "../data/numbers";
 import type { Extreme, Plan, Point, Scene } from "../data/scene";
 import { type ScaleRange, type ShownField, scaleFor } from "../data/shown-field";
@@ -172,15 +181,15 @@ export class PlanView {
     if (scene && shown) {
       const field = fieldOf(scene, shown.field);
       const hasContact = scene.head.fields.some((each) => each.name === CONTACT);
-      const contact = hasContact ? values(scene, shown.choice, CONTACT) : null;
-      const lifted = contact !== null && extremes(contact).max > 0;
+      const contact = hasContact ? nodalValues(scene, shown.choice, CONTACT) : null;
+      const lifted = contact !== null && findExtremes(contact).max > 0;
       const scale = scaleFor(scene, shown.choice, field, this.range);
       const { lines, mesh } = options;
-      const nodal = values(scene, shown.choice, shown.field);
+      const nodal = nodalValues(scene, shown.choice, shown.field);
       const visible = options.contact && lifted ? contact : null;
       this.picture = { values: nodal, contact: visible, settlement: null, scale, lines, mesh };
       this.seen = { choice: shown.choice, field, scale, lifted };
-      marks.extremes = extremeMarks(endsOf(scene, shown.choice, shown.field));
+      marks.extremes = extremeMarks(extremesOf(scene, shown.choice, shown.field));
       const factors = isEnvelope(shown.choice) ? null : scene.head.combinations[shown.choice]?.factors;
       if (factors?.length) marks.factors = new Map(factors);
     }
@@ -365,7 +374,7 @@ export class PlanView {
 }
 
 /** Return the marks of minimum and maximum; none of a zero, which much of the plate may have. */
-function extremeMarks({ min, max }: Ends): Marks["extremes"] {
+function extremeMarks({ min, max }: FieldExtremes): Marks["extremes"] {
   const small = 1e-6 * Math.max(Math.abs(min[0]), Math.abs(max[0]));
   const mark = ([value, x, y]: Extreme, word: string, isMaximum: boolean) =>
     Math.abs(value) > small ? [{ point: [x, y] as Point, text: `${word} ${formatNumber(value)}`, isMaximum }] : [];

@@ -227,7 +227,11 @@ function fillTriangle(
   const [va, vb, vc] = [values[a]!, values[b]! - values[a]!, values[c]! - values[a]!];
   for (let y = y0; y <= y1; y++) {
     const middle = y + 0.5;
-    const [ab, bc, ca] = [cut(ax, ay, bx, by, middle), cut(bx, by, cx, cy, middle), cut(cx, cy, ax, ay, middle)];
+    const [ab, bc, ca] = [
+      crossRow(ax, ay, bx, by, middle),
+      crossRow(bx, by, cx, cy, middle),
+      crossRow(cx, cy, ax, ay, middle),
+    ];
     // a row crosses two of the sides, or none
     const [first, second] = [Number.isNaN(ab) ? bc : ab, Number.isNaN(ca) ? bc : ca];
     const x0 = Math.max(0, Math.ceil(Math.min(first, second) - 0.5));
@@ -249,7 +253,7 @@ function fillTriangle(
 }
 
 /** Return where a side crosses a row, NaN if it does not; the same for both triangles, so that no pixel is left between. */
-function cut(px: number, py: number, qx: number, qy: number, y: number): number {
+function crossRow(px: number, py: number, qx: number, qy: number, y: number): number {
   if (py < y === qy < y) return Number.NaN;
   return py < qy ? px + ((y - py) / (qy - py)) * (qx - px) : qx + ((y - qy) / (py - qy)) * (px - qx);
 }

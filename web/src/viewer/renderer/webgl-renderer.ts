@@ -110,8 +110,8 @@ export class WebglRenderer implements FieldRenderer {
   private readonly exaggeration = { value: 0 }; // [m] for each mm
   private readonly uniforms = {
     uBands: { value: null as DataTexture | null },
-    ...numbers("uOrigin", "uStep", "uCount", "uLow", "uHigh", "uLines", "uRatio", "uContact", "uLit"),
-    ...vectors("uOver", "uUnder", "uPaper", "uHatch", "uSun"),
+    ...numberUniforms("uOrigin", "uStep", "uCount", "uLow", "uHigh", "uLines", "uRatio", "uContact", "uLit"),
+    ...vectorUniforms("uOver", "uUnder", "uPaper", "uHatch", "uSun"),
     uAnchor: { value: new Vector2() },
     uExaggeration: this.exaggeration,
   };
@@ -250,11 +250,11 @@ export class WebglRenderer implements FieldRenderer {
   }
 }
 
-function numbers<K extends string>(...names: K[]): Record<K, { value: number }> {
+function numberUniforms<K extends string>(...names: K[]): Record<K, { value: number }> {
   return Object.fromEntries(names.map((name) => [name, { value: 0 }])) as Record<K, { value: number }>;
 }
 
-function vectors<K extends string>(...names: K[]): Record<K, { value: Vector3 }> {
+function vectorUniforms<K extends string>(...names: K[]): Record<K, { value: Vector3 }> {
   return Object.fromEntries(names.map((name) => [name, { value: new Vector3() }])) as Record<K, { value: Vector3 }>;
 }
 

@@ -1,7 +1,7 @@
 // The plate in space, bent by its settlement many times exaggerated, with a field in colors.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { type Choice, endsOf, fieldOf, values } from "../data/fields";
+import { type Choice, extremesOf, fieldOf, nodalValues } from "../data/fields";
 import { formatShort, roundStep } from "../data/numbers";
 import type { Ring, Scene } from "../data/scene";
 import { type ScaleRange, type ShownField, scaleFor } from "../data/shown-field";
@@ -88,10 +88,10 @@ export class SpaceView {
     if (!scene) return;
     const info = fieldOf(scene, field);
     const scale = scaleFor(scene, choice, info, this.range);
-    const settlement = values(scene, choice, "settlement");
-    const nodal = values(scene, choice, field);
+    const settlement = nodalValues(scene, choice, "settlement");
+    const nodal = nodalValues(scene, choice, field);
     this.renderer.setPicture({ values: nodal, contact: null, settlement, scale, lines: true, mesh: false });
-    const ends = endsOf(scene, choice, "settlement");
+    const ends = extremesOf(scene, choice, "settlement");
     const greatest = Math.max(Math.abs(ends.min[0]), Math.abs(ends.max[0]), 1e-9) / 1000;
     this.base = roundStep((0.06 * this.extent()) / greatest);
     this.depth = (ends.min[0] + ends.max[0]) / 2;
@@ -181,7 +181,7 @@ export class SpaceView {
 
   /** Return each column as an upright prism that stands on the bent plate. */
   private columnLines(scene: Scene, choice: Choice): Float32Array {
-    const settlement = values(scene, choice, "settlement"); // [mm]
+    const settlement = nodalValues(scene, choice, "settlement"); // [mm]
     const height = 0.07 * this.extent();
     const lines = scene.head.plan.columns.flatMap(({ ring }, k) => {
       const foot = (-settlement[this.feet[k]!]! * this.exaggeration) / 1000;

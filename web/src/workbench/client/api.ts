@@ -1,16 +1,8 @@
-// The server's HTTP interface: what it says and how to ask it.
+// The server's HTTP interface.
 
 import type { Change } from "../model/edits";
-import type { Path, Table } from "../model/paths";
-
-export interface Fault {
-  where: string;
-  path: Path;
-  got: string;
-  expected: string;
-  mend: string;
-  line?: number;
-}
+import { type Issue, issueLine } from "../model/issues";
+import type { Table } from "../model/paths";
 
 /** Unsaved work that an earlier run of the server has kept. */
 export interface Offer {
@@ -26,9 +18,9 @@ export interface DocState {
   text: string;
   /** Null while the text is not TOML, or not read yet. */
   data: Table | null;
-  /** Whether the server is still reading the text: faults are not known yet, the plan is that of before. */
+  /** Whether the server is still reading the text: issues are not known yet, the plan is the previous one. */
   checking?: boolean;
-  faults: Fault[];
+  faults: Issue[];
   plan: Table | null;
   file: string | null;
   dirty: boolean;
@@ -60,7 +52,7 @@ export interface SummaryRow {
   note: string;
 }
 
-export interface SummaryOfOne {
+export interface CombinationSummary {
   name: string;
   refused: string | null;
   certificate: Table | null;
@@ -75,14 +67,14 @@ export interface DesignCheck {
 
 export interface Summary {
   design?: { status: DesignCheck["status"]; headline: string; checks: DesignCheck[] };
-  combinations: SummaryOfOne[];
+  combinations: CombinationSummary[];
 }
 
 /** The server does not answer. */
 export class Unreachable extends Error {}
 
-/** The server answers, but does not know this page: another server, or started anew. */
-export class Stranger extends Error {}
+/** The server answers, but does not know this page: another server, or a restarted one. */
+export class Unauthorized extends Error {}
 
 /** The edit was made on an older version; `state` is the present one. */
 export class Outdated extends Error {
@@ -91,7 +83,7 @@ export class Outdated extends Error {
   }
 }
 
-/** The server says no; the message is for people. `kind` names what stands in the way, `url` another workbench. */
+/** The server refuses; the message is for users. `kind` names the obstacle, `url` another workbench. */
 export class Refused extends Error {
   constructor(
     message: string,
@@ -111,7 +103,7 @@ export interface Api {
   redo(): Promise<DocState>;
   save(file: string | null, over: boolean): Promise<DocState>;
   open(file: string): Promise<DocState>;
-  fresh(): Promise<DocState>;
+  createCase(): Promise<DocState>;
   restore(take: boolean): Promise<DocState>;
   files(folder: string | null): Promise<Folder>;
   solve(): Promise<number>;
@@ -129,7 +121,7 @@ const PATIENCE = 15_000; // ms until a server that does not answer counts as gon
 export class HttpApi implements Api {
   constructor(private token: string) {}
 
-  /** Take another token: the server was started anew. */
+  /** Use another token, because the server was restarted. */
   setToken(token: string): void {
     this.token = token;
   }
@@ -141,7 +133,7 @@ export class HttpApi implements Api {
   redo = () => this.json<DocState>("redo", {});
   save = (file: string | null, over: boolean) => this.json<DocState>("save", file === null ? { over } : { file, over });
   open = (file: string) => this.json<DocState>("open", { file });
-  fresh = () => this.json<DocState>("new", {});
+  createCase = () => this.json<DocState>("new", {});
   restore = (take: boolean) => this.json<DocState>("restore", { take });
   files = (folder: string | null) =>
     this.json<Folder>(folder === null ? "files" : `files?folder=${encodeURIComponent(folder)}`);
@@ -149,15 +141,15 @@ export class HttpApi implements Api {
   cancel = async () => void (await this.json("cancel", {}));
   autosolve = async (on: boolean) => void (await this.json("autosolve", { on }));
   summary = (run: number) => this.json<Summary>(`results/${run}/summary`);
-  scene = async (run: number) => (await this.ask(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
+  scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
   reportAddress = (run: number) => `api/results/${run}/report?token=${encodeURIComponent(this.token)}`;
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;
 
   private async json<T>(name: string, body?: object): Promise<T> {
-    return (await (await this.ask(name, body)).json()) as T;
+    return (await (await this.request(name, body)).json()) as T;
   }
 
-  private async ask(name: string, body?: object, patience = PATIENCE): Promise<Response> {
+  private async request(name: string, body?: object, patience = PATIENCE): Promise<Response> {
     let response: Response;
     try {
       response = await fetch(`api/${name}`, {
@@ -177,9 +169,9 @@ export class HttpApi implements Api {
   }
 }
 
-/** The error that an answer stands for. */
+/** Return the error of an answer. */
 async function refusal(response: Response): Promise<Error> {
-  if (response.status === 403 || response.status === 401) return new Stranger("the server does not know this page");
+  if (response.status === 403 || response.status === 401) return new Unauthorized("the server does not know this page");
   if (response.status === 502 || response.status === 503 || response.status === 504)
     return new Unreachable(`status ${response.status}`);
   let body: unknown;
@@ -190,11 +182,11 @@ async function refusal(response: Response): Promise<Error> {
   }
   if (response.status === 409 && isState(body)) return new Outdated(body);
   const words = messageOf(body) ?? `the server answered ${response.status}`;
-  return new Refused(words, response.status, partOf(body, "kind"), partOf(body, "url"));
+  return new Refused(words, response.status, errorField(body, "kind"), errorField(body, "url"));
 }
 
-/** A text in the error of an answer, empty if there is none. */
-function partOf(body: unknown, name: string): string {
+/** Return a text in the error of an answer, empty if there is none. */
+function errorField(body: unknown, name: string): string {
   const error =
     typeof body === "object" && body !== null && "error" in body
       ? (body.error as Record<string, unknown> | null)
@@ -207,22 +199,12 @@ function isState(body: unknown): body is DocState {
   return typeof body === "object" && body !== null && "version" in body && "text" in body;
 }
 
-/** The words in an answer that says no: {"error": {...}} with a fault's parts or a message, or {"detail": ...}. */
+/** Return the message of a refusal: {"error": {...}} with an issue's parts or a message, or {"detail": ...}. */
 export function messageOf(body: unknown): string | null {
   if (typeof body === "string") return body;
-  if (Array.isArray(body))
-    return (
-      body
-        .map(messageOf)
-        .filter((each) => each !== null)
-        .join("; ") || null
-    );
+  if (Array.isArray(body)) return body.flatMap((each) => messageOf(each) ?? []).join("; ") || null;
   if (typeof body !== "object" || body === null) return null;
   const table = body as Record<string, unknown>;
-  if (typeof table.got === "string" && typeof table.expected === "string") {
-    const where = typeof table.where === "string" && table.where ? `${table.where}: ` : "";
-    const mend = typeof table.mend === "string" && table.mend ? `; ${table.mend}` : "";
-    return `${where}got ${table.got}, expected ${table.expected}${mend}`;
-  }
+  if (typeof table.got === "string" && typeof table.expected === "string") return issueLine(table as unknown as Issue);
   return messageOf(table.error ?? table.message ?? table.msg ?? table.detail ?? table.faults ?? null);
 }

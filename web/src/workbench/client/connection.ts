@@ -1,28 +1,28 @@
-// Keeping in touch with the server: its events, its silence, its return.
+// The connection to the server: its events, and reconnecting.
 
-import { type Api, type DocState, Stranger, Unreachable } from "./api";
+import { type Api, type DocState, Unauthorized, Unreachable } from "./api";
 import type { EditQueue } from "./edit-queue";
 import type { Store } from "./store";
 
-/** What to do about the document when the server is there again. */
-export type Return = "same" | "adopt" | "offer" | "differs";
+/** What to do about the document when the server is back. */
+export type Reconciliation = "same" | "adopt" | "offer" | "differs";
 
 export interface ConnectionHooks {
   /** The server has kept unsaved work of an earlier run: ask, and return the state after the answer. */
-  offered(state: DocState): Promise<DocState>;
-  /** The server holds another text than this page: ask which of them counts. */
-  differs(server: DocState, own: string): Promise<"page" | "server">;
+  resolveOffer(state: DocState): Promise<DocState>;
+  /** The server holds another text than this page: ask which of them to keep. */
+  askWhichText(server: DocState, own: string): Promise<"page" | "server">;
 }
 
 const FIRST_WAIT = 400; // ms until the first new attempt
 const LONGEST_WAIT = 4000;
-const CHECK_WAIT = 100; // ms until the next question while the server reads the text; its answer waits a little, too
+const CHECK_WAIT = 100; // ms until the next question while the server reads the text; its answer takes a little, too
 
 export class Connection {
   private source: EventSource | null = null;
   private wait = FIRST_WAIT;
   private retrying = false;
-  private another = false; // whether the server is not the one that the page has known
+  private isNewServer = false; // whether the server is not the one that the page has known
   private timer: ReturnType<typeof setTimeout> | null = null;
   private checking: ReturnType<typeof setTimeout> | null = null;
 
@@ -33,15 +33,15 @@ export class Connection {
     private readonly hooks: ConnectionHooks,
     private readonly events: (address: string) => EventSource = (address) => new EventSource(address),
   ) {
-    store.on(["doc"], () => this.askAgain());
+    store.on(["doc"], () => this.pollWhileChecking());
   }
 
-  /** While the server is still reading the text, ask for what it has found. */
-  private askAgain(): void {
+  /** While the server is still reading the text, ask for the result. */
+  private pollWhileChecking(): void {
     if (!this.store.doc?.checking || this.checking !== null) return;
     this.checking = setTimeout(() => {
       this.checking = null;
-      void this.refreshFrom(-1);
+      void this.refresh(-1);
     }, CHECK_WAIT);
   }
 
@@ -50,34 +50,34 @@ export class Connection {
     try {
       this.store.schema ??= await this.api.schema();
       const state = await this.api.state();
-      await this.welcome(state);
+      await this.reconcile(state);
       this.listen();
       this.store.setConnection("ok");
       this.wait = FIRST_WAIT;
     } catch (error) {
-      if (!(error instanceof Unreachable || error instanceof Stranger)) throw error;
-      this.lost(error);
+      if (!(error instanceof Unreachable || error instanceof Unauthorized)) throw error;
+      this.handleLoss(error);
     }
   }
 
   /** The server did not answer, or does not know this page: try until it does. */
-  lost(error: Unreachable | Stranger): void {
+  handleLoss(error: Unreachable | Unauthorized): void {
     this.queue.hold();
     this.close();
-    this.store.setConnection(error instanceof Stranger ? "stranger" : "away");
-    this.again();
+    this.store.setConnection(error instanceof Unauthorized ? "unauthorized" : "away");
+    this.scheduleRetry();
   }
 
-  /** Try at once; `another` tells that it is a new server. */
+  /** Try at once; `another`: whether it is a new server. */
   retry(another = false): void {
-    this.another ||= another;
+    this.isNewServer ||= another;
     this.wait = FIRST_WAIT;
     if (this.timer !== null) clearTimeout(this.timer);
     this.timer = null;
     void this.attempt();
   }
 
-  private again(): void {
+  private scheduleRetry(): void {
     if (this.timer !== null || this.retrying) return;
     this.timer = setTimeout(() => {
       this.timer = null;
@@ -92,28 +92,28 @@ export class Connection {
     await this.start().finally(() => {
       this.retrying = false;
     });
-    if (this.store.connection !== "ok") this.again();
+    if (this.store.connection !== "ok") this.scheduleRetry();
   }
 
   /** Take a state after a pause, without losing what either side holds. */
-  private async welcome(state: DocState): Promise<void> {
+  private async reconcile(state: DocState): Promise<void> {
     const own = this.store.doc;
-    const what = comparison(own, state, this.another, this.queue.waiting.length > 0);
+    const what = compareStates(own, state, this.isNewServer, this.queue.waiting.length > 0);
     let taken = state;
     if (state.offer) {
       this.queue.hold();
-      taken = await this.hooks.offered(state);
+      taken = await this.hooks.resolveOffer(state);
     } else if (what === "differs" && own) {
       this.queue.hold();
-      if ((await this.hooks.differs(state, own.text)) === "page") {
+      if ((await this.hooks.askWhichText(state, own.text)) === "page") {
         taken = await this.api.edit(
           { edits: [{ op: "text", value: own.text }], text: "keep the page's text" },
           state.version,
         );
       } else this.queue.clear();
     }
-    if (this.another) this.store.setSolved(null);
-    this.another = false;
+    if (this.isNewServer) this.store.setSolved(null);
+    this.isNewServer = false;
     if (own && own.text !== taken.text) this.queue.rebase(taken);
     this.store.setDoc(taken);
     await this.queue.release();
@@ -127,8 +127,8 @@ export class Connection {
       source.addEventListener(name, (event) =>
         take(JSON.parse((event as MessageEvent<string>).data) as Record<string, unknown>),
       );
-    on("state", (about) => void this.refreshFrom(Number(about.version)));
-    on("saved", () => void this.refreshFrom(-1));
+    on("state", (about) => void this.refresh(Number(about.version)));
+    on("saved", () => void this.refresh(-1));
     on("solving", (about) =>
       this.store.setRun({
         kind: "solving",
@@ -162,7 +162,7 @@ export class Connection {
     on("cancelled", () => this.store.setRun({ kind: "cancelled" }));
     source.addEventListener("error", () => {
       if (this.source !== source) return;
-      // a stream may end without reason: only silence on a question counts
+      // a stream may end without reason: only a request without an answer counts
       this.close();
       this.retry();
     });
@@ -175,13 +175,13 @@ export class Connection {
     this.store.setRun({ ...run, text: String(about.text ?? ""), share });
   }
 
-  private async refreshFrom(version: number): Promise<void> {
+  private async refresh(version: number): Promise<void> {
     if (this.queue.waiting.length > 0 || version === this.store.doc?.version) return;
     try {
       const state = await this.api.state();
       if (this.queue.waiting.length === 0) this.store.setDoc(state);
     } catch (error) {
-      if (error instanceof Unreachable || error instanceof Stranger) this.lost(error);
+      if (error instanceof Unreachable || error instanceof Unauthorized) this.handleLoss(error);
     }
   }
 
@@ -191,8 +191,13 @@ export class Connection {
   }
 }
 
-/** How the server's state compares with what the page last knew; `another` is a server that was started since. */
-export function comparison(own: DocState | null, server: DocState, another: boolean, waiting: boolean): Return {
+/** Compare the server's state with what the page last knew; `another`: whether the server was started since. */
+export function compareStates(
+  own: DocState | null,
+  server: DocState,
+  another: boolean,
+  waiting: boolean,
+): Reconciliation {
   if (server.offer) return "offer";
   if (!own) return "adopt";
   if (own.text === server.text) return "same";

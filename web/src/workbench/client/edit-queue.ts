@@ -1,7 +1,7 @@
 // Edits on their way to the server: one at a time, in order, none lost when the server is away.
 
 import type { Change } from "../model/edits";
-import { type Api, type DocState, Outdated, Refused, Stranger, Unreachable } from "./api";
+import { type Api, type DocState, Outdated, Refused, Unauthorized, Unreachable } from "./api";
 
 export interface QueueHooks {
   /** The version that the next edit builds on. */
@@ -10,12 +10,12 @@ export interface QueueHooks {
   adopt(state: DocState, waiting: readonly Change[]): void;
   /** The document changed elsewhere; returns whether the edit still makes sense on `state`. */
   fits(change: Change, state: DocState): boolean;
-  /** An edit was given up; `why` is for people. */
-  refused(change: Change, why: string): void;
+  /** An edit was dropped; `why` is for users. */
+  onRefused(change: Change, why: string): void;
   /** The server does not answer, or does not know this page. */
-  lost(error: Unreachable | Stranger): void;
+  onLost(error: Unreachable | Unauthorized): void;
   /** The list of waiting edits has changed. */
-  changed(): void;
+  onChange(): void;
 }
 
 /** Edits that wait, the first of them maybe under way. */
@@ -34,10 +34,10 @@ export class EditQueue {
   push(change: Change): void {
     const last = this.waiting.at(-1);
     const underWay = this.busy !== null && this.waiting.length === 1;
-    if (last && !underWay && joins(last, change))
-      this.waiting[this.waiting.length - 1] = last.merge ? change : alone(change);
+    if (last && !underWay && canMerge(last, change))
+      this.waiting[this.waiting.length - 1] = last.merge ? change : withoutMerge(change);
     else this.waiting.push(change);
-    this.hooks.changed();
+    this.hooks.onChange();
     void this.run();
   }
 
@@ -61,69 +61,69 @@ export class EditQueue {
     return this.run();
   }
 
-  /** The server is at another state than the edits were made on: give up those that make no sense there. */
+  /** The server is at another state than the edits were made on: drop those that make no sense there. */
   rebase(state: DocState): void {
     const lost = this.waiting.filter((change) => !this.hooks.fits(change, state));
     if (lost.length === 0) return;
     const kept = this.waiting.filter((change) => !lost.includes(change));
     this.waiting.splice(0, this.waiting.length, ...kept);
-    this.hooks.changed();
-    for (const change of lost) this.hooks.refused(change, "this part was changed elsewhere meanwhile");
+    this.hooks.onChange();
+    for (const change of lost) this.hooks.onRefused(change, "this part was changed elsewhere meanwhile");
   }
 
-  /** Forget what waits. */
+  /** Drop what waits. */
   clear(): void {
     this.waiting.length = 0;
-    this.hooks.changed();
+    this.hooks.onChange();
   }
 
   private async send(): Promise<void> {
     for (let change = this.waiting[0]; change && !this.held; change = this.waiting[0]) {
       try {
         const state = await this.api.edit(change, this.hooks.base());
-        this.done(change);
+        this.removeFirst(change);
         this.hooks.adopt(state, this.waiting);
       } catch (error) {
-        if (error instanceof Unreachable || error instanceof Stranger) {
+        if (error instanceof Unreachable || error instanceof Unauthorized) {
           this.held = true;
           this.repeated = true;
-          this.hooks.lost(error);
+          this.hooks.onLost(error);
           return;
         }
-        this.afterNo(change, error);
+        this.handleRejection(change, error);
       }
     }
   }
 
-  private afterNo(change: Change, error: unknown): void {
+  private handleRejection(change: Change, error: unknown): void {
     if (error instanceof Outdated) {
       const arrived =
         this.repeated && error.state.undo_text === change.text && error.state.version === this.hooks.base() + 1;
       const fits = arrived || this.hooks.fits(change, error.state);
-      if (arrived || !fits) this.done(change);
+      if (arrived || !fits) this.removeFirst(change);
       this.hooks.adopt(error.state, this.waiting);
-      if (!fits) this.hooks.refused(change, "this part was changed elsewhere meanwhile");
+      if (!fits) this.hooks.onRefused(change, "this part was changed elsewhere meanwhile");
       this.repeated = false;
       return;
     }
-    this.done(change);
-    this.hooks.changed();
-    this.hooks.refused(change, error instanceof Refused ? error.message : String(error));
+    this.removeFirst(change);
+    this.hooks.onChange();
+    this.hooks.onRefused(change, error instanceof Refused ? error.message : String(error));
   }
 
-  private done(change: Change): void {
+  private removeFirst(change: Change): void {
     if (this.waiting[0] === change) this.waiting.shift();
     this.repeated = false;
   }
 }
 
-/** An edit that does not join the step before it. */
-function alone(change: Change): Change {
+/** Return a change that is a step of its own. */
+function withoutMerge(change: Change): Change {
   return { edits: change.edits, text: change.text };
 }
 
-/** Whether a later edit stands for an earlier one that waits as well: typing on in one field, or in the text. */
-export function joins(earlier: Change, later: Change): boolean {
+/** Whether a later change replaces an earlier one that waits as well: continued typing in a field or in the text. */
+export function canMerge(earlier: Change, later: Change): boolean {
   if (!later.merge || earlier.text !== later.text) return false;
   const places = (change: Change) =>
     JSON.stringify(

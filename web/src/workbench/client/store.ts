@@ -1,12 +1,12 @@
-// What the page knows, and who wants to hear of changes. No elements here.
+// The state of the page, and listeners to its changes. No elements here.
 
 import type { Change, Edit } from "../model/edits";
-import { foresee } from "../model/optimistic-edits";
+import { applyOptimistic } from "../model/optimistic-edits";
 import { type Path, samePath, type Table } from "../model/paths";
 import type { DocState } from "./api";
 
-/** How the page stands with the server. */
-export type Connection = "ok" | "away" | "stranger";
+/** The state of the connection. */
+export type Connection = "ok" | "away" | "unauthorized";
 
 /** What the solver is doing. */
 export type Run =
@@ -25,7 +25,7 @@ export interface Solved {
   run: number;
   version: number;
   seconds: number;
-  /** What fails in the design, in words; empty if nothing was found to. */
+  /** What fails in the design, empty if nothing was found to. */
   design: string;
 }
 
@@ -43,7 +43,7 @@ export const TOPICS = [
 ] as const;
 export type Topic = (typeof TOPICS)[number];
 
-/** A short word to the user, with something to do about it. */
+/** A short message to the user, with an action. */
 export interface Notice {
   text: string;
   kind: "info" | "bad";
@@ -92,7 +92,7 @@ export class Store {
       this.autosolve = doc.autosolve;
       this.emit("autosolve");
     }
-    this.foreseeAll();
+    this.applyWaiting();
     if (fewer) this.emit("waiting");
     this.emit("doc");
     this.emit("data");
@@ -101,7 +101,7 @@ export class Store {
   /** Take the edits that wait. */
   setWaiting(waiting: readonly Change[]): void {
     this.waiting = [...waiting];
-    this.foreseeAll();
+    this.applyWaiting();
     this.emit("waiting");
     this.emit("data");
   }
@@ -110,7 +110,7 @@ export class Store {
     return this.waiting.length;
   }
 
-  /** Whether the last text that waits is the whole text: form and drawing then show what was before it. */
+  /** The text that waits to be sent, null if none does. */
   get waitingText(): string | null {
     const edits: Edit[] = this.waiting.flatMap((change) => change.edits);
     const text = edits.findLast((edit) => edit.op === "text");
@@ -149,9 +149,9 @@ export class Store {
     return this.doc !== null && this.doc.data === null && !this.doc.checking;
   }
 
-  private foreseeAll(): void {
+  private applyWaiting(): void {
     let data: Table = this.readable;
-    for (const change of this.waiting) for (const edit of change.edits) data = foresee(data, edit);
+    for (const change of this.waiting) for (const edit of change.edits) data = applyOptimistic(data, edit);
     this.data = data;
   }
 }

@@ -1,10 +1,10 @@
 // What the parts of a form share.
 
-import type { Fault } from "../client/api";
 import type { Change, Edit } from "../model/edits";
+import type { Issue } from "../model/issues";
 import { titleAt } from "../model/items";
 import { type Json, type Path, sameValue, type Table, valueAt } from "../model/paths";
-import { isCalled, renames } from "../model/references";
+import { isReferenced, renameReferences } from "../model/references";
 import type { Schema } from "../model/schema";
 import type { Memory } from "../model/variants";
 
@@ -12,11 +12,11 @@ export interface FormContext {
   readonly schema: Schema;
   readonly memory: Memory;
   data(): Table;
-  faults(): readonly Fault[];
+  issues(): readonly Issue[];
   change(change: Change): void;
 }
 
-/** A part of a form: `update` shows the present data and faults, `reveal` opens and focuses the field of a path. */
+/** A part of a form: `update` shows the present data and issues, `reveal` opens and focuses the field of a path. */
 export interface Widget {
   readonly element: HTMLElement;
   update(): void;
@@ -28,18 +28,18 @@ export function setValue(ctx: FormContext, path: Path, value: Json | undefined, 
   const old = valueAt(ctx.data(), path);
   if (sameValue(value, old)) return;
   const own: Edit = value === undefined ? { op: "remove", path } : { op: "set", path, value };
-  const others = typeof value === "string" ? renames(ctx.data(), path, value) : [];
-  const change: Change = { edits: [own, ...others], text: `change ${wordsFor(ctx.data(), path)}` };
+  const others = typeof value === "string" ? renameReferences(ctx.data(), path, value) : [];
+  const change: Change = { edits: [own, ...others], text: `change ${describeField(ctx.data(), path)}` };
   ctx.change(typing ? { ...change, merge: true } : change);
 }
 
 /** Whether a field is sent only when its input is complete. */
-export function waitsForEnd(path: Path): boolean {
-  return isCalled(path);
+export function isSentWhenComplete(path: Path): boolean {
+  return isReferenced(path);
 }
 
 /** What a field is called in the list of edits: `thickness of slab`, `E of ground.layers[1]`. */
-function wordsFor(data: Table, path: Path): string {
+function describeField(data: Table, path: Path): string {
   const key = path.findLast((step) => typeof step === "string") ?? "";
   const above = path.slice(0, path.lastIndexOf(key));
   if (above.length === 0) return String(key);

@@ -1,10 +1,11 @@
-// The whole case file as a form: one section that folds for each key at the top of the file.
+// The case file as a form: one section that folds for each key at the top of the file.
 
 import { h, setText } from "../../viewer/shared/dom";
+import { issueCount, issuesAt, issuesOfPart } from "../model/issues";
 import { isTable, type Json, type Path, type Table } from "../model/paths";
 import type { Field } from "../model/schema";
 import type { FormContext, Widget } from "./context";
-import { issueCount, issuesAt, issuesOfPart, showIssues } from "./errors";
+import { showIssues } from "./errors";
 import { heading, shortValue } from "./labels";
 import "./form.css";
 import { nodeWidget } from "./section";
@@ -50,14 +51,14 @@ export function formPanel(
     for (const field of fields) {
       const widget = isSimple(field)
         ? nodeWidget(ctx, [field.name], field)
-        : section(ctx, field, open.has(field.name), opened);
+        : foldedSection(ctx, field, open.has(field.name), opened);
       sections.push(widget);
       element.append(widget.element);
     }
   }
   const update = () => {
     for (const each of sections) each.update();
-    showIssues(messages, issuesOfPart(ctx.faults(), [], root));
+    showIssues(messages, issuesOfPart(ctx.issues(), [], root));
   };
   const reveal = (target: Path) => sections.some((each) => each.reveal(target));
   return { element, update, reveal };
@@ -67,7 +68,12 @@ function isSimple(field: Field): boolean {
   return !["part", "kinds", "list"].includes(field.node.is);
 }
 
-function section(ctx: FormContext, field: Field, open: boolean, opened: (key: string, open: boolean) => void): Widget {
+function foldedSection(
+  ctx: FormContext,
+  field: Field,
+  open: boolean,
+  opened: (key: string, open: boolean) => void,
+): Widget {
   const path: Path = [field.name];
   const digest = h("span", { class: "digest" });
   const badge = h("span", { class: "badge" });
@@ -90,7 +96,7 @@ function section(ctx: FormContext, field: Field, open: boolean, opened: (key: st
   });
   const update = () => {
     setText(digest, digestOf(field, ctx.data(), isOptional(ctx, field)));
-    const count = issuesAt(ctx.faults(), path).length;
+    const count = issuesAt(ctx.issues(), path).length;
     setText(badge, count > 0 ? String(count) : "");
     badge.title = issueCount(count);
     build();

@@ -1,11 +1,12 @@
 // The choice between the kinds of a table.
 import { fill, h, newId } from "../../viewer/shared/dom";
+import { issuesAt } from "../model/issues";
 import { titleAt } from "../model/items";
 import { type Path, pathKey, startsWith, tableAt } from "../model/paths";
 import type { Part } from "../model/schema";
 import { switchKind } from "../model/variants";
 import type { FormContext, Widget } from "./context";
-import { issuesAt, showIssues } from "./errors";
+import { showIssues } from "./errors";
 
 /** `change` is called with the kind that is chosen; by default the table at the path becomes of that kind. */
 export function kindChoice(
@@ -27,18 +28,18 @@ export function kindChoice(
   const element = h("div", { class: "field kind", "data-path": pathKey(own) }, label, select, hint, messages);
   select.addEventListener("change", () => {
     const to = parts.find((part) => part.name === select.value);
-    const from = ctx.schema.chosen(names, tableAt(ctx.data(), path));
+    const from = ctx.schema.chooseKind(names, tableAt(ctx.data(), path));
     if (to && to !== from) change(from, to);
   });
   const update = () => {
     const table = tableAt(ctx.data(), path);
-    const chosen = ctx.schema.chosen(names, table);
+    const chosen = ctx.schema.chooseKind(names, table);
     const unknown = h("option", { value: "" }, typeof table.kind === "string" ? table.kind : "choose …");
     const options = parts.map((part) => h("option", { value: part.name }, kindText(part)));
     fill(select, chosen ? null : unknown, ...options);
     select.value = chosen?.name ?? "";
     hint.textContent = chosen ? kindHint(chosen) : "";
-    const issues = issuesAt(ctx.faults(), own);
+    const issues = issuesAt(ctx.issues(), own);
     element.classList.toggle("faulty", issues.length > 0);
     showIssues(messages, issues);
   };

@@ -6,7 +6,7 @@ import type { Field, Part } from "../model/schema";
 
 const LONGEST_LABEL = 30;
 
-/** What a field is called: its key in words, or what its letter means. */
+/** Return the label of a field: its key, or what its letter means. */
 export function labelOf(field: Field): string {
   const { name, hint } = field;
   if (name === "x" || name === "y") return name;
@@ -19,7 +19,7 @@ export function labelOf(field: Field): string {
   return phrase && phrase.length <= LONGEST_LABEL ? phrase : "";
 }
 
-/** What the words of a kind or a section are called. */
+/** Return the title of a kind or a section. */
 export function heading(name: string): string {
   const words = name.replaceAll("_", " ");
   return words.charAt(0).toUpperCase() + words.slice(1);
@@ -50,7 +50,7 @@ export function summaryOf(table: Table, part: Part | null): string {
   for (const field of part?.fields ?? []) {
     if (pieces.length >= 5 || ["name", "kind", "case", "column"].includes(field.name)) continue;
     const value = table[field.name];
-    const simple = ["quantity", "number", "whole", "choice", "tuple"].includes(field.node.is);
+    const simple = ["quantity", "number", "integer", "choice", "tuple"].includes(field.node.is);
     if (value !== undefined && simple)
       pieces.push(`${field.symbol && field.name.length > 2 ? "" : `${field.name} `}${shortValue(value)}`.trim());
   }
@@ -66,7 +66,7 @@ export function summaryOf(table: Table, part: Part | null): string {
   return pieces.filter(Boolean).join("  ·  ");
 }
 
-/** The words and the symbol of a key. */
+/** Return the label and the symbol of a field. */
 export function labelParts(field: Field): (Node | string)[] {
   const words = labelOf(field);
   const symbol =

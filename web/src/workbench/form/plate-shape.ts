@@ -5,8 +5,8 @@ import type { Edit } from "../model/edits";
 import { readSides, ringOf } from "../model/geometry";
 import { outlineEdits } from "../model/new-items";
 import { type Path, pathKey, startsWith, type Table, tableAt } from "../model/paths";
-import { written } from "../model/quantities";
-import { placed } from "../model/variants";
+import { formatLength } from "../model/quantities";
+import { defaultPlacement } from "../model/variants";
 import type { FormContext, Widget } from "./context";
 import { valueField } from "./inputs/value-field";
 
@@ -44,9 +44,9 @@ export function plateShape(ctx: FormContext): Widget {
   });
   const update = () => {
     const table = tableAt(ctx.data(), ["plate"]);
-    const chosen = table.outline === undefined ? null : ctx.schema.chosen(SHAPES, tableAt(ctx.data(), OUTLINE));
+    const chosen = table.outline === undefined ? null : ctx.schema.chooseKind(SHAPES, tableAt(ctx.data(), OUTLINE));
     select.value = table.outline === undefined ? SIDES : (chosen?.name ?? "");
-    // a length that stands beside an outline is shown, so that its issue is
+    // a length beside an outline is shown, so that its issue is
     sides.forEach((side, n) => {
       side.element.hidden = table.outline !== undefined && table[n === 0 ? "length_x" : "length_y"] === undefined;
     });
@@ -69,13 +69,13 @@ export function plateOutline(ctx: FormContext, inner: Widget): Widget {
 export function shapeEdits(ctx: Pick<FormContext, "schema" | "data">, name: string): Edit[] {
   const data = ctx.data();
   const old = tableAt(data, ["plate", "outline"]);
-  const shape: Table = placed(data, ["plate", "outline"], ctx.schema.part(name), old);
+  const shape: Table = defaultPlacement(data, ["plate", "outline"], ctx.schema.part(name), old);
   return outlineEdits(data, shape);
 }
 
 /** The edits that make the slab a rectangle about the origin, as large as it was. */
 function sidesEdits(data: Table): Edit[] {
-  const box = placed(
+  const box = defaultPlacement(
     data,
     ["plate", "outline"],
     { name: "Rectangle", about: "", kind: "rectangle", fields: [] },
@@ -84,11 +84,11 @@ function sidesEdits(data: Table): Edit[] {
   const old = readSides(data);
   const size = (key: "x" | "y") => {
     const [from, to] = (box[key] as string[]).map((each) => parseFloat(each));
-    return written((to ?? 3) - (from ?? -3));
+    return formatLength((to ?? 3) - (from ?? -3));
   };
   const ring = old ? ringOf(old) : null;
   const [x, y] = ring
-    ? [written(2 * Math.abs(ring[0]?.[0] ?? 3)), written(2 * Math.abs(ring[0]?.[1] ?? 2))]
+    ? [formatLength(2 * Math.abs(ring[0]?.[0] ?? 3)), formatLength(2 * Math.abs(ring[0]?.[1] ?? 2))]
     : [size("x"), size("y")];
   return [
     { op: "remove", path: ["plate", "outline"] },

@@ -1,11 +1,12 @@
 // A table of the case file: its fields, and the tables and lists in it.
 import { button, fill, h, newId } from "../../viewer/shared/dom";
-import { starter } from "../model/defaults";
+import { defaultsFor } from "../model/defaults";
+import { issuesOfPart } from "../model/issues";
 import { type Path, pathKey, startsWith, tableAt, valueAt } from "../model/paths";
 import type { Field, Node, Part } from "../model/schema";
-import { placed } from "../model/variants";
+import { defaultPlacement } from "../model/variants";
 import type { FormContext, Widget } from "./context";
-import { issuesOfPart, showIssues } from "./errors";
+import { showIssues } from "./errors";
 import { valueField } from "./inputs/value-field";
 import { kindChoice } from "./kind-choice";
 import { heading, labelOf } from "./labels";
@@ -38,7 +39,7 @@ export function partWidget(ctx: FormContext, path: Path, node: Node, without: re
     }
     kinds?.update();
     for (const widget of widgets) widget.update();
-    const issues = issuesOfPart(ctx.faults(), path, part);
+    const issues = issuesOfPart(ctx.issues(), path, part);
     showIssues(messages, kinds ? issues.filter((issue) => issue.path[path.length] !== "kind") : issues);
   };
   const reveal = (target: Path) => {
@@ -66,7 +67,7 @@ function fieldWidgets(ctx: FormContext, path: Path, part: Part | null, without: 
 
 /** Whether a field takes a part of the form for itself. */
 function isLong(field: Field): boolean {
-  return ["list", "part", "kinds", "places"].includes(field.node.is);
+  return ["list", "part", "kinds", "points"].includes(field.node.is);
 }
 
 /** A part inside another one, which can be added and removed if it is optional; `bare` without its title. */
@@ -79,7 +80,7 @@ function subPart(ctx: FormContext, path: Path, field: Field, node: Node, bare: b
   const insert = () => {
     if (!part) return;
     const kind = part.kind ? { kind: part.kind } : {};
-    const value = { ...kind, ...starter(part.name, ctx.data()), ...placed(ctx.data(), path, part) };
+    const value = { ...kind, ...defaultsFor(part.name, ctx.data()), ...defaultPlacement(ctx.data(), path, part) };
     ctx.change({ edits: [{ op: "set", path, value }], text: `add ${name}` });
   };
   const remove = () => ctx.change({ edits: [{ op: "remove", path }], text: `remove ${name}` });

@@ -1,11 +1,11 @@
-// Values that a new thing starts with, so that it can be solved at once and changed at leisure.
+// Values of new items, so that they can be solved at once and changed later.
 
 import { isTable, listAt, type Table, valueAt } from "./paths";
-import { metres, written } from "./quantities";
+import { formatLength, parseLength } from "./quantities";
 
 const LAYER: Table = { E: "20 MPa", nu: 0.3, thickness: "4 m" };
 
-const STARTERS: Record<string, Table> = {
+const DEFAULTS: Record<string, Table> = {
   Plate: { length_x: "6 m", length_y: "4 m", thickness: "300 mm", E: "30 GPa", nu: 0.2 },
   Winkler: { kind: "winkler", k: "20 MPa/m" },
   Pasternak: { kind: "pasternak", k0: "20 MPa/m", k1: "10 MN/m" },
@@ -32,16 +32,16 @@ const STARTERS: Record<string, Table> = {
 };
 
 /** What a new part of a definition starts with; an empty table where nothing can be guessed. */
-export function starter(definition: string, data: Table): Table {
-  if (definition === "Zone") return { thickness: thicker(data) };
+export function defaultsFor(definition: string, data: Table): Table {
+  if (definition === "Zone") return { thickness: thickenedPlate(data) };
   if (definition === "Borehole") return { layers: layersOf(data) };
-  return structuredClone(STARTERS[definition] ?? {});
+  return structuredClone(DEFAULTS[definition] ?? {});
 }
 
 /** A thickness half as much again as the plate's, in round figures. */
-function thicker(data: Table): string {
-  const own = metres(valueAt(data, ["plate", "thickness"]));
-  return own === null ? "600 mm" : written(Math.round(own * 1.5 * 20) / 20, "mm");
+function thickenedPlate(data: Table): string {
+  const own = parseLength(valueAt(data, ["plate", "thickness"]));
+  return own === null ? "600 mm" : formatLength(Math.round(own * 1.5 * 20) / 20, "mm");
 }
 
 function layersOf(data: Table): Table[] {

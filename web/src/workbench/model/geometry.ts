@@ -1,19 +1,19 @@
-// Shapes in plan in metres: what the case file's texts mean, and back to edits.
+// Shapes in plan in meters: read from the case file, and written back as edits.
 
 import { type Box, boxAround } from "../../viewer/data/boxes";
 import type { Edit } from "./edits";
 import { isTable, type Json, type Path, valueAt } from "./paths";
-import { metres, place, places } from "./quantities";
+import { parseLength, parsePoint, parsePoints } from "./quantities";
 
 export type Point = readonly [number, number];
 export type Ring = readonly Point[];
 
-/** What a thing's place in plan is made of. `at` is the path of the table that holds the keys. */
+/** Where an item is in plan. `at` is the path of the table that holds the keys. */
 export type Geometry =
   | { type: "sides"; at: Path; x: number; y: number }
   | { type: "box"; at: Path; x: readonly [number, number]; y: readonly [number, number] }
   | { type: "polygon"; at: Path; points: Ring; bulges: readonly number[] }
-  | { type: "circle"; at: Path; centre: Point; radius: number }
+  | { type: "circle"; at: Path; center: Point; radius: number }
   | { type: "point"; at: Path; x: number; y: number }
   | { type: "line"; at: Path; points: Ring; bulges: readonly number[] }
   | { type: "segment"; at: Path; start: Point; end: Point }
@@ -24,33 +24,33 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
   const table = valueAt(data, at);
   if (!isTable(table)) return null;
   if (table.start !== undefined && table.end !== undefined) {
-    const [start, end] = [place(table.start), place(table.end)];
+    const [start, end] = [parsePoint(table.start), parsePoint(table.end)];
     return start && end ? { type: "segment", at, start, end } : null;
   }
   if (table.radius !== undefined) {
-    const [centre, radius] = [
-      table.centre === undefined ? ([0, 0] as const) : place(table.centre),
-      metres(table.radius),
+    const [center, radius] = [
+      table.centre === undefined ? ([0, 0] as const) : parsePoint(table.centre),
+      parseLength(table.radius),
     ];
-    return centre && radius !== null && radius > 0 ? { type: "circle", at, centre, radius } : null;
+    return center && radius !== null && radius > 0 ? { type: "circle", at, center, radius } : null;
   }
   if (Array.isArray(table.x)) {
-    const [x, y] = [place(table.x), place(table.y)];
+    const [x, y] = [parsePoint(table.x), parsePoint(table.y)];
     return x && y ? { type: "box", at, x, y } : null;
   }
   if (table.points !== undefined) {
-    const points = places(table.points);
+    const points = parsePoints(table.points);
     if (!points || points.length === 0) return null;
     const bulges = Array.isArray(table.bulges) ? table.bulges.map((each) => (typeof each === "number" ? each : 0)) : [];
     return { type: table.kind === "polygon" ? "polygon" : "line", at, points, bulges };
   }
-  const [x, y] = [metres(table.x), metres(table.y)];
+  const [x, y] = [parseLength(table.x), parseLength(table.y)];
   return x !== null && y !== null ? { type: "point", at, x, y } : null;
 }
 
 /** The rectangle about the origin that length_x and length_y state, null if there is none. */
 export function readSides(data: Json): Geometry | null {
-  const [x, y] = [metres(valueAt(data, ["plate", "length_x"])), metres(valueAt(data, ["plate", "length_y"]))];
+  const [x, y] = [parseLength(valueAt(data, ["plate", "length_x"])), parseLength(valueAt(data, ["plate", "length_y"]))];
   return x !== null && y !== null && x > 0 && y > 0 ? { type: "sides", at: ["plate"], x, y } : null;
 }
 
@@ -61,21 +61,21 @@ const CHORD_ANGLE = (2 * Math.PI) / 180;
 export function ringOf(geometry: Geometry): Ring {
   switch (geometry.type) {
     case "sides":
-      return corners([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2]);
+      return rectangleCorners([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2]);
     case "box":
-      return corners(geometry.x, geometry.y);
+      return rectangleCorners(geometry.x, geometry.y);
     case "line":
     case "polygon":
       return geometry.points.flatMap((point, n) => {
         const next = geometry.points[n + 1] ?? (geometry.type === "polygon" ? geometry.points[0] : undefined);
-        return next ? [point, ...arc(point, next, geometry.bulges[n] ?? 0)] : [point];
+        return next ? [point, ...arcPoints(point, next, geometry.bulges[n] ?? 0)] : [point];
       });
     case "circle":
       return Array.from({ length: 180 }, (_, n): Point => {
         const angle = n * CHORD_ANGLE;
         return [
-          geometry.centre[0] + geometry.radius * Math.cos(angle),
-          geometry.centre[1] + geometry.radius * Math.sin(angle),
+          geometry.center[0] + geometry.radius * Math.cos(angle),
+          geometry.center[1] + geometry.radius * Math.sin(angle),
         ];
       });
     case "point":
@@ -88,7 +88,7 @@ export function ringOf(geometry: Geometry): Ring {
 }
 
 /** The four corners of a rectangle, counter-clockwise from the lower left. */
-export function corners(x: readonly [number, number], y: readonly [number, number]): Ring {
+export function rectangleCorners(x: readonly [number, number], y: readonly [number, number]): Ring {
   return [
     [x[0], y[0]],
     [x[1], y[0]],
@@ -98,24 +98,24 @@ export function corners(x: readonly [number, number], y: readonly [number, numbe
 }
 
 /** Points on an arc between two corners, without its ends; bulge is tan of a quarter of its angle. */
-function arc(from: Point, to: Point, bulge: number): Point[] {
+function arcPoints(from: Point, to: Point, bulge: number): Point[] {
   if (bulge === 0) return [];
   const chord: Point = [to[0] - from[0], to[1] - from[1]];
   const length = Math.hypot(...chord);
   if (length === 0) return [];
   const sweep = 4 * Math.atan(bulge);
-  // the centre lies on the chord's normal, to its left for a counter-clockwise arc below a half circle
+  // the center lies on the chord's normal, to its left for a counter-clockwise arc below a half circle
   const off = length / 2 / Math.tan(sweep / 2);
-  const centre: Point = [
+  const center: Point = [
     (from[0] + to[0]) / 2 - (chord[1] / length) * off,
     (from[1] + to[1]) / 2 + (chord[0] / length) * off,
   ];
-  const start = Math.atan2(from[1] - centre[1], from[0] - centre[0]);
-  const radius = Math.hypot(from[0] - centre[0], from[1] - centre[1]);
+  const start = Math.atan2(from[1] - center[1], from[0] - center[0]);
+  const radius = Math.hypot(from[0] - center[0], from[1] - center[1]);
   const steps = Math.max(2, Math.ceil(Math.abs(sweep) / CHORD_ANGLE));
   return Array.from({ length: steps - 1 }, (_, n): Point => {
     const angle = start + (sweep * (n + 1)) / steps;
-    return [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)];
+    return [center[0] + radius * Math.cos(angle), center[1] + radius * Math.sin(angle)];
   });
 }
 
@@ -135,7 +135,7 @@ export function signedArea(ring: Ring): number {
 }
 
 /** Whether a place lies inside a ring. */
-export function inside(ring: Ring, [x, y]: Point): boolean {
+export function isInside(ring: Ring, [x, y]: Point): boolean {
   let within = false;
   ring.forEach(([x0, y0], n) => {
     const [x1, y1] = ring[(n + 1) % ring.length] ?? [x0, y0];
@@ -145,7 +145,7 @@ export function inside(ring: Ring, [x, y]: Point): boolean {
 }
 
 /** The place on a straight piece that is nearest to a place, and how far away it is. */
-export function nearest(a: Point, b: Point, [x, y]: Point): { at: Point; distance: number } {
+export function nearestOnSegment(a: Point, b: Point, [x, y]: Point): { at: Point; distance: number } {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const square = dx * dx + dy * dy;
   const share = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - a[0]) * dx + (y - a[1]) * dy) / square));
@@ -159,8 +159,8 @@ export function boundsOf(points: Iterable<Point>): Box | null {
   return box[0] <= box[2] ? box : null;
 }
 
-/** The geometry moved as a whole. */
-export function moved(geometry: Geometry, [dx, dy]: Point): Geometry {
+/** Return a geometry moved by a step. */
+export function moveGeometry(geometry: Geometry, [dx, dy]: Point): Geometry {
   const shift = ([x, y]: Point): Point => [x + dx, y + dy];
   switch (geometry.type) {
     case "sides":
@@ -168,7 +168,7 @@ export function moved(geometry: Geometry, [dx, dy]: Point): Geometry {
     case "box":
       return { ...geometry, x: [geometry.x[0] + dx, geometry.x[1] + dx], y: [geometry.y[0] + dy, geometry.y[1] + dy] };
     case "circle":
-      return { ...geometry, centre: shift(geometry.centre) };
+      return { ...geometry, center: shift(geometry.center) };
     case "point":
       return { ...geometry, x: geometry.x + dx, y: geometry.y + dy };
     case "segment":
@@ -183,7 +183,7 @@ const LENGTHS: Record<Geometry["type"], Record<string, string>> = {
   sides: { length_x: "x", length_y: "y" },
   box: { x: "x", y: "y" },
   point: { x: "x", y: "y" },
-  circle: { centre: "centre", radius: "radius" },
+  circle: { centre: "center", radius: "radius" },
   segment: { start: "start", end: "end" },
   line: { points: "points" },
   polygon: { points: "points" },

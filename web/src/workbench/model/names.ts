@@ -1,4 +1,4 @@
-// Names of things in lists of tables, such as columns and load cases.
+// Names in lists of tables, such as columns and load cases.
 import { isTable, type Json } from "./paths";
 
 /** Return the names in a list of tables. */

@@ -1,11 +1,11 @@
 // The changes that add what was drawn to the case file.
-import { starter } from "./defaults";
+import { defaultsFor } from "./defaults";
 import type { Addition, Edit } from "./edits";
-import { inside, type Point, type Ring } from "./geometry";
-import { footOf, titleAt } from "./items";
+import { isInside, type Point, type Ring } from "./geometry";
+import { footprintOf, titleAt } from "./items";
 import { freeName, namesIn } from "./names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "./paths";
-import { metres, written } from "./quantities";
+import { formatLength, parseLength } from "./quantities";
 
 /** What is added; slabs replace the one that is there. */
 export type NewKind =
@@ -25,13 +25,13 @@ export type NewKind =
 
 export type DrawnShape = { kind: "rectangle"; from: Point; to: Point } | { kind: "polygon"; points: Ring };
 
-const toText = (point: Point): Json[] => [written(point[0]), written(point[1])];
+const toText = (point: Point): Json[] => [formatLength(point[0]), formatLength(point[1])];
 
 /** Return a drawn shape as a table of the case file. */
 function shapeTable(shape: DrawnShape): Table {
   if (shape.kind === "polygon") return { kind: "polygon", points: shape.points.map(toText) };
   const { from, to } = shape;
-  const range = (n: 0 | 1) => [Math.min(from[n], to[n]), Math.max(from[n], to[n])].map((each) => written(each));
+  const range = (n: 0 | 1) => [Math.min(from[n], to[n]), Math.max(from[n], to[n])].map((each) => formatLength(each));
   return { kind: "rectangle", x: range(0), y: range(1) };
 }
 
@@ -49,13 +49,13 @@ export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase
     case "opening":
       return addItem(data, ["plate", "openings"], shape, kind);
     case "zone":
-      return addItem(data, ["plate", "zones"], { ...starter("Zone", data), shape }, kind);
+      return addItem(data, ["plate", "zones"], { ...defaultsFor("Zone", data), shape }, kind);
     case "soil zone":
       return addItem(data, ["soil_zones"], { shape, ground: copyGround(data) }, kind);
     case "void":
-      return addItem(data, ["contact", "voids"], { ...starter("Void", data), ...place }, kind);
+      return addItem(data, ["contact", "voids"], { ...defaultsFor("Void", data), ...place }, kind);
     case "area load": {
-      const load = starter(drawn.kind === "rectangle" ? "PatchLoad" : "AreaLoad", data);
+      const load = defaultsFor(drawn.kind === "rectangle" ? "PatchLoad" : "AreaLoad", data);
       return addItem(data, ["loads"], { ...load, ...inCase(loadCase), ...place }, kind);
     }
     default:
@@ -67,7 +67,7 @@ export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase
 export function outlineEdits(data: Table, outline: Table): Edit[] {
   const plate = tableAt(data, ["plate"]);
   const sides = ["length_x", "length_y"].filter((key) => key in plate);
-  const missing = Object.entries(starter("Plate", data)).filter(
+  const missing = Object.entries(defaultsFor("Plate", data)).filter(
     ([key]) => !(key in plate) && !key.startsWith("length"),
   );
   return [
@@ -80,24 +80,25 @@ export function outlineEdits(data: Table, outline: Table): Edit[] {
 /** Return the change that adds a drawn line. */
 export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string): Addition {
   const points = line.map(toText);
-  if (kind === "wall") return addItem(data, ["supports"], { ...starter("LineSupport", data), points }, "line support");
+  if (kind === "wall")
+    return addItem(data, ["supports"], { ...defaultsFor("LineSupport", data), points }, "line support");
   if (kind === "section line") {
     const name = freeName(namesIn(listAt(data, ["output", "lines"])), "line 1");
     const value = { name, start: points[0] ?? [], end: points.at(-1) ?? [] };
     return addItem(data, ["output", "lines"], value, `section ${name}`);
   }
-  return addItem(data, ["loads"], { ...starter("LineLoad", data), ...inCase(loadCase), points }, "line load");
+  return addItem(data, ["loads"], { ...defaultsFor("LineLoad", data), ...inCase(loadCase), points }, "line load");
 }
 
 /** Return the change that adds something at a point. */
 export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string): Addition {
-  const place = { x: written(at[0]), y: written(at[1]) };
+  const place = { x: formatLength(at[0]), y: formatLength(at[1]) };
   if (kind === "support")
-    return addItem(data, ["supports"], { ...starter("PointSupport", data), ...place }, "point support");
+    return addItem(data, ["supports"], { ...defaultsFor("PointSupport", data), ...place }, "point support");
   if (kind === "borehole") {
     const name = freeName(namesIn(listAt(data, ["boreholes"])), "B1");
     const layers = listAt(data, ["boreholes", 0, "layers"]);
-    const value = { ...starter("Borehole", data), ...(layers.length > 0 ? { layers } : {}) };
+    const value = { ...defaultsFor("Borehole", data), ...(layers.length > 0 ? { layers } : {}) };
     return addItem(data, ["boreholes"], { name, ...place, ...value }, `borehole ${name}`);
   }
   if (kind === "column") {
@@ -105,7 +106,7 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
     return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
   }
   const column = columnAt(data, at);
-  const value = { ...starter("PointLoad", data), ...inCase(loadCase), ...(column === null ? place : { column }) };
+  const value = { ...defaultsFor("PointLoad", data), ...inCase(loadCase), ...(column === null ? place : { column }) };
   return addItem(data, ["loads"], value, "point load");
 }
 
@@ -120,10 +121,10 @@ function columnSize(data: Table): Table {
 function columnAt(data: Table, at: Point): string | null {
   for (const column of listAt(data, ["columns"])) {
     if (!isTable(column) || typeof column.name !== "string" || !column.name) continue;
-    const [x, y] = [metres(column.x), metres(column.y)];
+    const [x, y] = [parseLength(column.x), parseLength(column.y)];
     if (x === null || y === null) continue;
-    const foot = footOf(column, { type: "point", at: [], x, y });
-    if (Math.hypot(x - at[0], y - at[1]) < 1e-9 || (foot && inside(foot, at))) return column.name;
+    const foot = footprintOf(column, { type: "point", at: [], x, y });
+    if (Math.hypot(x - at[0], y - at[1]) < 1e-9 || (foot && isInside(foot, at))) return column.name;
   }
   return null;
 }
@@ -135,7 +136,7 @@ function inCase(loadCase: string): Table {
 /** Return a copy of the ground for a soil zone, which has to be of the same kind with as many layers. */
 function copyGround(data: Table): Table {
   const ground = tableAt(data, ["ground"]);
-  return Object.keys(ground).length > 0 ? structuredClone(ground) : starter("Winkler", data);
+  return Object.keys(ground).length > 0 ? structuredClone(ground) : defaultsFor("Winkler", data);
 }
 
 /** Return the change that copies an item of a list, moved by a step; null if there is none at the path. */

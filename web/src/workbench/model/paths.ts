@@ -37,8 +37,8 @@ export function pathKey(path: Path): string {
   return JSON.stringify(path);
 }
 
-/** A path as faults and drawings write it, positions from 1: `plate.openings[1].x`. */
-export function pathWords(path: Path): string {
+/** Return a path as issues and plans write it, positions from 1: `plate.openings[1].x`. */
+export function formatPath(path: Path): string {
   let words = "";
   for (const step of path) words += typeof step === "number" ? `[${step + 1}]` : words ? `.${step}` : step;
   return words;

@@ -1,9 +1,9 @@
-// Lengths as the case file writes them, "200 mm", to metres and back: only what the drawing needs.
+// Lengths as the case file writes them, "200 mm", to meters and back: only what the drawing needs.
 // What is a good quantity is for the server to say.
 
 import type { Json } from "./paths";
 
-const METRES: Record<string, number> = {
+const METERS: Record<string, number> = {
   m: 1,
   mm: 1e-3,
   cm: 1e-2,
@@ -19,10 +19,10 @@ const METRES: Record<string, number> = {
 };
 const LENGTH = /^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z]+)\s*$/;
 
-/** A length in metres, null if the text is none that the drawing knows. */
-export function metres(value: Json | undefined): number | null {
+/** Return a length in meters, null if the text is none that the drawing knows. */
+export function parseLength(value: Json | undefined): number | null {
   const match = typeof value === "string" ? LENGTH.exec(value) : null;
-  const size = match ? METRES[match[2] ?? ""] : undefined;
+  const size = match ? METERS[match[2] ?? ""] : undefined;
   if (!match || size === undefined) return null;
   // through the decimal exponent, so that "700 mm" is 0.7 and not 0.7000000000000001
   return size < 1 && size.toString().startsWith("0.0") && Math.log10(size) % 1 === 0
@@ -30,43 +30,43 @@ export function metres(value: Json | undefined): number | null {
     : Number(match[1]) * size;
 }
 
-/** A place [x, y] in metres, null if it is none. */
-export function place(value: Json | undefined): [number, number] | null {
+/** Return a point [x, y] in meters, null if it is none. */
+export function parsePoint(value: Json | undefined): [number, number] | null {
   if (!Array.isArray(value) || value.length !== 2) return null;
-  const [x, y] = [metres(value[0]), metres(value[1])];
+  const [x, y] = [parseLength(value[0]), parseLength(value[1])];
   return x === null || y === null ? null : [x, y];
 }
 
 /** A list of places, null if any of them is none. */
-export function places(value: Json | undefined): [number, number][] | null {
+export function parsePoints(value: Json | undefined): [number, number][] | null {
   if (!Array.isArray(value)) return null;
-  const all = value.map(place);
+  const all = value.map(parsePoint);
   return all.every((each) => each !== null) ? (all as [number, number][]) : null;
 }
 
 /** The unit of a length's text, "m" where there is none that is known. */
 function unitOf(value: Json | undefined): string {
   const unit = typeof value === "string" ? LENGTH.exec(value)?.[2] : undefined;
-  return unit !== undefined && unit in METRES ? unit : "m";
+  return unit !== undefined && unit in METERS ? unit : "m";
 }
 
 /** A number without noise and without zeros at its end. */
-export function plain(value: number, digits: number): string {
+export function formatDecimals(value: number, digits: number): string {
   const text = value.toFixed(digits);
   const short = text.includes(".") ? text.replace(/0+$/, "").replace(/\.$/, "") : text;
   return short === "-0" ? "0" : short;
 }
 
 /** A length as text in a unit, to a tenth of a millimetre. */
-export function written(value: number, unit = "m"): string {
-  const size = METRES[unit] ?? 1;
+export function formatLength(value: number, unit = "m"): string {
+  const size = METERS[unit] ?? 1;
   const digits = Math.max(0, Math.round(4 + Math.log10(size)));
-  return `${plain(value / size, digits)} ${unit}`;
+  return `${formatDecimals(value / size, digits)} ${unit}`;
 }
 
-/** A length, or nested lists of them, as texts in the units that stood there. */
-export function writtenLike(old: Json | undefined, value: number | readonly unknown[]): Json {
-  if (typeof value === "number") return written(value, unitOf(old));
+/** A length, or nested lists of them, as texts in the units that were there. */
+export function formatLike(old: Json | undefined, value: number | readonly unknown[]): Json {
+  if (typeof value === "number") return formatLength(value, unitOf(old));
   const before = Array.isArray(old) ? old : [];
-  return value.map((each, n) => writtenLike(before[n] ?? before.at(-1), each as number | readonly unknown[]));
+  return value.map((each, n) => formatLike(before[n] ?? before.at(-1), each as number | readonly unknown[]));
 }

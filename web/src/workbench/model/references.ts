@@ -1,4 +1,4 @@
-// Names that other parts of the file call: renamed and removed together with those who call them.
+// Names that other parts of the file refer to: renamed and removed together with the references.
 
 import type { Change, Edit } from "./edits";
 import { titleAt } from "./items";
@@ -6,32 +6,32 @@ import { namesIn } from "./names";
 import { isTable, type Json, listAt, type Path, type Table } from "./paths";
 
 /** Which key of which list calls the names of a list. */
-const CALLERS: readonly { names: string; list: string; key: string }[] = [
+const REFERENCES: readonly { names: string; list: string; key: string }[] = [
   { names: "columns", list: "loads", key: "column" },
   { names: "supports", list: "loads", key: "support" },
   { names: "cases", list: "loads", key: "case" },
 ];
 
 /** The names that a key may call, null if it calls none. */
-export function namesFor(data: Table, path: Path): string[] | null {
+export function referencedNames(data: Table, path: Path): string[] | null {
   const [list, , key] = path;
-  const found = CALLERS.find((each) => each.list === list && each.key === key);
+  const found = REFERENCES.find((each) => each.list === list && each.key === key);
   if (!found || path.length !== 3) return null;
   return namesIn(listAt(data, [found.names]));
 }
 
 /** Whether a path is a name that others may call, which is changed when it is complete only. */
-export function isCalled(path: Path): boolean {
-  return path.length === 3 && path[2] === "name" && CALLERS.some((each) => each.names === path[0]);
+export function isReferenced(path: Path): boolean {
+  return path.length === 3 && path[2] === "name" && REFERENCES.some((each) => each.names === path[0]);
 }
 
 /** The edits that let all who call a name call the new one. */
-export function renames(data: Table, path: Path, to: string): Edit[] {
-  if (!isCalled(path) || !to) return [];
+export function renameReferences(data: Table, path: Path, to: string): Edit[] {
+  if (!isReferenced(path) || !to) return [];
   const table = listAt(data, [path[0] as string])[path[1] as number];
   const from = isTable(table) ? table.name : undefined;
   const names = namesIn(listAt(data, [path[0] as string]));
-  // of two with the same name none can be told apart
+  // two with the same name cannot be distinguished
   if (
     typeof from !== "string" ||
     !from ||
@@ -40,8 +40,8 @@ export function renames(data: Table, path: Path, to: string): Edit[] {
     names.includes(to)
   )
     return [];
-  const edits = CALLERS.filter((each) => each.names === path[0]).flatMap((caller) =>
-    callersOf(data, caller, from).map((n): Edit => ({ op: "set", path: [caller.list, n, caller.key], value: to })),
+  const edits = REFERENCES.filter((each) => each.names === path[0]).flatMap((caller) =>
+    referencesTo(data, caller, from).map((n): Edit => ({ op: "set", path: [caller.list, n, caller.key], value: to })),
   );
   if (path[0] === "cases") {
     listAt(data, ["combinations"]).forEach((each, n) => {
@@ -56,14 +56,14 @@ export function renames(data: Table, path: Path, to: string): Edit[] {
   return edits;
 }
 
-function callersOf(data: Table, caller: { list: string; key: string }, name: string): number[] {
+function referencesTo(data: Table, caller: { list: string; key: string }, name: string): number[] {
   return listAt(data, [caller.list]).flatMap((each: Json, n) =>
     isTable(each) && each[caller.key] === name ? [n] : [],
   );
 }
 
-/** The change that removes a thing and the loads that stand on it. */
-export function removal(data: Table, path: Path): Change {
+/** Return the change that removes an item and the loads on it. */
+export function removeItem(data: Table, path: Path): Change {
   const title = titleAt(data, path);
   const list = path[0];
   const table = typeof path[1] === "number" && path.length === 2 ? listAt(data, [list as string])[path[1]] : undefined;
@@ -71,7 +71,7 @@ export function removal(data: Table, path: Path): Change {
   const alone = namesIn(listAt(data, [String(list)])).filter((each) => each === name).length === 1;
   const loads =
     name && alone && (list === "columns" || list === "supports")
-      ? CALLERS.filter((each) => each.names === list).flatMap((caller) => callersOf(data, caller, name))
+      ? REFERENCES.filter((each) => each.names === list).flatMap((caller) => referencesTo(data, caller, name))
       : [];
   // from the last on, so that the positions of the others stay
   const edits: Edit[] = [...loads].sort((a, b) => b - a).map((n) => ({ op: "remove", path: ["loads", n] }));

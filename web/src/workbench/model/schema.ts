@@ -5,16 +5,16 @@ import { isTable, type Json, type Table } from "./paths";
 /** What a value is, and so which element edits it. */
 export type Node =
   | { is: "quantity"; dimension: string; example: string }
-  | { is: "number"; words: readonly string[] }
-  | { is: "whole" }
-  | { is: "choice"; words: readonly string[] }
-  | { is: "flag" }
+  | { is: "number"; options: readonly string[] }
+  | { is: "integer" }
+  | { is: "choice"; options: readonly string[] }
+  | { is: "boolean" }
   | { is: "text" }
-  | { is: "tag"; word: string }
+  | { is: "tag"; value: string }
   | { is: "tuple"; each: Node; length: number }
-  | { is: "places"; each: Node }
+  | { is: "points"; each: Node }
   | { is: "values"; each: Node }
-  | { is: "several"; words: readonly string[] }
+  | { is: "choices"; options: readonly string[] }
   | { is: "factors" }
   | { is: "part"; part: string }
   | { is: "kinds"; parts: readonly string[] }
@@ -40,13 +40,13 @@ export interface Part {
   fields: readonly Field[];
 }
 
-/** All parts of a schema, by name; "" is the whole file. */
+/** All parts of a schema, by name; "" is the file itself. */
 export class Schema {
   private readonly parts = new Map<string, Part>();
 
   constructor(private readonly root: Table) {}
 
-  /** The part of a name, "" for the whole file. */
+  /** The part of a name, "" for the file itself. */
   part(name: string): Part {
     const known = this.parts.get(name);
     if (known) return known;
@@ -58,14 +58,14 @@ export class Schema {
   }
 
   /** The part that a table is out of several: by its kind, else by its keys; null if its kind is none of them. */
-  chosen(parts: readonly string[], table: Table): Part | null {
+  chooseKind(parts: readonly string[], table: Table): Part | null {
     const all = parts.map((name) => this.part(name));
     if (all.some((part) => part.kind)) return all.find((part) => part.kind === table.kind) ?? null;
     const score = (part: Part) => part.fields.filter((field) => field.name in table).length;
     return all.reduce<Part | null>((best, part) => (best && score(best) >= score(part) ? best : part), null);
   }
 
-  /** The node at a path below the whole file, null if the schema knows none. */
+  /** The node at a path in the file, null if the schema knows none. */
   nodeAt(path: readonly (string | number)[], data: Json): { node: Node; field: Field | null } | null {
     let node: Node = { is: "part", part: "" };
     let field: Field | null = null;
@@ -73,7 +73,7 @@ export class Schema {
     for (const step of path) {
       if (typeof step === "number") {
         if (node.is === "list") node = node.of;
-        else if (node.is === "tuple" || node.is === "values" || node.is === "places") node = node.each;
+        else if (node.is === "tuple" || node.is === "values" || node.is === "points") node = node.each;
         else return null;
         value = Array.isArray(value) ? value[step] : undefined;
         continue;
@@ -90,7 +90,7 @@ export class Schema {
   /** The part that a node holds for a table, null if it holds none. */
   partOf(node: Node, table: Table): Part | null {
     if (node.is === "part") return this.part(node.part);
-    return node.is === "kinds" ? this.chosen(node.parts, table) : null;
+    return node.is === "kinds" ? this.chooseKind(node.parts, table) : null;
   }
 }
 
@@ -101,7 +101,7 @@ function readPart(name: string, source: Table): Part {
     isTable(value) ? [readField(key, value, needed.includes(key))] : [],
   );
   const tag = fields.find((field) => field.node.is === "tag");
-  return { name, about: text(source.description), kind: tag?.node.is === "tag" ? tag.node.word : "", fields };
+  return { name, about: text(source.description), kind: tag?.node.is === "tag" ? tag.node.value : "", fields };
 }
 
 function readField(name: string, source: Table, needed: boolean): Field {
@@ -117,7 +117,7 @@ function text(value: Json | undefined): string {
   return typeof value === "string" ? value : "";
 }
 
-function words(value: Json | undefined): string[] {
+function strings(value: Json | undefined): string[] {
   return Array.isArray(value) ? value.filter((each) => typeof each === "string") : [];
 }
 
@@ -132,11 +132,11 @@ function readNode(source: Table): Node {
   if (Array.isArray(source.oneOf)) {
     return { is: "kinds", parts: source.oneOf.flatMap((each) => reference(each) ?? []) };
   }
-  if (typeof source.const === "string") return { is: "tag", word: source.const };
-  if (Array.isArray(source.enum)) return { is: "choice", words: words(source.enum) };
+  if (typeof source.const === "string") return { is: "tag", value: source.const };
+  if (Array.isArray(source.enum)) return { is: "choice", options: strings(source.enum) };
   if (Array.isArray(source.anyOf)) {
-    const named = source.anyOf.flatMap((each) => (isTable(each) ? words(each.enum) : []));
-    return { is: "number", words: named };
+    const named = source.anyOf.flatMap((each) => (isTable(each) ? strings(each.enum) : []));
+    return { is: "number", options: named };
   }
   switch (source.type) {
     case "array":
@@ -144,14 +144,14 @@ function readNode(source: Table): Node {
     case "object":
       return { is: "factors" };
     case "boolean":
-      return { is: "flag" };
+      return { is: "boolean" };
     case "integer":
-      return { is: "whole" };
+      return { is: "integer" };
     case "number":
-      return { is: "number", words: [] };
+      return { is: "number", options: [] };
     default:
       return typeof source["x-dimension"] === "string"
-        ? { is: "quantity", dimension: source["x-dimension"], example: words(source.examples)[0] ?? "" }
+        ? { is: "quantity", dimension: source["x-dimension"], example: strings(source.examples)[0] ?? "" }
         : { is: "text" };
   }
 }
@@ -159,10 +159,10 @@ function readNode(source: Table): Node {
 function readArray(source: Table): Node {
   const each = isTable(source.items) ? readNode(source.items) : ({ is: "text" } as const);
   if (each.is === "part" || each.is === "kinds") return { is: "list", of: each, least: number(source.minItems) ?? 0 };
-  if (each.is === "choice" && source.uniqueItems === true) return { is: "several", words: each.words };
+  if (each.is === "choice" && source.uniqueItems === true) return { is: "choices", options: each.options };
   const length = number(source.maxItems);
   if (length !== null && length === number(source.minItems)) return { is: "tuple", each, length };
-  return each.is === "tuple" ? { is: "places", each } : { is: "values", each };
+  return each.is === "tuple" ? { is: "points", each } : { is: "values", each };
 }
 
 function number(value: Json | undefined): number | null {

@@ -1,10 +1,10 @@
 // Switching a table to another kind: what both kinds share stays, what the other needs is filled in.
 
-import { starter } from "./defaults";
+import { defaultsFor } from "./defaults";
 import type { Edit } from "./edits";
 import { boundsOf, type Point, readGeometry, readSides, ringOf } from "./geometry";
 import { type Json, type Path, sameValue, type Table, tableAt, valueAt } from "./paths";
-import { written } from "./quantities";
+import { formatLength } from "./quantities";
 import type { Field, Node, Part } from "./schema";
 
 /** Values that a switch of kind took away, by path and kind, to be put back by switching back. */
@@ -14,7 +14,7 @@ export type Memory = Map<string, Table>;
 export function switchKind(data: Table, path: Path, from: Part | null, to: Part, memory: Memory): Edit[] {
   const old = tableAt(data, path);
   if (from) memory.set(memoryKey(path, from), old);
-  const wanted = newTable(data, path, old, from, to, memory.get(memoryKey(path, to)) ?? {});
+  const wanted = convertTable(data, path, old, from, to, memory.get(memoryKey(path, to)) ?? {});
   if (valueAt(data, path) === undefined) return [{ op: "set", path, value: wanted }];
   const edits: Edit[] = [];
   if (to.kind) edits.push({ op: "set", path: [...path, "kind"], value: to.kind });
@@ -30,16 +30,17 @@ function memoryKey(path: Path, part: Part): string {
 }
 
 /** The table after the switch. */
-function newTable(data: Table, path: Path, old: Table, from: Part | null, to: Part, before: Table): Table {
+function convertTable(data: Table, path: Path, old: Table, from: Part | null, to: Part, before: Table): Table {
   const table: Table = to.kind ? { kind: to.kind } : {};
   const shared = new Map((from?.fields ?? []).map((field) => [field.name, field]));
   for (const field of to.fields) {
     const own = old[field.name];
-    const twin = shared.get(field.name);
-    if (own !== undefined && field.node.is !== "tag" && (!twin || alike(twin, field))) table[field.name] = own;
+    const previous = shared.get(field.name);
+    if (own !== undefined && field.node.is !== "tag" && (!previous || isCompatible(previous, field)))
+      table[field.name] = own;
   }
-  const filled: Table = { ...placed(data, path, to, old), ...starter(to.name, data), ...before };
-  const given = new Set(Object.keys({ ...starter(to.name, data), ...before }));
+  const filled: Table = { ...defaultPlacement(data, path, to, old), ...defaultsFor(to.name, data), ...before };
+  const given = new Set(Object.keys({ ...defaultsFor(to.name, data), ...before }));
   for (const field of to.fields) {
     const value = filled[field.name];
     const wanted = field.needed || given.has(field.name) || needsPlace(to, field);
@@ -49,40 +50,40 @@ function newTable(data: Table, path: Path, old: Table, from: Part | null, to: Pa
 }
 
 /** Whether a value of one field means the same in another: same kind of value, same dimension, parts in common. */
-function alike(a: Field, b: Field): boolean {
-  const [parts, others] = [partsOf(a.node), partsOf(b.node)];
+function isCompatible(a: Field, b: Field): boolean {
+  const [parts, others] = [partNames(a.node), partNames(b.node)];
   return (
     JSON.stringify(a.node) === JSON.stringify(b.node) ||
     (a.node.is === b.node.is && parts.some((part) => others.includes(part)))
   );
 }
 
-function partsOf(node: Node): readonly string[] {
-  if (node.is === "list") return partsOf(node.of);
+function partNames(node: Node): readonly string[] {
+  if (node.is === "list") return partNames(node.of);
   if (node.is === "part") return [node.part];
   return node.is === "kinds" ? node.parts : [];
 }
 
-/** Places that the schema does not ask for, as something else may stand for them, or as they have a default. */
+/** Whether a place is filled in although the schema does not require it. */
 function needsPlace(part: Part, field: Field): boolean {
   if (part.name === "LineLoad") return field.name === "points";
   return ["PointLoad", "Void", "Circle"].includes(part.name) && ["x", "y", "centre"].includes(field.name);
 }
 
-/** Where a new thing of a part lies: where the old one lay, else in the middle of the plate. */
-export function placed(data: Table, path: Path, part: Part, old: Table = {}): Table {
+/** Return where a new item is: where the old one was, else in the middle of the plate. */
+export function defaultPlacement(data: Table, path: Path, part: Part, old: Table = {}): Table {
   const names = new Set(part.fields.map((field) => field.name));
   const [x0, y0, x1, y1] = boundsFor(data, path, old);
   const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
-  const text = ([u, v]: Point): Json[] => [written(u), written(v)];
-  const box = { x: [written(x0), written(x1)], y: [written(y0), written(y1)] };
+  const text = ([u, v]: Point): Json[] => [formatLength(u), formatLength(v)];
+  const box = { x: [formatLength(x0), formatLength(x1)], y: [formatLength(y0), formatLength(y1)] };
   switch (part.name) {
     case "Rectangle":
       return { kind: "rectangle", ...box };
     case "Polygon":
       return { kind: "polygon", ...cornersFor(data, path, [x0, y0, x1, y1], text) };
     case "Circle":
-      return { kind: "circle", centre: text([x, y]), radius: written(Math.min(x1 - x0, y1 - y0) / 2) };
+      return { kind: "circle", centre: text([x, y]), radius: formatLength(Math.min(x1 - x0, y1 - y0) / 2) };
     case "LineLoad":
       return { points: [text([x0, y]), text([x1, y])] };
     case "PatchLoad":
@@ -93,8 +94,8 @@ export function placed(data: Table, path: Path, part: Part, old: Table = {}): Ta
   if (names.has("shape")) made.shape = { kind: "rectangle", ...box };
   if (names.has("points")) made.points = [text([x0, y]), text([x1, y])];
   if (names.has("start")) Object.assign(made, { start: text([x0, y]), end: text([x1, y]) });
-  if (names.has("x") && names.has("y")) Object.assign(made, { x: written(x), y: written(y) });
-  if (part.name === "OutputStrip") made.width = written(Math.max(1, Math.round((y1 - y0) / 2)));
+  if (names.has("x") && names.has("y")) Object.assign(made, { x: formatLength(x), y: formatLength(y) });
+  if (part.name === "OutputStrip") made.width = formatLength(Math.max(1, Math.round((y1 - y0) / 2)));
   return made;
 }
 
@@ -118,7 +119,7 @@ function cornersFor(
       ).map(text),
     };
   const {
-    centre: [x, y],
+    center: [x, y],
     radius,
   } = geometry;
   const ends = [
@@ -137,7 +138,7 @@ function boundsFor(data: Table, path: Path, old: Table): [number, number, number
   const slab = readSides(data) ?? readGeometry(data, ["plate", "outline"]);
   const [x0, y0, x1, y1] = (slab ? boundsOf(ringOf(slab)) : null) ?? [-3, -2, 3, 2];
   if (path[0] === "plate" && path[1] === "outline") return [x0, y0, x1, y1];
-  // a quarter of the plate about its middle, or about where the old thing was
+  // a quarter of the plate about its middle, or about where the old item was
   const [x, y] = bounds ? [(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2] : [(x0 + x1) / 2, (y0 + y1) / 2];
   const half = Math.max(0.1, Math.round(Math.min(x1 - x0, y1 - y0) * 1.25) / 10);
   return [x - half, y - half, x + half, y + half];

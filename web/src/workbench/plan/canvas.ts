@@ -6,7 +6,7 @@ import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import { isClosed, type Point, ringOf } from "../model/geometry";
-import { boundsOfItems, footOf, type Item, itemsOf, snapPoints } from "../model/items";
+import { boundsOfItems, footprintOf, type Item, itemsOf, snapPoints } from "../model/items";
 import { type Path, samePath } from "../model/paths";
 import type { Preview } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
@@ -193,7 +193,7 @@ export class Canvas {
 }
 
 function withGeometry(item: Item, { geometry }: Preview): Item {
-  return { ...item, geometry, foot: footOf(item.table, geometry) };
+  return { ...item, geometry, foot: footprintOf(item.table, geometry) };
 }
 
 /** Return the corners whose distances are shown: those of the shape itself, not of the chords of its arcs. */

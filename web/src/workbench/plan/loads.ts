@@ -1,9 +1,9 @@
 // Loads beside the drawing: the load case that stands out, and loads without a place in plan.
 import { button, fill, fillOptions, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { starter } from "../model/defaults";
+import { defaultsFor } from "../model/defaults";
 import type { Change } from "../model/edits";
-import { EVERYWHERE } from "../model/items";
+import { UNPLACED } from "../model/items";
 import { namesIn } from "../model/names";
 import { listAt, type Path, samePath, tableAt } from "../model/paths";
 
@@ -44,7 +44,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void): Par
   };
   const update = () => {
     const chips = listAt(store.data, ["loads"]).flatMap((_, n) =>
-      EVERYWHERE.has(String(tableAt(store.data, ["loads", n]).kind)) ? [makeChip(["loads", n])] : [],
+      UNPLACED.has(String(tableAt(store.data, ["loads", n]).kind)) ? [makeChip(["loads", n])] : [],
     );
     fill(
       element,
@@ -58,7 +58,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void): Par
 
 function addLoad(store: Store, push: (change: Change) => void, definition: string, text: string): void {
   const [first] = namesIn(listAt(store.data, ["cases"]));
-  const value = { ...starter(definition, store.data), ...(first ? { case: first } : {}) };
+  const value = { ...defaultsFor(definition, store.data), ...(first ? { case: first } : {}) };
   const path: Path = ["loads", listAt(store.data, ["loads"]).length];
   push({ edits: [{ op: "add", path: ["loads"], value }], text: `add ${text}` });
   store.select(path);

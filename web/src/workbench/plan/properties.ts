@@ -7,7 +7,7 @@ import type { Change } from "../model/edits";
 import { titleAt } from "../model/items";
 import { duplicateItem } from "../model/new-items";
 import { type Path, pathKey, valueAt } from "../model/paths";
-import { removal } from "../model/references";
+import { removeItem } from "../model/references";
 
 export interface PropertyPanel extends Widget {
   /** Show the item at a path; null: the slab. */
@@ -44,7 +44,7 @@ export function propertyPanel(
     select(addition.path);
   };
   const remove = (path: Path) => {
-    push(removal(ctx.data(), path));
+    push(removeItem(ctx.data(), path));
     select(null);
   };
   const show = (path: Path | null) => {

@@ -6,7 +6,7 @@ import { svg } from "../../viewer/shared/dom";
 import { isClosed, type Ring, readGeometry, ringOf } from "../model/geometry";
 import type { Item } from "../model/items";
 import { listAt, type Path, pathKey, samePath, startsWith } from "../model/paths";
-import { metres, plain } from "../model/quantities";
+import { formatDecimals, parseLength } from "../model/quantities";
 
 /** Which items are drawn how. */
 export interface Highlights {
@@ -66,7 +66,7 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
       .trim()
       .startsWith("-"),
     elastic: table.stiffness !== undefined,
-    width: metres(table.width) ?? 0,
+    width: parseLength(table.width) ?? 0,
   };
 }
 
@@ -130,7 +130,7 @@ export function drawDimensions(camera: Camera, ring: Ring, closed: boolean): SVG
     const x = (p[0] + q[0]) / 2;
     const side = x > center ? -8 : 8;
     const align = !isSteep ? "dimension middle" : x > center ? "dimension end" : "dimension";
-    const text = `${plain(Math.hypot(b[0] - a[0], b[1] - a[1]), 3)} m`;
+    const text = `${formatDecimals(Math.hypot(b[0] - a[0], b[1] - a[1]), 3)} m`;
     return [drawText([x, (p[1] + q[1]) / 2], text, [isSteep ? side : 0, -8], align)];
   });
 }

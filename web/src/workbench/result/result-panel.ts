@@ -1,11 +1,11 @@
 // The right half of the page: the result as a picture, its summary, values at points and along lines.
 import { isEnvelope } from "../../viewer/data/fields";
-import { decode, type Point, SceneError } from "../../viewer/data/scene";
+import { decodeScene, type Point, SceneError } from "../../viewer/data/scene";
 import { ResultView } from "../../viewer/panels/result-view";
 import { SectionPanel } from "../../viewer/panels/section-panel";
 import { ValuePanel } from "../../viewer/panels/value-panel";
 import { fill, h } from "../../viewer/shared/dom";
-import { type Api, Refused, Stranger, type Summary, Unreachable } from "../client/api";
+import { type Api, Refused, type Summary, Unauthorized, Unreachable } from "../client/api";
 import type { Store } from "../client/store";
 import { splitter } from "../shell/splitter";
 import { tabs } from "../shell/tabs";
@@ -36,7 +36,7 @@ export class ResultPanel {
     private readonly store: Store,
     private readonly api: Pick<Api, "scene" | "summary">,
     solve: () => void,
-    private readonly onLost: (error: Unreachable | Stranger) => void,
+    private readonly onLost: (error: Unreachable | Unauthorized) => void,
   ) {
     const valueBox = h("div", { class: "lower-panel value-box" });
     const chartPlace = h("div", { class: "chart-place" });
@@ -104,11 +104,11 @@ export class ResultPanel {
       this.summary = summary;
       this.full.hidden = false;
       this.empty.element.hidden = true;
-      this.view.setScene(decode(buffer), this.view.field || "settlement");
+      this.view.setScene(decodeScene(buffer), this.view.field || "settlement");
       this.shownRun = solved.run;
     } catch (error) {
       if (turn !== this.fetching) return;
-      if (error instanceof Unreachable || error instanceof Stranger) this.onLost(error);
+      if (error instanceof Unreachable || error instanceof Unauthorized) this.onLost(error);
       else if (error instanceof Refused || error instanceof SceneError)
         this.store.notify({ kind: "bad", text: `The result cannot be shown: ${error.message}` });
       else throw error;

@@ -2,7 +2,7 @@
 
 import { type Child, fill, h, setText } from "../../viewer/shared/dom";
 import type { Run, Solved, Store } from "../client/store";
-import { issueLine } from "../form/errors";
+import { issueLine } from "../model/issues";
 
 /** How the shown result stands to the model. */
 export type Freshness = "none" | "fresh" | "stale";
@@ -14,7 +14,7 @@ export function freshness(solved: Solved | null, version: number | undefined, wa
 }
 
 /** What the line says. */
-export function statusWords(
+export function statusText(
   fresh: Freshness,
   run: Run,
   solved: Solved | null,
@@ -33,11 +33,11 @@ export function statusWords(
       if (fresh === "none") return "Not solved yet.";
       if (fresh === "stale" && faults > 0) return `${old}Fix the ${faults === 1 ? "error" : "errors"} to update them.`;
       if (fresh === "stale") return autosolve ? old : `${old}Solve to update them.`;
-      return [solved?.design ?? "", `Solved in ${seconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
+      return [solved?.design ?? "", `Solved in ${formatSeconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
   }
 }
 
-function seconds(value: number): string {
+function formatSeconds(value: number): string {
   return value < 10 ? `${value.toFixed(1)} s` : `${Math.round(value)} s`;
 }
 
@@ -49,7 +49,7 @@ export function statusLine(store: Store): HTMLElement {
   const update = () => {
     const { run, solved, doc } = store;
     const fresh = freshness(solved, doc?.version, store.waitingCount);
-    setText(words, statusWords(fresh, run, solved, store.autosolve, doc?.faults.length ?? 0));
+    setText(words, statusText(fresh, run, solved, store.autosolve, doc?.faults.length ?? 0));
     words.title = words.textContent ?? "";
     const failing = fresh === "fresh" && Boolean(solved?.design);
     element.dataset.state =

@@ -3,7 +3,7 @@
 import { formatNumber } from "../../viewer/data/numbers";
 import { fill, h } from "../../viewer/shared/dom";
 import { symbolElement } from "../../viewer/shared/symbols";
-import type { Summary, SummaryOfOne } from "../client/api";
+import type { CombinationSummary, Summary } from "../client/api";
 import type { Json } from "../model/paths";
 
 /** What can be judged of the design: what fails or needs attention comes in words. */
@@ -19,7 +19,11 @@ function designOf(summary: Summary | null): HTMLElement[] {
 }
 
 /** Show what fails in the design, and the figures of one combination; null: none is chosen. */
-export function showSummary(element: HTMLElement, one: SummaryOfOne | null, summary: Summary | null = null): void {
+export function showSummary(
+  element: HTMLElement,
+  one: CombinationSummary | null,
+  summary: Summary | null = null,
+): void {
   const design = designOf(summary);
   if (!one) return fill(element, ...design, h("p", { class: "empty" }, "Choose a combination to see its figures."));
   if (one.refused !== null)
@@ -70,7 +74,7 @@ export function showSummary(element: HTMLElement, one: SummaryOfOne | null, summ
 const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "too_large", "load", "reaction"]);
 
 /** Whether a ratio is above its limit. */
-function isTooLarge(one: SummaryOfOne, key: string): boolean {
+function isTooLarge(one: CombinationSummary, key: string): boolean {
   const tooLarge = one.certificate?.too_large;
   return Array.isArray(tooLarge) && tooLarge.includes(key);
 }
@@ -78,12 +82,12 @@ function isTooLarge(one: SummaryOfOne, key: string): boolean {
 /** The verdict on a combination. */
 export type Verdict = "certified" | "not certified" | "refused";
 
-export function verdictOf(one: SummaryOfOne): Verdict {
+export function verdictOf(one: CombinationSummary): Verdict {
   if (one.refused !== null || one.certificate === null) return "refused";
   return one.certificate.holds === true ? "certified" : "not certified";
 }
 
-const WORDS: Record<Verdict, string> = { certified: "holds", "not certified": "does not hold", refused: "no solution" };
+const TEXTS: Record<Verdict, string> = { certified: "holds", "not certified": "does not hold", refused: "no solution" };
 
 /** Show the certificates of all combinations; `choose` is called with the position of one that was clicked. */
 export function showCertificates(element: HTMLElement, summary: Summary | null, choose: (n: number) => void): void {
@@ -129,13 +133,17 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
       own === "refused"
         ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
         : keys.map((key) =>
-            h("td", { class: isTooLarge(one, key) ? "figure too-large" : "figure" }, figure(one.certificate?.[key])),
+            h(
+              "td",
+              { class: isTooLarge(one, key) ? "figure too-large" : "figure" },
+              formatFigure(one.certificate?.[key]),
+            ),
           );
     return h(
       "tr",
       {},
       h("th", { scope: "row" }, name),
-      h("td", {}, h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, WORDS[own])),
+      h("td", {}, h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, TEXTS[own])),
       ...figures,
     );
   });
@@ -147,14 +155,14 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
 }
 
 /** A number with a power of ten: 2.7·10⁻¹³. */
-function powerOfTen(value: number): string {
+function formatPower(value: number): string {
   const [digits = "", power = ""] = value.toExponential(1).split("e");
   return `${digits.replace("-", "−")}·10${[...power.replace("+", "")].map((sign) => (sign === "-" ? "⁻" : ("⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)] ?? ""))).join("")}`;
 }
 
-function figure(value: Json | undefined): string {
+function formatFigure(value: Json | undefined): string {
   if (typeof value === "number")
-    return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? formatNumber(value) : powerOfTen(value);
+    return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? formatNumber(value) : formatPower(value);
   if (typeof value === "boolean") return value ? "yes" : "no";
   return typeof value === "string" ? value : "";
 }

@@ -1,9 +1,9 @@
-// Words across the page: the server is away, edits wait, something was refused.
+// Messages across the page: the server is away, edits wait, something was refused.
 
 import { fill, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 
-/** The banner below the top bar; it takes no room while there is nothing to say. */
+/** The banner below the top bar; hidden while there is nothing to report. */
 export function banner(store: Store, retry: () => void): HTMLElement {
   const element = h("div", { class: "banner", role: "alert", hidden: true });
   const update = () => {
@@ -20,11 +20,11 @@ export function banner(store: Store, retry: () => void): HTMLElement {
         element,
         h("strong", {}, "The server does not answer. "),
         `${kept} If it has ended, start it again with `,
-        h("code", {}, command(store)),
+        h("code", {}, startCommand(store)),
         ". ",
         h("button", { type: "button", class: "small", onclick: retry }, "Try now"),
       );
-    } else if (store.connection === "stranger") {
+    } else if (store.connection === "unauthorized") {
       fill(
         element,
         h("strong", {}, "Another server has been started. "),
@@ -37,15 +37,15 @@ export function banner(store: Store, retry: () => void): HTMLElement {
   return element;
 }
 
-/** The command that starts a server to which this page can go back. */
-function command(store: Store): string {
+/** Return the command that starts a server to which this page can reconnect. */
+function startCommand(store: Store): string {
   const file = store.doc?.file;
   return `groundslab app --port ${location.port}${file ? ` "${file}"` : ""}`;
 }
 
-const SHORT = 6000; // ms that a word of success stays
+const NOTICE_TIME = 6000; // ms that a message of success stays
 
-/** A short word at the lower edge, with something to do about it. */
+/** A short message at the lower edge, with an action. */
 export function notices(store: Store): HTMLElement {
   const element = h("div", { class: "notice", role: "status", hidden: true });
   let timer: ReturnType<typeof setTimeout> | null = null;
@@ -79,7 +79,7 @@ export function notices(store: Store): HTMLElement {
         "×",
       ),
     );
-    timer = notice.kind === "info" ? setTimeout(() => store.notify(null), SHORT) : null;
+    timer = notice.kind === "info" ? setTimeout(() => store.notify(null), NOTICE_TIME) : null;
   });
   return element;
 }

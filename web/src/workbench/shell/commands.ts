@@ -1,6 +1,6 @@
-// What the user can have done with the document as a whole.
+// Commands on the document.
 
-import { type Api, type DocState, Refused, Stranger, Unreachable } from "../client/api";
+import { type Api, type DocState, Refused, Unauthorized, Unreachable } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import { ask } from "./dialogs";
@@ -11,12 +11,12 @@ export class Commands {
     private readonly api: Api,
     private readonly store: Store,
     private readonly queue: EditQueue,
-    private readonly lost: (error: Unreachable | Stranger) => void,
+    private readonly onLost: (error: Unreachable | Unauthorized) => void,
     /** Send what is being typed. */
     private readonly flush: () => void,
-    private readonly showFaults: () => void,
-    /** Ask what is to become of unsaved work that was found, and return the state after the answer. */
-    private readonly offered: (state: DocState) => Promise<DocState>,
+    private readonly openIssues: () => void,
+    /** Ask what to do with unsaved work that was found, and return the state after the answer. */
+    private readonly resolveOffer: (state: DocState) => Promise<DocState>,
   ) {}
 
   undo = () => this.change(() => this.api.undo());
@@ -36,7 +36,7 @@ export class Commands {
     return this.saveTo(chosen.file, chosen.over);
   };
 
-  /** Save, after a question where something else would be overwritten. */
+  /** Save; ask first where something else would be overwritten. */
   private async saveTo(file: string | null, over: boolean): Promise<boolean> {
     const inTheWay = (error: Refused) => !over && (error.kind === "changed" || error.kind === "exists");
     let why = "";
@@ -51,10 +51,10 @@ export class Commands {
     if (done || why === "") return done;
     const words =
       why === "exists"
-        ? "There is a file of this name already."
+        ? "A file of this name already exists."
         : "Another program has changed the file since it was read here. Saving replaces what it has written.";
     const answers = [
-      { label: "Do not save", value: "no" as const, main: true },
+      { label: "Don't save", value: "no" as const, main: true },
       { label: "Save as …", value: "as" as const },
       { label: "Replace it", value: "over" as const },
     ];
@@ -69,46 +69,44 @@ export class Commands {
 
   /** Open a file in place of the present one. */
   openFile = async (file: string): Promise<void> => {
-    if (!(await this.mayLeave())) return;
-    if (await this.change(() => this.api.open(file))) this.another();
+    if (!(await this.confirmLeaving())) return;
+    if (await this.change(() => this.api.open(file))) this.resetResult();
   };
 
-  fresh = async (): Promise<void> => {
-    if (!(await this.mayLeave())) return;
-    if (await this.change(() => this.api.fresh())) this.another();
+  createCase = async (): Promise<void> => {
+    if (!(await this.confirmLeaving())) return;
+    if (await this.change(() => this.api.createCase())) this.resetResult();
   };
 
   solve = async (): Promise<void> => {
-    if ((this.store.doc?.faults.length ?? 0) > 0) return this.showFaults();
-    await this.asking(async () => void (await this.api.solve()));
+    if ((this.store.doc?.faults.length ?? 0) > 0) return this.openIssues();
+    await this.run(async () => void (await this.api.solve()));
   };
 
-  cancel = () => this.asking(() => this.api.cancel());
+  cancel = () => this.run(() => this.api.cancel());
 
   autosolve = (on: boolean) =>
-    this.asking(async () => {
+    this.run(async () => {
       await this.api.autosolve(on);
       this.store.autosolve = on;
       this.store.emit("autosolve");
     });
 
-  /** Another document: results and selection of the old one are gone. */
-  private another(): void {
+  /** Forget results and selection of the document before. */
+  private resetResult(): void {
     this.store.setSolved(null);
     this.store.setRun({ kind: "idle" });
     this.store.select(null);
   }
 
-  /** Ask what is to become of unsaved work before it is left. */
-  private async mayLeave(): Promise<boolean> {
+  /** Ask what to do with unsaved work before another document is opened. */
+  private async confirmLeaving(): Promise<boolean> {
     this.flush();
     await this.queue.run();
     if (this.store.doc?.dirty !== true) return true;
     const answer = await ask(
       "Save the changes first?",
-      [
-        "The present case has changes that are not saved. If you leave it so, they stay kept, and are offered when it is opened again.",
-      ],
+      ["The present case has unsaved changes. If you leave it, they are kept and offered when it is opened again."],
       [
         { label: "Stay", value: "stay" },
         { label: "Leave", value: "leave" },
@@ -119,43 +117,43 @@ export class Commands {
     return answer === "leave" || (answer === "save" && (await this.save()));
   }
 
-  /** Change the document after all edits have been sent; returns whether it went well. `known` takes a refusal itself. */
+  /** Change the document after all edits have been sent; returns whether it went well. `known` handles a refusal itself. */
   private async change(
     make: () => Promise<DocState>,
     done?: string,
     known: (error: Refused) => boolean = () => false,
   ): Promise<boolean> {
-    return this.asking(async () => {
+    return this.run(async () => {
       const state = await make();
-      this.store.setDoc(state.offer ? await this.offered(state) : state);
+      this.store.setDoc(state.offer ? await this.resolveOffer(state) : state);
       if (done) this.store.notify({ kind: "info", text: `${this.store.doc?.file ?? "The case"} is ${done}.` });
     }, known);
   }
 
-  private async asking(run: () => Promise<void>, known: (error: Refused) => boolean = () => false): Promise<boolean> {
+  private async run(run: () => Promise<void>, known: (error: Refused) => boolean = () => false): Promise<boolean> {
     this.flush();
     await this.queue.run();
     try {
       await run();
       return true;
     } catch (error) {
-      if (error instanceof Unreachable || error instanceof Stranger) this.lost(error);
+      if (error instanceof Unreachable || error instanceof Unauthorized) this.onLost(error);
       else if (error instanceof Refused && known(error)) return false;
       else
         this.store.notify({
           kind: "bad",
           text: error instanceof Refused ? error.message : String(error),
-          ...(error instanceof Refused ? elsewhere(error) : {}),
+          ...(error instanceof Refused ? otherWorkbench(error) : {}),
         });
       return false;
     }
   }
 }
 
-/** Where a file that another workbench has open can be edited. */
-function elsewhere(error: Refused): { action?: { label: string; run: () => void } } {
+/** Return the action that leads to the workbench that has a file open. */
+function otherWorkbench(error: Refused): { action?: { label: string; run: () => void } } {
   const { url } = error;
-  // only a workbench on this machine is gone to
+  // only to a workbench on this machine
   if (!/^http:\/\/(127\.0\.0\.1|localhost):\d+\//.test(url)) return {};
   return { action: { label: "Go there", run: () => void window.open(url, "_blank", "noopener") } };
 }

@@ -1,8 +1,8 @@
 // All issues of the case file below the model; each leads to its field.
 import { fill, h } from "../../viewer/shared/dom";
-import type { Fault } from "../client/api";
 import type { Store } from "../client/store";
-import { issueCount, issueLine } from "../form/errors";
+import type { Issue } from "../model/issues";
+import { issueCount, issueLine } from "../model/issues";
 
 export interface IssueList {
   readonly element: HTMLElement;
@@ -10,12 +10,12 @@ export interface IssueList {
 }
 
 /** The line with the number of issues, and the list that it opens; `onChoose` is called with an issue that is clicked. */
-export function issueList(store: Store, onChoose: (issue: Fault) => void): IssueList {
+export function issueList(store: Store, onChoose: (issue: Issue) => void): IssueList {
   const count = h("span", { class: "issue-count" });
   const rows = h("ul");
   const first = h("span", { class: "first-issue" });
   const element = h("details", { class: "issue-list" }, h("summary", {}, count, first), rows);
-  const makeRow = (issue: Fault) =>
+  const makeRow = (issue: Issue) =>
     h("li", {}, h("button", { type: "button", onclick: () => onChoose(issue) }, issueLine(issue)));
   store.on(["doc"], () => {
     const issues = store.doc?.faults ?? [];

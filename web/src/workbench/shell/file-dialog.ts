@@ -4,18 +4,18 @@ import { fill, h, newId } from "../../viewer/shared/dom";
 import { type Api, type Folder, Refused } from "../client/api";
 import { ask } from "./dialogs";
 
-export interface Chosen {
+export interface ChosenFile {
   file: string;
-  /** Whether a file of that name is there already, and may be replaced. */
+  /** Whether a file of that name exists and may be replaced. */
   over: boolean;
 }
 
-/** Ask for a file; null if the user has thought better of it. `present` is the file that is open. */
+/** Ask for a file; null if the user cancels. `present` is the file that is open. */
 export function chooseFile(
   api: Pick<Api, "files">,
   purpose: "open" | "save",
   present: string | null,
-): Promise<Chosen | null> {
+): Promise<ChosenFile | null> {
   return new Promise((resolve) => new FileDialog(api, purpose, present, resolve).start());
 }
 
@@ -36,13 +36,13 @@ class FileDialog {
   private readonly message = h("p", { class: "messages", role: "alert" });
   private readonly dialog: HTMLDialogElement;
   private folder: Folder | null = null;
-  private turn = 0; // the latest folder asked for; what comes late is not shown
+  private turn = 0; // the latest request; late answers are not shown
 
   constructor(
     private readonly api: Pick<Api, "files">,
     private readonly purpose: "open" | "save",
     private readonly present: string | null,
-    private readonly resolve: (chosen: Chosen | null) => void,
+    private readonly resolve: (chosen: ChosenFile | null) => void,
   ) {
     const words = purpose === "open" ? "Open" : "Save";
     const title = purpose === "open" ? "Open a case file" : "Save the case file as";
@@ -100,7 +100,7 @@ class FileDialog {
     void this.show(folder || null);
   }
 
-  private close(chosen: Chosen | null): void {
+  private close(chosen: ChosenFile | null): void {
     this.dialog.close();
     this.dialog.remove();
     this.resolve(chosen);
@@ -170,7 +170,7 @@ class FileDialog {
     if (this.purpose === "save" && there && file !== this.present) {
       const over = await ask(
         "Replace the file?",
-        [`${name} is there already.`],
+        [`${name} already exists.`],
         [
           { label: "Keep it", value: false, main: true },
           { label: "Replace it", value: true },

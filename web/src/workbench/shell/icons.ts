@@ -1,4 +1,4 @@
-// Icons of buttons, drawn with lines of 16 x 16; the button's label says what they mean.
+// Icons of buttons, drawn with lines of 16 x 16; the button's label gives their meaning.
 import { h, svg } from "../../viewer/shared/dom";
 
 const PATHS = {

@@ -1,6 +1,6 @@
 // The page, made once schema and document are there.
 import { h } from "../../viewer/shared/dom";
-import type { DocState, Fault, HttpApi } from "../client/api";
+import type { DocState, HttpApi } from "../client/api";
 import { openSections } from "../client/browser-storage";
 import type { Connection } from "../client/connection";
 import type { EditQueue } from "../client/edit-queue";
@@ -8,6 +8,7 @@ import { type Store, TOPICS } from "../client/store";
 import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
 import type { Change } from "../model/edits";
+import type { Issue } from "../model/issues";
 import { Schema } from "../model/schema";
 import { planEditor } from "../plan/plan-editor";
 import { ResultPanel } from "../result/result-panel";
@@ -33,7 +34,7 @@ export function buildPage(
 ): void {
   if (!store.schema || !store.doc) return;
   const model = modelPanel(store, new Schema(store.schema), (change) => queue.push(change));
-  const lost = connection.lost.bind(connection);
+  const lost = connection.handleLoss.bind(connection);
   const commands = new Commands(api, store, queue, lost, model.flush, model.openIssues, resolveOffer);
   showWarnings(store, commands);
   const result = new ResultPanel(store, api, () => void commands.solve(), lost);
@@ -60,7 +61,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     schema,
     memory: new Map(),
     data: () => store.data,
-    faults: () => store.doc?.faults ?? [],
+    issues: () => store.doc?.faults ?? [],
     change: push,
   };
   const form = formPanel(ctx, openSections);
@@ -85,7 +86,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
       if (name === "text") text.draw();
     },
   );
-  const reveal = (issue: Fault) => {
+  const reveal = (issue: Issue) => {
     if (issue.path.length === 0 || views.current() === "text") {
       views.show("text");
       text.reveal(issue.line ?? 1);

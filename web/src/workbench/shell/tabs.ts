@@ -6,7 +6,7 @@ export interface Tab {
   name: string;
   label: string;
   panel: HTMLElement;
-  /** Whether it is longer than its place and holds nothing that takes the keyboard. */
+  /** Whether it scrolls and holds nothing that takes the focus. */
   scrolls?: boolean;
 }
 
@@ -14,12 +14,12 @@ export interface Tabs {
   readonly bar: HTMLElement;
   readonly current: () => string;
   show(name: string): void;
-  /** Put a mark on a tab, such as a number; empty for none. */
+  /** Put a badge on a tab, such as a number; empty for none. */
   mark(name: string, text: string, bad?: boolean): void;
 }
 
-/** A bar of tabs over panels that are in the page already; `changed` hears of another one. */
-export function tabs(all: readonly Tab[], label: string, changed: (name: string) => void = () => undefined): Tabs {
+/** A bar of tabs over panels that are in the page already; `onChange` is called with another one. */
+export function tabs(all: readonly Tab[], label: string, onChange: (name: string) => void = () => undefined): Tabs {
   let current = all[0]?.name ?? "";
   const buttons = all.map((tab) => {
     tab.panel.id ||= newId("panel");
@@ -42,7 +42,7 @@ export function tabs(all: readonly Tab[], label: string, changed: (name: string)
       buttons[n]?.setAttribute("aria-selected", String(on));
       buttons[n]?.setAttribute("tabindex", on ? "0" : "-1");
     });
-    changed(name);
+    onChange(name);
   };
   const bar = h("div", { class: "tabs", role: "tablist", "aria-label": label }, ...buttons);
   bar.addEventListener("keydown", (event) => {

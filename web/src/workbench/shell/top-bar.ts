@@ -10,7 +10,7 @@ export function topBar(store: Store, api: Pick<Api, "reportAddress">, commands: 
   const theme = makeIconButton("theme", "light or dark", switchTheme);
   theme.title = "Light or dark";
   const file = [
-    button("New", "Start a new case", () => void commands.fresh()),
+    button("New", "Start a new case", () => void commands.createCase()),
     button("Open …", "Open a case file (Ctrl+O)", () => void commands.open()),
     button("Save", "Save the case file (Ctrl+S)", () => void commands.save()),
     button("Save as …", "Save under another name (Ctrl+Shift+S)", () => void commands.saveAs()),

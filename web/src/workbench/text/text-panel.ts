@@ -1,9 +1,9 @@
 // The case file as text: editable, colored, issues beside their lines.
 import { fill, h } from "../../viewer/shared/dom";
-import type { Fault } from "../client/api";
 import { debounce } from "../client/debounce";
 import type { Store } from "../client/store";
-import { issueText } from "../form/errors";
+import type { Issue } from "../model/issues";
+import { issueText } from "../model/issues";
 import { highlight, type Piece } from "./highlighting";
 import "./text-panel.css";
 
@@ -75,7 +75,7 @@ export class TextPanel {
   /** Draw the text if it is visible and has changed. */
   draw(): void {
     if (this.element.closest("[hidden]")) return;
-    const issues = new Map<number, Fault[]>();
+    const issues = new Map<number, Issue[]>();
     for (const issue of this.typed ? [] : (this.store.doc?.faults ?? []))
       issues.set(issue.line ?? 1, [...(issues.get(issue.line ?? 1) ?? []), issue]);
     const key = JSON.stringify([this.area.value, [...issues]]);
@@ -116,7 +116,7 @@ export class TextPanel {
   }
 }
 
-function makeLine(row: readonly Piece[], issues: readonly Fault[]): HTMLElement {
+function makeLine(row: readonly Piece[], issues: readonly Issue[]): HTMLElement {
   const text = issues.map(issueText).join("; ");
   return h(
     "span",

@@ -1,6 +1,6 @@
 // What loads are called: what acts at a place in a combination, or a single load with its case.
 import { describe, expect, it } from "vitest";
-import { shownLoads } from "../../../src/viewer/data/load-labels";
+import { labelLoads } from "../../../src/viewer/data/load-labels";
 import type { Load } from "../../../src/viewer/data/scene";
 
 const point = (of: string, P: number, M_x = 0, x = 1): Load => ({
@@ -43,7 +43,7 @@ const area: Load = {
   varies: true,
 };
 const words = (loads: Load[], factors: [string, number][] | null) =>
-  shownLoads(loads, factors && new Map(factors)).map((each) => each.text);
+  labelLoads(loads, factors && new Map(factors)).map((each) => each.text);
 
 describe("loads in a combination", () => {
   it("are called by what acts at their place, factors included", () => {

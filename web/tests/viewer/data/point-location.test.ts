@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 import { Locator } from "../../../src/viewer/data/point-location";
 import type { Mesh } from "../../../src/viewer/data/scene";
-import { q9, q9Slopes } from "../../../src/viewer/data/shape-functions";
+import { shapeDerivatives, shapeFunctions } from "../../../src/viewer/data/shape-functions";
 import { beside, grid, type Map2, nodal, randoms } from "../synthetic";
 
 /** Where a place of an element is. */
 function at(mesh: Mesh, element: number, xi: number, eta: number): [number, number] {
-  const N = q9(xi, eta);
+  const N = shapeFunctions(xi, eta);
   let [x, y] = [0, 0];
   for (let a = 0; a < 9; a++) {
     const node = mesh.elements[9 * element + a]!;
@@ -31,7 +31,7 @@ describe("the nine-node functions", () => {
 
   it("are one at their own node and zero at the others", () => {
     for (const [a, [xi, eta]] of nodes.entries())
-      for (const [b, value] of q9(xi, eta).entries()) expect(value).toBeCloseTo(a === b ? 1 : 0, 14);
+      for (const [b, value] of shapeFunctions(xi, eta).entries()) expect(value).toBeCloseTo(a === b ? 1 : 0, 14);
   });
 
   it("reproduce all products of powers up to two, and their slopes those of these", () => {
@@ -45,8 +45,8 @@ describe("the nine-node functions", () => {
       const at = ([x, y]: readonly [number, number]) => x ** i * y ** j;
       const [xi, eta] = [0.37, -0.61];
       const sum = (of: number[]) => of.reduce((total, value, a) => total + value * at(nodes[a]!), 0);
-      expect(sum(q9(xi, eta))).toBeCloseTo(at([xi, eta]), 13);
-      const [dxi, deta] = q9Slopes(xi, eta);
+      expect(sum(shapeFunctions(xi, eta))).toBeCloseTo(at([xi, eta]), 13);
+      const [dxi, deta] = shapeDerivatives(xi, eta);
       expect(sum(dxi)).toBeCloseTo(i ? i * xi ** (i - 1) * eta ** j : 0, 13);
       expect(sum(deta)).toBeCloseTo(j ? j * xi ** i * eta ** (j - 1) : 0, 13);
     }
@@ -67,7 +67,7 @@ describe("a locator", () => {
     for (let i = 0; i < 3000; i++) {
       const element = Math.floor(random() * mesh.elementCount);
       const [xi, eta] = [1.98 * random() - 0.99, 1.98 * random() - 0.99];
-      const spot = locator.at(...at(mesh, element, xi, eta));
+      const spot = locator.locate(...at(mesh, element, xi, eta));
       expect(spot).not.toBeNull();
       expect(spot!.element).toBe(element);
       expect(spot!.xi).toBeCloseTo(xi, 6);
@@ -81,9 +81,9 @@ describe("a locator", () => {
     // a parabola through the arc's ends and middle: between them it bulges beyond the chords
     const [x, y] = at(mesh, 0, 0.999, 0.5);
     expect(Math.hypot(x, y)).toBeGreaterThan(2.97);
-    expect(locator.at(x, y)).not.toBeNull();
-    expect(locator.at(x * 1.01, y * 1.01)).toBeNull();
-    expect(locator.at(0.1, 0.1)).toBeNull();
+    expect(locator.locate(x, y)).not.toBeNull();
+    expect(locator.locate(x * 1.01, y * 1.01)).toBeNull();
+    expect(locator.locate(0.1, 0.1)).toBeNull();
   });
 
   it("interpolates quadratic functions exactly on straight elements", () => {
@@ -97,7 +97,7 @@ describe("a locator", () => {
       [0, 0],
       [7, 4],
     ] as const)
-      expect(locator.interpolate(values, locator.at(x, y)!)).toBeCloseTo(of(x, y), 4);
+      expect(locator.interpolate(values, locator.locate(x, y)!)).toBeCloseTo(of(x, y), 4);
   });
 
   it("knows holes and the outside, and takes nodes and sides as plate", () => {
@@ -108,10 +108,10 @@ describe("a locator", () => {
       (i, j) => !(i === 2 && j === 2),
     );
     const locator = new Locator(mesh);
-    expect(locator.at(2.5, 2.5)).toBeNull();
-    expect(locator.at(5.001, 1)).toBeNull();
-    expect(locator.at(-20, 40)).toBeNull();
-    expect(locator.at(NaN, 1)).toBeNull();
+    expect(locator.locate(2.5, 2.5)).toBeNull();
+    expect(locator.locate(5.001, 1)).toBeNull();
+    expect(locator.locate(-20, 40)).toBeNull();
+    expect(locator.locate(NaN, 1)).toBeNull();
     for (const [x, y] of [
       [2, 2.5],
       [5, 5],
@@ -119,7 +119,7 @@ describe("a locator", () => {
       [3, 3],
       [1, 0.5],
     ] as const)
-      expect(locator.at(x, y)).not.toBeNull();
+      expect(locator.locate(x, y)).not.toBeNull();
   });
 
   it("gives the values of one side at a border of two sections", () => {
@@ -129,8 +129,8 @@ describe("a locator", () => {
     );
     const locator = new Locator(mesh);
     const values = nodal(mesh, () => 0).map((_, i) => (i < 9 ? 1 : 2));
-    expect(locator.interpolate(values, locator.at(0.9, 0.5)!)).toBeCloseTo(1);
-    expect(locator.interpolate(values, locator.at(1.1, 0.5)!)).toBeCloseTo(2);
-    expect([1, 2]).toContain(Math.round(locator.interpolate(values, locator.at(1, 0.5)!)));
+    expect(locator.interpolate(values, locator.locate(0.9, 0.5)!)).toBeCloseTo(1);
+    expect(locator.interpolate(values, locator.locate(1.1, 0.5)!)).toBeCloseTo(2);
+    expect([1, 2]).toContain(Math.round(locator.interpolate(values, locator.locate(1, 0.5)!)));
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { block, decode, fromGzipBase64, SceneError } from "../../../src/viewer/data/scene";
+import { decodeGzipBase64, decodeScene, readBlock, SceneError } from "../../../src/viewer/data/scene";
 import { grid, Packer, packedScene } from "../synthetic";
 
 const mesh = grid(2, 1);
@@ -7,12 +7,12 @@ const buffer = packedScene(mesh, [{ name: "A", fields: { settlement: (x) => 10 *
 
 describe("a packed scene", () => {
   it("gives back mesh and values as they were packed", () => {
-    const scene = decode(buffer);
+    const scene = decodeScene(buffer);
     expect(scene.mesh.nodes).toEqual(mesh.nodes);
     expect(scene.mesh.elements).toEqual(mesh.elements);
     expect(scene.mesh.nodeCount).toBe(15);
     expect(scene.mesh.elementCount).toBe(2);
-    const settlement = block(scene, scene.head.combinations[0]!.values!.settlement!);
+    const settlement = readBlock(scene, scene.head.combinations[0]!.values!.settlement!);
     expect(settlement[2]).toBe(5);
   });
 
@@ -27,7 +27,7 @@ describe("a packed scene", () => {
       packer.add([-5, 6], "i32", [2]),
       packer.add([1.5, -2.25], "f32", [2], 2, 1),
     ];
-    const scene = decode(
+    const scene = decodeScene(
       packer.packed({
         format: 2,
         title: "",
@@ -54,7 +54,7 @@ describe("a packed scene", () => {
       }),
     );
     expect(scene.mesh.elements).toEqual(mesh.elements);
-    expect(wanted.map((each) => [...block(scene, each)])).toEqual([
+    expect(wanted.map((each) => [...readBlock(scene, each)])).toEqual([
       [1, 3, 100],
       [-7, 2.5, 1000],
       [0, 70000],
@@ -64,15 +64,18 @@ describe("a packed scene", () => {
   });
 
   it("says in words what is wrong with it", () => {
-    expect(() => decode(new ArrayBuffer(0))).toThrow(SceneError);
-    expect(() => decode(buffer.slice(0, 40))).toThrow("cut off");
+    expect(() => decodeScene(new ArrayBuffer(0))).toThrow(SceneError);
+    expect(() => decodeScene(buffer.slice(0, 40))).toThrow("cut off");
     expect(
       () =>
-        decode(buffer.slice(0, buffer.byteLength - 200)).mesh &&
-        block(decode(buffer.slice(0, buffer.byteLength - 200)), decode(buffer).head.combinations[0]!.values!.contact!),
+        decodeScene(buffer.slice(0, buffer.byteLength - 200)).mesh &&
+        readBlock(
+          decodeScene(buffer.slice(0, buffer.byteLength - 200)),
+          decodeScene(buffer).head.combinations[0]!.values!.contact!,
+        ),
     ).toThrow("cut off");
-    expect(() => decode(packedScene(mesh, [], { format: 1 }))).toThrow("format 1");
-    expect(() => decode(packedScene({ ...mesh, elements: mesh.elements.map((node) => node + 1) }, []))).toThrow(
+    expect(() => decodeScene(packedScene(mesh, [], { format: 1 }))).toThrow("format 1");
+    expect(() => decodeScene(packedScene({ ...mesh, elements: mesh.elements.map((node) => node + 1) }, []))).toThrow(
       "damaged",
     );
   });
@@ -82,7 +85,7 @@ describe("a packed scene", () => {
       new Blob([buffer]).stream().pipeThrough(new CompressionStream("gzip")),
     ).arrayBuffer();
     const text = btoa(String.fromCharCode(...new Uint8Array(zipped))).replace(/(.{76})/g, "$1\n");
-    expect((await fromGzipBase64(`\n${text}\n`)).mesh.nodes).toEqual(mesh.nodes);
-    await expect(fromGzipBase64(btoa("not gzip"))).rejects.toThrow("damaged");
+    expect((await decodeGzipBase64(`\n${text}\n`)).mesh.nodes).toEqual(mesh.nodes);
+    await expect(decodeGzipBase64(btoa("not gzip"))).rejects.toThrow("damaged");
   });
 });

@@ -1,6 +1,12 @@
 import { describe, expect, it } from "vitest";
 import { Locator } from "../../../src/viewer/data/point-location";
-import { along, downwards, limits, peaks, sample } from "../../../src/viewer/data/section-sampling";
+import {
+  axisLimits,
+  findPeaks,
+  pointsDownward,
+  sampleField,
+  sampleLine,
+} from "../../../src/viewer/data/section-sampling";
 import { beside, grid, sceneOf } from "../synthetic";
 
 describe("a section", () => {
@@ -10,10 +16,10 @@ describe("a section", () => {
       [{ name: "A", fields: { settlement: (x, y) => x * x + y } }],
     );
     const locator = new Locator(scene.mesh);
-    const samples = sample(locator, [1, 1], [7, 9]);
+    const samples = sampleLine(locator, [1, 1], [7, 9]);
     expect(samples.s[0]).toBe(0);
     expect(samples.s[samples.s.length - 1]).toBeCloseTo(10, 12);
-    const values = along(scene, locator, 0, "settlement", samples);
+    const values = sampleField(scene, locator, 0, "settlement", samples);
     samples.s.forEach((s, i) => {
       if (i) expect(s).toBeGreaterThan(samples.s[i - 1]!);
       const [x, y] = [1 + 0.6 * s, 1 + 0.8 * s];
@@ -31,7 +37,7 @@ describe("a section", () => {
       ),
       [{ name: "A", fields: { settlement: () => 1 } }],
     );
-    const samples = sample(new Locator(scene.mesh), [-1, 3.5], [8, 3.5], 50);
+    const samples = sampleLine(new Locator(scene.mesh), [-1, 3.5], [8, 3.5], 50);
     const borders: number[] = [];
     samples.spots.forEach((spot, i) => {
       if (i && (spot === null) !== (samples.spots[i - 1] === null))
@@ -49,7 +55,7 @@ describe("a section", () => {
     const scene = sceneOf(mesh, [{ name: "A", fields: {} }]);
     const locator = new Locator(scene.mesh);
     const jump = Float32Array.from({ length: mesh.nodeCount }, (_, i) => (i < mesh.nodeCount / 2 ? 1 : 5));
-    const samples = sample(locator, [0, 0.43], [2, 0.43], 33);
+    const samples = sampleLine(locator, [0, 0.43], [2, 0.43], 33);
     const values = samples.spots.map((spot) => locator.interpolate(jump, spot!));
     const at = values.findIndex((value) => value > 3);
     expect(values[at - 1]).toBeCloseTo(1, 5);
@@ -59,18 +65,18 @@ describe("a section", () => {
   });
 
   it("finds its smallest and largest value, if it meets the plate at all", () => {
-    expect(peaks([0, 1, 2, 3], [null, 4, -2, 7])).toEqual({ min: [2, -2], max: [3, 7] });
-    expect(peaks([0, 1], [null, null])).toBeNull();
+    expect(findPeaks([0, 1, 2, 3], [null, 4, -2, 7])).toEqual({ min: [2, -2], max: [3, 7] });
+    expect(findPeaks([0, 1], [null, null])).toBeNull();
   });
 
   it("is drawn from zero, downwards where the plate settles or its face is in tension", () => {
-    expect(limits(2, 10)).toEqual([0, 10.8]);
-    expect(limits(-10, -1)).toEqual([-10.8, 0]);
-    const [low, high] = limits(9, 10);
+    expect(axisLimits(2, 10)).toEqual([0, 10.8]);
+    expect(axisLimits(-10, -1)).toEqual([-10.8, 0]);
+    const [low, high] = axisLimits(9, 10);
     expect([low > 8, high > 10]).toEqual([true, true]);
-    const [from, to] = limits(0, 0);
+    const [from, to] = axisLimits(0, 0);
     expect(to).toBeGreaterThan(from);
-    expect(["settlement", "moment_xy", "m_1", "bottom_x", "pressure", "shear_x"].map(downwards)).toEqual([
+    expect(["settlement", "moment_xy", "m_1", "bottom_x", "pressure", "shear_x"].map(pointsDownward)).toEqual([
       true,
       true,
       true,

@@ -1,11 +1,11 @@
 // The server's silence and return, its words of refusal, and what the page says of results.
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { type Api, type DocState, messageOf, type Offer } from "../../../src/workbench/client/api";
-import { Connection, comparison } from "../../../src/workbench/client/connection";
+import { Connection, compareStates } from "../../../src/workbench/client/connection";
 import { EditQueue } from "../../../src/workbench/client/edit-queue";
 import { Store } from "../../../src/workbench/client/store";
 import { sameValue, type Table, valueAt } from "../../../src/workbench/model/paths";
-import { freshness, statusWords } from "../../../src/workbench/result/status";
+import { freshness, statusText } from "../../../src/workbench/result/status";
 import { FakeApi } from "../fake-api";
 
 class FakeEvents {
@@ -52,21 +52,21 @@ function page(api: WholeApi, answers: { take?: boolean; counts?: "page" | "serve
           !("path" in edit) ||
           sameValue(valueAt(store.doc?.data ?? undefined, edit.path), valueAt(state.data ?? undefined, edit.path)),
       ),
-    refused: (change) => refused.push(change.text),
-    lost: (error) => connection.lost(error),
-    changed: () => store.setWaiting(queue.waiting),
+    onRefused: (change) => refused.push(change.text),
+    onLost: (error) => connection.handleLoss(error),
+    onChange: () => store.setWaiting(queue.waiting),
   });
   const connection: Connection = new Connection(
     api as unknown as Api,
     store,
     queue,
     {
-      offered: async (state) => {
+      resolveOffer: async (state) => {
         asked.push("offer");
         api.offer = null;
         return answers.take ? api.present() : state;
       },
-      differs: async () => {
+      askWhichText: async () => {
         asked.push("differs");
         return answers.counts ?? "page";
       },
@@ -181,18 +181,18 @@ describe("two texts", () => {
   const state = (text: string, dirty = false): DocState => ({ ...new FakeApi({}).present(), text, dirty });
 
   it("are asked about only if the server is another one and the page has what it has not", () => {
-    expect(comparison(null, state("a"), false, false)).toBe("adopt");
-    expect(comparison(state("a", true), state("a"), true, true)).toBe("same");
-    expect(comparison(state("a", true), state("b"), true, false)).toBe("differs");
-    expect(comparison(state("a"), state("b"), true, false)).toBe("adopt");
-    expect(comparison(state("a", true), state("b"), false, true)).toBe("adopt");
+    expect(compareStates(null, state("a"), false, false)).toBe("adopt");
+    expect(compareStates(state("a", true), state("a"), true, true)).toBe("same");
+    expect(compareStates(state("a", true), state("b"), true, false)).toBe("differs");
+    expect(compareStates(state("a"), state("b"), true, false)).toBe("adopt");
+    expect(compareStates(state("a", true), state("b"), false, true)).toBe("adopt");
   });
 });
 
 describe("words", () => {
   it("of a refusal are found in what the server answers", () => {
     expect(messageOf({ error: { where: "the edit", got: "a list", expected: "a table", mend: "edit the text" } })).toBe(
-      "the edit: got a list, expected a table; edit the text",
+      "the edit: found a list, expected a table — edit the text",
     );
     expect(messageOf({ error: { message: "no such file" } })).toBe("no such file");
     expect(messageOf({ detail: [{ msg: "field required" }, { msg: "too long" }] })).toBe("field required; too long");
@@ -201,17 +201,17 @@ describe("words", () => {
 
   it("say whether the results are those of the model", () => {
     const solved = { run: 1, version: 1, seconds: 12.4, design: "" };
-    expect(statusWords("fresh", { kind: "idle" }, solved, true, 0)).toBe("Solved in 12 s.");
+    expect(statusText("fresh", { kind: "idle" }, solved, true, 0)).toBe("Solved in 12 s.");
     const failing = { ...solved, design: "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails." };
-    expect(statusWords("fresh", { kind: "idle" }, failing, true, 0)).toBe(
+    expect(statusText("fresh", { kind: "idle" }, failing, true, 0)).toBe(
       "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails. Solved in 12 s.",
     );
-    expect(statusWords("stale", { kind: "idle" }, solved, true, 2)).toContain("Fix the errors");
+    expect(statusText("stale", { kind: "idle" }, solved, true, 2)).toContain("Fix the errors");
     expect(
-      statusWords("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0),
+      statusText("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0),
     ).toMatch(/earlier state of the model.*Solving/);
     expect(
-      statusWords("none", { kind: "refused", version: 1, message: "no equilibrium", faults: [] }, null, false, 0),
+      statusText("none", { kind: "refused", version: 1, message: "no equilibrium", faults: [] }, null, false, 0),
     ).toBe("Not solved: no equilibrium");
   });
 });

@@ -1,7 +1,7 @@
 // Edits on their way: in order, joined while typing, kept while the server is away.
 import { describe, expect, it } from "vitest";
 import type { DocState } from "../../../src/workbench/client/api";
-import { EditQueue, joins } from "../../../src/workbench/client/edit-queue";
+import { canMerge, EditQueue } from "../../../src/workbench/client/edit-queue";
 import type { Change } from "../../../src/workbench/model/edits";
 import { sameValue, valueAt } from "../../../src/workbench/model/paths";
 import { FakeApi } from "../fake-api";
@@ -25,9 +25,9 @@ function queueOn(api: FakeApi) {
           !("path" in edit) ||
           sameValue(valueAt(state.data ?? undefined, edit.path), valueAt(next.data ?? undefined, edit.path)),
       ),
-    refused: (change, why) => refused.push(`${change.text}: ${why}`),
-    lost: (error) => lost.push(error),
-    changed: () => undefined,
+    onRefused: (change, why) => refused.push(`${change.text}: ${why}`),
+    onLost: (error) => lost.push(error),
+    onChange: () => undefined,
   });
   return { queue, refused, lost, state: () => state };
 }
@@ -56,7 +56,7 @@ describe("the queue of edits", () => {
   });
 
   it("never joins edits of two fields", () => {
-    expect(joins(set("E", "1"), { ...set("nu", "2", true), text: "change E" })).toBe(false);
+    expect(canMerge(set("E", "1"), { ...set("nu", "2", true), text: "change E" })).toBe(false);
   });
 
   it("keeps edits while the server is away and sends them in order when it is back", async () => {

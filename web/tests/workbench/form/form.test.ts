@@ -1,10 +1,10 @@
 // @vitest-environment happy-dom
 // The form: made from the schema, values kept as typed, issues at their fields.
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { issueSentence, issuesOfPart } from "../../../src/workbench/form/errors";
 import { formPanel } from "../../../src/workbench/form/form-panel";
 import { summaryOf } from "../../../src/workbench/form/labels";
-import { foresee } from "../../../src/workbench/model/optimistic-edits";
+import { issueSentence, issuesOfPart } from "../../../src/workbench/model/issues";
+import { applyOptimistic } from "../../../src/workbench/model/optimistic-edits";
 import { type Table, valueAt } from "../../../src/workbench/model/paths";
 import { fault, Page, PLATE } from "../form-page";
 import { schema } from "../schema";
@@ -67,7 +67,7 @@ describe("a field", () => {
     expect(page.input(["plate", "nu"]).value).toBe("0.");
     vi.advanceTimersByTime(1000);
     page.input(["plate", "nu"]).blur();
-    page.data = foresee(page.data, { op: "set", path: ["plate", "nu"], value: 0.17 });
+    page.data = applyOptimistic(page.data, { op: "set", path: ["plate", "nu"], value: 0.17 });
     page.update();
     expect(page.input(["plate", "nu"]).value).toBe("0.17");
   });

@@ -1,9 +1,9 @@
 // @vitest-environment happy-dom
 // Names that other parts of the file refer to.
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { foresee } from "../../../src/workbench/model/optimistic-edits";
+import { applyOptimistic } from "../../../src/workbench/model/optimistic-edits";
 import { type Table, valueAt } from "../../../src/workbench/model/paths";
-import { removal, renames } from "../../../src/workbench/model/references";
+import { removeItem, renameReferences } from "../../../src/workbench/model/references";
 import { Page } from "../form-page";
 
 beforeEach(() => void vi.useFakeTimers());
@@ -21,11 +21,11 @@ describe("names that others call", () => {
   };
 
   it("are changed with those who call them, in one edit", () => {
-    expect(renames(data, ["columns", 0, "name"], "B2")).toEqual([
+    expect(renameReferences(data, ["columns", 0, "name"], "B2")).toEqual([
       { op: "set", path: ["loads", 0, "column"], value: "B2" },
       { op: "set", path: ["loads", 2, "column"], value: "B2" },
     ]);
-    expect(renames(data, ["cases", 0, "name"], "permanent")).toContainEqual({
+    expect(renameReferences(data, ["cases", 0, "name"], "permanent")).toContainEqual({
       op: "set",
       path: ["combinations", 0, "factors"],
       value: { permanent: 1.35, live: 1.5 },
@@ -33,7 +33,9 @@ describe("names that others call", () => {
   });
 
   it("are not joined with a name that is taken", () => {
-    expect(renames({ ...data, columns: [{ name: "A1" }, { name: "A" }] }, ["columns", 0, "name"], "A")).toEqual([]);
+    expect(
+      renameReferences({ ...data, columns: [{ name: "A1" }, { name: "A" }] }, ["columns", 0, "name"], "A"),
+    ).toEqual([]);
   });
 
   it("are sent when they are complete, not while they are typed", () => {
@@ -49,8 +51,8 @@ describe("names that others call", () => {
   });
 
   it("go with their loads when the column is removed", () => {
-    const change = removal(data, ["columns", 0]);
+    const change = removeItem(data, ["columns", 0]);
     expect(change.text).toBe("remove column A1 and its 2 loads");
-    expect(change.edits.reduce(foresee, data).loads).toEqual([{ kind: "uniform", case: "dead" }]);
+    expect(change.edits.reduce(applyOptimistic, data).loads).toEqual([{ kind: "uniform", case: "dead" }]);
   });
 });

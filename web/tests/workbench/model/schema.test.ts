@@ -10,19 +10,19 @@ describe("the schema", () => {
     const plate = schema.part("Plate");
     const node = (name: string) => plate.fields.find((field) => field.name === name)?.node;
     expect(node("thickness")).toEqual({ is: "quantity", dimension: "length", example: "0.2 m" });
-    expect(node("nu")).toEqual({ is: "number", words: [] });
+    expect(node("nu")).toEqual({ is: "number", options: [] });
     expect(node("outline")).toEqual({ is: "kinds", parts: ["Rectangle", "Polygon", "Circle"] });
     expect(node("zones")).toEqual({ is: "list", of: { is: "part", part: "Zone" }, least: 0 });
     expect(schema.part("Vlasov").fields.find((field) => field.name === "gamma")?.node).toEqual({
       is: "number",
-      words: ["iterate"],
+      options: ["iterate"],
     });
-    expect(schema.part("Beyond").fields.find((field) => field.name === "sides")?.node).toMatchObject({ is: "several" });
+    expect(schema.part("Beyond").fields.find((field) => field.name === "sides")?.node).toMatchObject({ is: "choices" });
     expect(schema.part("Combination").fields.find((field) => field.name === "factors")?.node).toEqual({
       is: "factors",
     });
     expect(schema.part("LineLoad").fields.find((field) => field.name === "points")?.node).toMatchObject({
-      is: "places",
+      is: "points",
     });
   });
 

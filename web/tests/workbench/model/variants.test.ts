@@ -2,9 +2,9 @@
 // Switching the kind of a table.
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { readGeometry, ringOf } from "../../../src/workbench/model/geometry";
-import { foresee } from "../../../src/workbench/model/optimistic-edits";
+import { applyOptimistic } from "../../../src/workbench/model/optimistic-edits";
 import { type Path, type Table, valueAt } from "../../../src/workbench/model/paths";
-import { placed, switchKind } from "../../../src/workbench/model/variants";
+import { defaultPlacement, switchKind } from "../../../src/workbench/model/variants";
 import { Page, PLATE } from "../form-page";
 import { schema } from "../schema";
 
@@ -45,12 +45,12 @@ describe("switching the kind", () => {
     };
     const path: Path = ["loads", 0, "shape"];
     const result = switchKind(data, path, schema.part("Rectangle"), schema.part("Circle"), new Map()).reduce(
-      foresee,
+      applyOptimistic,
       data,
     );
     expect(valueAt(result, path)).toEqual({ kind: "circle", centre: ["1 m", "0.5 m"], radius: "0.5 m" });
     const patch = switchKind(data, ["loads", 0], schema.part("AreaLoad"), schema.part("PatchLoad"), new Map()).reduce(
-      foresee,
+      applyOptimistic,
       data,
     );
     expect(valueAt(patch, ["loads", 0])).toEqual({ kind: "patch", q: "5 kPa", x: ["0 m", "2 m"], y: ["0 m", "1 m"] });
@@ -67,7 +67,7 @@ describe("switching the kind", () => {
       schema.part("PointSupport"),
       schema.part("LineSupport"),
       new Map(),
-    ).reduce(foresee, data);
+    ).reduce(applyOptimistic, data);
     expect(valueAt(result, ["supports", 0])).toMatchObject({ kind: "line", name: "A", acts: "in tension" });
     expect(valueAt(result, ["supports", 0, "stiffness"])).toBeUndefined();
     expect(valueAt(result, ["supports", 0, "points"])).toHaveLength(2);
@@ -75,7 +75,7 @@ describe("switching the kind", () => {
 
   it("changes a circle into a polygon of four quarters that is the same circle", () => {
     const data: Table = { plate: { outline: { kind: "circle", centre: ["1 m", "0 m"], radius: "2 m" } } };
-    const polygon = placed(data, ["plate", "outline"], schema.part("Polygon"));
+    const polygon = defaultPlacement(data, ["plate", "outline"], schema.part("Polygon"));
     expect(polygon.points).toEqual([
       ["3 m", "0 m"],
       ["1 m", "2 m"],

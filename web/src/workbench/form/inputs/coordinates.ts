@@ -2,7 +2,7 @@
 
 import { button, fill, h } from "../../../viewer/shared/dom";
 import { type Json, listAt, type Path } from "../../model/paths";
-import { place, writtenLike } from "../../model/quantities";
+import { formatLike, parsePoint } from "../../model/quantities";
 import type { Node } from "../../model/schema";
 import { iconButton } from "../../shell/icons";
 import { type FormContext, setValue } from "../context";
@@ -11,7 +11,7 @@ import { type Input, tupleInput } from "./inputs";
 const FEW = 4; // points that are shown at once
 
 /** One row for each point, to be changed, added and removed. */
-export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
+export function pointsInput(ctx: FormContext, path: Path, each: Node): Input {
   const rows = h("div", { class: "place-rows" });
   const count = h("summary", {});
   const add = button("Add point", "", () => insert(listAt(ctx.data(), path).length), "small");
@@ -21,7 +21,7 @@ export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
 
   const insert = (n: number) => {
     const list = listAt(ctx.data(), path);
-    setValue(ctx, path, list.toSpliced(n, 0, between(list[n - 1], list[n] ?? list[0])));
+    setValue(ctx, path, list.toSpliced(n, 0, midpoint(list[n - 1], list[n] ?? list[0])));
   };
   const remove = (n: number) => {
     const list = listAt(ctx.data(), path).toSpliced(n, 1);
@@ -61,8 +61,8 @@ export function placesInput(ctx: FormContext, path: Path, each: Node): Input {
 }
 
 /** Return a point half-way between two, in their units; 0, 0 if there are none. */
-function between(a: Json | undefined, b: Json | undefined): Json {
-  const [from, to] = [place(a), place(b)];
+function midpoint(a: Json | undefined, b: Json | undefined): Json {
+  const [from, to] = [parsePoint(a), parsePoint(b)];
   if (!from || !to) return ["0 m", "0 m"];
-  return writtenLike(a, [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
+  return formatLike(a, [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
 }

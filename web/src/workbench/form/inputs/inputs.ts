@@ -2,11 +2,12 @@
 
 import { fill, h, newId } from "../../../viewer/shared/dom";
 import { debounce } from "../../client/debounce";
+import { issuesAt } from "../../model/issues";
 import { type Json, type Path, pathKey, startsWith, valueAt } from "../../model/paths";
-import { namesFor } from "../../model/references";
+import { referencedNames } from "../../model/references";
 import type { Field, Node } from "../../model/schema";
-import { type FormContext, setValue, type Widget, waitsForEnd } from "../context";
-import { issuesAt, showIssues } from "../errors";
+import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
+import { showIssues } from "../errors";
 import { defaultText } from "../labels";
 
 export const QUIET = 350; // ms without a key until what was typed is sent
@@ -18,17 +19,18 @@ export interface Input {
   update(): void;
 }
 
-/** The value that typed text stands for; undefined for none. What is no number stays text, for the server to say so. */
-export function parsed(node: Node, typed: string): Json | undefined {
+/** Return the value of a typed text, undefined for none. What is no number stays text, which the server reports. */
+export function parseInput(node: Node, typed: string): Json | undefined {
   const text = typed.trim();
   if (text === "") return undefined;
-  if (node.is === "number" && node.words.includes(text)) return text;
-  const numeric = (node.is === "number" || node.is === "whole") && /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(text);
+  if (node.is === "number" && node.options.includes(text)) return text;
+  const numeric =
+    (node.is === "number" || node.is === "integer") && /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(text);
   return numeric ? Number(text) : text;
 }
 
-/** A value as it stands in an input. */
-export function shown(value: Json | undefined): string {
+/** Return a value as the text of an input. */
+export function inputText(value: Json | undefined): string {
   if (value === undefined || value === null) return "";
   return typeof value === "object" ? JSON.stringify(value) : String(value);
 }
@@ -49,18 +51,18 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
     placeholder: options.placeholder ?? "",
     "aria-label": options.label,
     class: node.is === "text" ? "wide" : "number",
-    inputmode: node.is === "number" || node.is === "whole" ? "decimal" : null,
+    inputmode: node.is === "number" || node.is === "integer" ? "decimal" : null,
   });
   const write = options.write ?? ((value: Json | undefined, typing: boolean) => setValue(ctx, path, value, typing));
   let typed = false;
   let sent = 0; // edits since the field has had the keyboard
   const send = () => {
     typed = false;
-    write(parsed(node, input.value), sent > 0);
+    write(parseInput(node, input.value), sent > 0);
     sent += 1;
   };
   const soon = debounce(QUIET, send);
-  const atEnd = waitsForEnd(path);
+  const atEnd = isSentWhenComplete(path);
   input.addEventListener("focus", () => (sent = 0));
   input.addEventListener("input", () => {
     typed = true;
@@ -75,23 +77,23 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") end();
   });
-  const known = namesFor(ctx.data(), path) === null ? null : h("datalist", { id: newId("names") });
+  const known = referencedNames(ctx.data(), path) === null ? null : h("datalist", { id: newId("names") });
   if (known) input.setAttribute("list", known.id);
   const update = () => {
-    if (known) fill(known, ...(namesFor(ctx.data(), path) ?? []).map((name) => h("option", { value: name })));
+    if (known) fill(known, ...(referencedNames(ctx.data(), path) ?? []).map((name) => h("option", { value: name })));
     const value = valueAt(ctx.data(), path);
-    if (typed || (document.activeElement === input && parsed(node, input.value) === value)) return;
-    if (input.value !== shown(value)) input.value = shown(value);
+    if (typed || (document.activeElement === input && parseInput(node, input.value) === value)) return;
+    if (input.value !== inputText(value)) input.value = inputText(value);
   };
   return { element: known ? h("span", { class: "with-names" }, input, known) : input, focus: input, update };
 }
 
-/** A choice out of some words; the default is shown faintly where nothing is chosen. */
+/** A choice of one option; the default is shown faintly where nothing is chosen. */
 function choiceInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
   const select = h("select", {});
   const update = () => {
     const value = valueAt(ctx.data(), path);
-    const chosen = shown(value ?? standard);
+    const chosen = inputText(value ?? standard);
     const odd = words.includes(chosen) ? [] : [h("option", { value: chosen }, chosen === "" ? "choose …" : chosen)];
     fill(select, ...odd, ...words.map((word) => h("option", { value: word }, word)));
     select.value = chosen;
@@ -114,8 +116,8 @@ function flagInput(ctx: FormContext, path: Path, standard: Json | undefined): In
   return { element: box, focus: box, update };
 }
 
-/** Some out of several words. */
-function severalInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
+/** A choice of several options. */
+function choicesInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
   const boxes = words.map((word) => h("input", { type: "checkbox", value: word }));
   const group = h("span", { class: "checks", role: "group" }, ...boxes.map((box) => h("label", {}, box, box.value)));
   const update = () => {
@@ -145,7 +147,7 @@ export function tupleInput(
     const old = valueAt(ctx.data(), path);
     const list = Array.from(
       { length },
-      (_, k) => (Array.isArray(old) ? old[k] : undefined) ?? filler(each, standard, k),
+      (_, k) => (Array.isArray(old) ? old[k] : undefined) ?? defaultElement(each, standard, k),
     );
     list[n] = value ?? "";
     const empty = value === undefined && list.every((item, k) => item === "" || (!Array.isArray(old) && k !== n));
@@ -165,8 +167,8 @@ export function tupleInput(
   return { element, focus: cells[0]?.focus ?? element, update };
 }
 
-/** What stands in for a value of a tuple that nobody has given: its default, with a unit. */
-function filler(each: Node, standard: Json | undefined, n: number): Json {
+/** Return the default of a tuple's value, with a unit. */
+function defaultElement(each: Node, standard: Json | undefined, n: number): Json {
   const own = Array.isArray(standard) ? standard[n] : undefined;
   if (own === undefined) return "";
   if (each.is !== "quantity" || typeof own !== "number") return own;
@@ -187,7 +189,7 @@ function tupleLabels(field: Field, length: number): string[] {
 function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
   const write = (value: Json | undefined, typing: boolean) => {
     const texts = typeof value === "string" || typeof value === "number" ? String(value).split(",") : [];
-    const list = texts.map((text) => parsed(each, text)).filter((item) => item !== undefined);
+    const list = texts.map((text) => parseInput(each, text)).filter((item) => item !== undefined);
     setValue(ctx, path, list.length > 0 ? list : undefined, typing);
   };
   const input = textInput(ctx, path, { is: "text" }, { placeholder: "0, 0, …", write });
@@ -195,7 +197,7 @@ function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
   const update = () => {
     const value = valueAt(ctx.data(), path);
     if (document.activeElement !== element)
-      element.value = Array.isArray(value) ? value.map(shown).join(", ") : shown(value);
+      element.value = Array.isArray(value) ? value.map(inputText).join(", ") : inputText(value);
   };
   return { ...input, update };
 }
@@ -205,11 +207,11 @@ export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
   const { node } = field;
   switch (node.is) {
     case "choice":
-      return choiceInput(ctx, path, node.words, field.default);
-    case "flag":
+      return choiceInput(ctx, path, node.options, field.default);
+    case "boolean":
       return flagInput(ctx, path, field.default);
-    case "several":
-      return severalInput(ctx, path, node.words, field.default);
+    case "choices":
+      return choicesInput(ctx, path, node.options, field.default);
     case "tuple":
       return tupleInput(ctx, path, node.each, node.length, tupleLabels(field, node.length), field.default);
     case "values":
@@ -231,7 +233,7 @@ export function inputWidget(
 ): Widget {
   const update = () => {
     input.update();
-    const issues = issuesAt(ctx.faults(), path);
+    const issues = issuesAt(ctx.issues(), path);
     element.classList.toggle("faulty", issues.length > 0);
     if (issues.length > 0) input.focus.setAttribute("aria-invalid", "true");
     else input.focus.removeAttribute("aria-invalid");

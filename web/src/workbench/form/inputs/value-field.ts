@@ -5,7 +5,7 @@ import { type Path, pathKey } from "../../model/paths";
 import type { Field } from "../../model/schema";
 import type { FormContext, Widget } from "../context";
 import { furtherHint, hintOf, labelParts } from "../labels";
-import { placesInput } from "./coordinates";
+import { pointsInput } from "./coordinates";
 import { factorsInput } from "./factors";
 import { type Input, inputCell, inputFor, inputWidget } from "./inputs";
 
@@ -17,7 +17,7 @@ export function valueField(ctx: FormContext, path: Path, field: Field): Widget {
   const label = h("label", { class: field.needed ? "label needed" : "label" }, ...labelParts(field));
   tieLabel(input, label);
   input.focus.setAttribute("aria-describedby", `${hint.id} ${messages.id}`);
-  const tall = field.node.is === "places" || field.node.is === "factors";
+  const tall = field.node.is === "points" || field.node.is === "factors";
   const attributes = { class: tall ? "field tall" : "field", "data-path": pathKey(path), title: hintOf(field) };
   const element = h("div", attributes, label, input.element, hint, messages);
   return inputWidget(ctx, path, input, element, messages);
@@ -31,7 +31,7 @@ export function cellField(ctx: FormContext, path: Path, field: Field, label: str
 }
 
 function makeInput(ctx: FormContext, path: Path, field: Field): Input {
-  if (field.node.is === "places") return placesInput(ctx, path, field.node.each);
+  if (field.node.is === "points") return pointsInput(ctx, path, field.node.each);
   if (field.node.is === "factors") return factorsInput(ctx, path);
   return inputFor(ctx, path, field);
 }

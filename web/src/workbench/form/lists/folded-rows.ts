@@ -1,10 +1,10 @@
 // The items of a list that fold, each with a summary.
 import { h, setText } from "../../../viewer/shared/dom";
+import { issueCount, issuesAt } from "../../model/issues";
 import { titleAt } from "../../model/items";
 import { listAt, type Path, pathKey, tableAt } from "../../model/paths";
 import type { Node } from "../../model/schema";
 import type { FormContext, Widget } from "../context";
-import { issueCount, issuesAt } from "../errors";
 import { summaryOf } from "../labels";
 import { itemButtons } from "./item-buttons";
 
@@ -41,7 +41,7 @@ function foldedItem(ctx: FormContext, path: Path, of: Node, makeItem: (path: Pat
   const update = () => {
     const table = tableAt(ctx.data(), path);
     setText(title, summaryOf(table, ctx.schema.partOf(of, table)) || titleAt(ctx.data(), path));
-    const count = issuesAt(ctx.faults(), path).length;
+    const count = issuesAt(ctx.issues(), path).length;
     setText(badge, count > 0 ? String(count) : "");
     badge.title = issueCount(count);
     body?.update();

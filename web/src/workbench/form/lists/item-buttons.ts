@@ -1,7 +1,7 @@
 // The buttons that copy and remove an item of a list.
 import { duplicateItem } from "../../model/new-items";
 import type { Path } from "../../model/paths";
-import { removal } from "../../model/references";
+import { removeItem } from "../../model/references";
 import { iconButton } from "../../shell/icons";
 import type { FormContext } from "../context";
 
@@ -13,6 +13,6 @@ export function itemButtons(ctx: FormContext, path: Path): HTMLElement[] {
   };
   return [
     iconButton("copy", "duplicate", `duplicate item ${position}`, duplicate),
-    iconButton("remove", "remove", `remove item ${position}`, () => ctx.change(removal(ctx.data(), path))),
+    iconButton("remove", "remove", `remove item ${position}`, () => ctx.change(removeItem(ctx.data(), path))),
   ];
 }

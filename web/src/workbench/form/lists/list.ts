@@ -1,18 +1,19 @@
 // A list of tables: as rows of a table where its tables are flat, else as items that fold.
 import { button, fill, h } from "../../../viewer/shared/dom";
-import { starter } from "../../model/defaults";
+import { defaultsFor } from "../../model/defaults";
+import { issuesOfList } from "../../model/issues";
 import { freeName, namesIn } from "../../model/names";
 import { isTable, type Json, listAt, type Path, pathKey, startsWith, type Table } from "../../model/paths";
 import type { Node, Part } from "../../model/schema";
-import { placed } from "../../model/variants";
+import { defaultPlacement } from "../../model/variants";
 import type { FormContext, Widget } from "../context";
-import { issuesOfList, showIssues } from "../errors";
+import { showIssues } from "../errors";
 import { kindChoice, kindText } from "../kind-choice";
 import { foldedRows } from "./folded-rows";
 import { tableRows } from "./table-rows";
 
 const MAX_COLUMNS = 7;
-const FLAT = new Set(["quantity", "number", "whole", "choice", "flag", "text", "tuple", "factors"]);
+const FLAT = new Set(["quantity", "number", "integer", "choice", "boolean", "text", "tuple", "factors"]);
 
 /** A list with what adds, copies and removes its items; `bare` without its title. */
 export function listWidget(
@@ -60,7 +61,7 @@ export function listWidget(
     count.textContent = items.length > 0 ? String(items.length) : "";
     given?.update();
     shown.update();
-    showIssues(messages, issuesOfList(ctx.faults(), path));
+    showIssues(messages, issuesOfList(ctx.issues(), path));
   };
   const reveal = (target: Path) => {
     if (!startsWith(target, path)) return false;
@@ -83,7 +84,7 @@ function isFlat(part: Part): boolean {
 /** Return what a new item starts with. */
 function newItem(data: Table, path: Path, part: Part): Table {
   const kind = part.kind ? { kind: part.kind } : {};
-  const value: Table = { ...kind, ...starter(part.name, data), ...placed(data, [...path, 0], part) };
+  const value: Table = { ...kind, ...defaultsFor(part.name, data), ...defaultPlacement(data, [...path, 0], part) };
   const isNamed = part.fields.some((field) => field.name === "name" && field.needed);
   if (!isNamed && !part.name.endsWith("Support") && part.name !== "Borehole") return value;
   const stems: Record<string, string> = { Column: "C1", Borehole: "B1" };
@@ -98,7 +99,7 @@ function listKindChoice(ctx: FormContext, path: Path, names: readonly string[]):
     if (from) ctx.memory.set(pathKey([...path, from.name]), { items: old });
     const known = ctx.memory.get(pathKey([...path, to.name]))?.items;
     const isKnown = Array.isArray(known) && known.length === old.length;
-    const value: Json = isKnown ? known : old.map(() => starter(to.name, ctx.data()));
+    const value: Json = isKnown ? known : old.map(() => defaultsFor(to.name, ctx.data()));
     ctx.change({ edits: [{ op: "set", path, value }], text: `give layers by ${kindText(to)}` });
   });
 }

@@ -1,10 +1,11 @@
 // A list of flat tables as rows: one row for each table, one column for each key.
 import { fill, h } from "../../../viewer/shared/dom";
+import { issuesAt, issuesOfPart } from "../../model/issues";
 import { namesIn } from "../../model/names";
 import { listAt, type Path, startsWith, tableAt } from "../../model/paths";
 import type { Field, Part } from "../../model/schema";
 import type { FormContext, Widget } from "../context";
-import { issuesAt, issuesOfPart, showIssues } from "../errors";
+import { showIssues } from "../errors";
 import { factorCell } from "../inputs/factors";
 import { cellField } from "../inputs/value-field";
 import { hintOf, labelParts } from "../labels";
@@ -86,10 +87,10 @@ function tableRow(ctx: FormContext, path: Path, part: Part, columns: readonly Co
   const element = h("tr", {}, number, ...cells.map((cell) => h("td", {}, cell.element)), buttons);
   const update = () => {
     for (const cell of cells) cell.update();
-    const factors = issuesAt(ctx.faults(), [...path, "factors"]).filter(
+    const factors = issuesAt(ctx.issues(), [...path, "factors"]).filter(
       (issue) => issue.path.length === path.length + 1,
     );
-    showIssues(messages, [...issuesOfPart(ctx.faults(), path, part), ...factors]);
+    showIssues(messages, [...issuesOfPart(ctx.issues(), path, part), ...factors]);
   };
   const reveal = (target: Path) => {
     if (cells.some((cell) => cell.reveal(target))) return true;

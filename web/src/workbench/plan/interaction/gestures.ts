@@ -5,7 +5,7 @@ import {
   editsBetween,
   type Geometry,
   isClosed,
-  moved,
+  moveGeometry,
   nearestCorner,
   type Point,
   type Ring,
@@ -14,9 +14,9 @@ import {
 import type { Item } from "../../model/items";
 import { addLine, addPoint, addShape, type DrawnShape } from "../../model/new-items";
 import type { Table } from "../../model/paths";
-import { plain, written } from "../../model/quantities";
+import { formatDecimals, formatLength } from "../../model/quantities";
 import type { Tool } from "../tools";
-import { dragged, type Handle } from "./handles";
+import { dragHandle, type Handle } from "./handles";
 import type { Snapped } from "./snapping";
 
 /** What the drawing becomes if the pointer is released now. */
@@ -55,9 +55,9 @@ export class MoveGesture implements DragGesture {
   }
 
   moveTo({ at }: Snapped): Preview {
-    this.by = [tidy(at[0] - this.held[0]), tidy(at[1] - this.held[1])];
-    const text = `${pair(at)}   Δ ${signed(this.by[0])}, ${signed(this.by[1])} m`;
-    return { geometry: moved(this.item.geometry, this.by), item: this.item, text };
+    this.by = [roundOff(at[0] - this.held[0]), roundOff(at[1] - this.held[1])];
+    const text = `${formatPoint(at)}   Δ ${formatSigned(this.by[0])}, ${formatSigned(this.by[1])} m`;
+    return { geometry: moveGeometry(this.item.geometry, this.by), item: this.item, text };
   }
 
   change(): Change | null {
@@ -82,8 +82,8 @@ export class ReshapeGesture implements DragGesture {
   }
 
   moveTo({ at }: Snapped): Preview {
-    this.after = dragged(this.item.geometry, this.handle, at) ?? this.after;
-    return { geometry: this.after, item: this.item, text: `${pair(at)}   ${measures(this.after)}` };
+    this.after = dragHandle(this.item.geometry, this.handle, at) ?? this.after;
+    return { geometry: this.after, item: this.item, text: `${formatPoint(at)}   ${measureText(this.after)}` };
   }
 
   change(): Change | null {
@@ -109,10 +109,10 @@ export class DrawGesture {
       this.points.push(at);
       return true;
     }
-    const closes = this.tool.draws === "shape" && first && this.points.length >= 3 && near(first, at, reach);
-    const ends = this.tool.draws === "line" && last && this.points.length >= 2 && near(last, at, reach);
+    const closes = this.tool.draws === "shape" && first && this.points.length >= 3 && isNear(first, at, reach);
+    const ends = this.tool.draws === "line" && last && this.points.length >= 2 && isNear(last, at, reach);
     if (closes || ends) return true;
-    if (!last || !near(last, at, 1e-9)) this.points.push(at);
+    if (!last || !isNear(last, at, 1e-9)) this.points.push(at);
     this.dragging = this.points.length === 1;
     return this.tool.draws === "segment" && this.points.length === 2;
   }
@@ -120,7 +120,7 @@ export class DrawGesture {
   /** The pointer goes up; returns whether the drawing is complete with it. */
   up(at: Point, reach: number): boolean {
     const [first] = this.points;
-    const far = this.dragging && first && !near(first, at, reach);
+    const far = this.dragging && first && !isNear(first, at, reach);
     this.dragging = false;
     if (!far) return false;
     this.points.push(at);
@@ -130,17 +130,17 @@ export class DrawGesture {
   /** Return what is drawn if the pointer is released at a place. */
   preview({ at }: Snapped): Preview {
     const [first] = this.points;
-    if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, text: pair(at) };
+    if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, text: formatPoint(at) };
     if (this.tool.draws === "shape" && this.dragging) {
       const geometry: Geometry = { type: "box", at: [], x: [first[0], at[0]], y: [first[1], at[1]] };
       const text = sizeText(Math.abs(at[0] - first[0]), Math.abs(at[1] - first[1]));
-      return { geometry, item: null, text: `${pair(at)}   ${text}` };
+      return { geometry, item: null, text: `${formatPoint(at)}   ${text}` };
     }
     const last = this.points.at(-1) ?? first;
-    const length = plain(Math.hypot(at[0] - last[0], at[1] - last[1]), 3);
-    const angle = plain((Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI, 1);
+    const length = formatDecimals(Math.hypot(at[0] - last[0], at[1] - last[1]), 3);
+    const angle = formatDecimals((Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI, 1);
     const geometry: Geometry = { type: "line", at: [], points: [...this.points, at], bulges: [] };
-    return { geometry, item: null, text: `${pair(at)}   ${length} m at ${angle}°` };
+    return { geometry, item: null, text: `${formatPoint(at)}   ${length} m at ${angle}°` };
   }
 
   /** Return the change that adds what has been drawn, null if it is not enough. */
@@ -159,25 +159,25 @@ export class DrawGesture {
 }
 
 function sizeText(x: number, y: number): string {
-  return `${plain(x, 3)} × ${plain(y, 3)} m`;
+  return `${formatDecimals(x, 3)} × ${formatDecimals(y, 3)} m`;
 }
 
 /** Return the measures of a geometry as text. */
-function measures(geometry: Geometry): string {
+function measureText(geometry: Geometry): string {
   switch (geometry.type) {
     case "sides":
       return sizeText(geometry.x, geometry.y);
     case "box":
       return sizeText(geometry.x[1] - geometry.x[0], geometry.y[1] - geometry.y[0]);
     case "circle":
-      return `r = ${plain(geometry.radius, 3)} m`;
+      return `r = ${formatDecimals(geometry.radius, 3)} m`;
     case "point":
-      return pair([geometry.x, geometry.y]);
+      return formatPoint([geometry.x, geometry.y]);
     default: {
       const ring: Ring = ringOf(geometry);
       if (isClosed(geometry)) return `${ring.length} corners`;
       const lengths = ring.slice(1).map(([x, y], n) => Math.hypot(x - ring[n]![0], y - ring[n]![1]));
-      return `${plain(
+      return `${formatDecimals(
         lengths.reduce((sum, length) => sum + length, 0),
         3,
       )} m long`;
@@ -185,19 +185,19 @@ function measures(geometry: Geometry): string {
   }
 }
 
-function near(a: Point, b: Point, reach: number): boolean {
+function isNear(a: Point, b: Point, reach: number): boolean {
   return Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
 }
 
 /** Return x and y to a millimeter as text. */
-function pair([x, y]: Point): string {
-  return withMinus(`x ${written(x)}, y ${written(y)}`);
+function formatPoint([x, y]: Point): string {
+  return withMinus(`x ${formatLength(x)}, y ${formatLength(y)}`);
 }
 
-function signed(value: number): string {
-  return `${value < 0 ? "−" : "+"}${plain(Math.abs(value), 3)}`;
+function formatSigned(value: number): string {
+  return `${value < 0 ? "−" : "+"}${formatDecimals(Math.abs(value), 3)}`;
 }
 
-function tidy(value: number): number {
+function roundOff(value: number): number {
   return Number(value.toFixed(6)) + 0;
 }

@@ -1,6 +1,6 @@
 // Handles of a geometry: the places that can be dragged, and what dragging them makes.
 
-import { corners, type Geometry, type Point, type Ring } from "../../model/geometry";
+import { type Geometry, type Point, type Ring, rectangleCorners } from "../../model/geometry";
 
 export interface Handle {
   kind: "corner" | "edge" | "add" | "radius" | "end";
@@ -22,7 +22,7 @@ export function handlesOf(geometry: Geometry): Handle[] {
     case "polygon":
       return [
         ...geometry.points.map((at, index): Handle => ({ kind: "corner", index, at })),
-        ...middles(geometry.points, geometry.type === "polygon", geometry.bulges),
+        ...edgeHandles(geometry.points, geometry.type === "polygon", geometry.bulges),
       ];
     case "circle":
       return (
@@ -35,7 +35,7 @@ export function handlesOf(geometry: Geometry): Handle[] {
       ).map(([x, y], index) => ({
         kind: "radius",
         index,
-        at: [geometry.centre[0] + x * geometry.radius, geometry.centre[1] + y * geometry.radius],
+        at: [geometry.center[0] + x * geometry.radius, geometry.center[1] + y * geometry.radius],
       }));
     case "segment":
       return [geometry.start, geometry.end].map((at, index) => ({ kind: "end", index, at }));
@@ -45,7 +45,7 @@ export function handlesOf(geometry: Geometry): Handle[] {
 }
 
 /** Handles that add a corner; none on an arc, whose bulge would be lost. */
-function middles(points: Ring, closed: boolean, bulges: readonly number[]): Handle[] {
+function edgeHandles(points: Ring, closed: boolean, bulges: readonly number[]): Handle[] {
   const last = closed ? points.length : points.length - 1;
   return points.slice(0, last).flatMap((a, index): Handle[] => {
     const b = points[(index + 1) % points.length];
@@ -62,14 +62,14 @@ function boxHandles(x: readonly [number, number], y: readonly [number, number]):
     { kind: "edge", index: 2, at: [middleX, y[0]], along: "y" },
     { kind: "edge", index: 3, at: [middleX, y[1]], along: "y" },
   ];
-  return [...corners(x, y).map((at, index): Handle => ({ kind: "corner", index, at })), ...edges];
+  return [...rectangleCorners(x, y).map((at, index): Handle => ({ kind: "corner", index, at })), ...edges];
 }
 
 /** The geometry after a handle was dragged to a place; null if that is no geometry, such as an empty rectangle. */
-export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry | null {
+export function dragHandle(geometry: Geometry, handle: Handle, to: Point): Geometry | null {
   switch (geometry.type) {
     case "sides": {
-      const box = draggedBox([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2], handle, to);
+      const box = dragBox([-geometry.x / 2, geometry.x / 2], [-geometry.y / 2, geometry.y / 2], handle, to);
       // the plate stays about the origin: the opposite edge goes the other way
       const x = 2 * Math.abs(handle.at[0] < 0 ? box.x[0] : box.x[1]);
       const y = 2 * Math.abs(handle.at[1] < 0 ? box.y[0] : box.y[1]);
@@ -78,12 +78,12 @@ export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry
         : null;
     }
     case "box": {
-      const { x, y } = draggedBox(geometry.x, geometry.y, handle, to);
+      const { x, y } = dragBox(geometry.x, geometry.y, handle, to);
       if (x[0] === x[1] || y[0] === y[1]) return null;
-      return { ...geometry, x: rising(x), y: rising(y) };
+      return { ...geometry, x: sortPair(x), y: sortPair(y) };
     }
     case "circle": {
-      const radius = Math.hypot(to[0] - geometry.centre[0], to[1] - geometry.centre[1]);
+      const radius = Math.hypot(to[0] - geometry.center[0], to[1] - geometry.center[1]);
       return radius > 0 ? { ...geometry, radius } : null;
     }
     case "segment":
@@ -101,7 +101,7 @@ export function dragged(geometry: Geometry, handle: Handle, to: Point): Geometry
   }
 }
 
-function draggedBox(
+function dragBox(
   x: readonly [number, number],
   y: readonly [number, number],
   handle: Handle,
@@ -117,12 +117,12 @@ function draggedBox(
   };
 }
 
-function rising([a, b]: readonly [number, number]): [number, number] {
+function sortPair([a, b]: readonly [number, number]): [number, number] {
   return a < b ? [a, b] : [b, a];
 }
 
 /** Return the geometry without one of its corners; null where too few would be left. */
-export function withoutCorner(geometry: Geometry, index: number): Geometry | null {
+export function removeCorner(geometry: Geometry, index: number): Geometry | null {
   if (geometry.type !== "line" && geometry.type !== "polygon") return null;
   const { points, bulges } = geometry;
   const isLine = geometry.type === "line";

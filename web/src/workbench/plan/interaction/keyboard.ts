@@ -4,11 +4,11 @@ import type { Change } from "../../model/edits";
 import { editsBetween } from "../../model/geometry";
 import { duplicateItem } from "../../model/new-items";
 import { samePath } from "../../model/paths";
-import { removal } from "../../model/references";
+import { removeItem } from "../../model/references";
 import type { Canvas } from "../canvas";
 import type { ToolBar } from "../tool-bar";
 import { toolForKey } from "../tools";
-import { withoutCorner } from "./handles";
+import { removeCorner } from "./handles";
 import { Nudge } from "./nudge";
 import type { Pointer } from "./pointer";
 
@@ -95,14 +95,14 @@ export class Keyboard {
 
   private remove(): void {
     const { selected, corner } = this.canvas;
-    const after = selected && corner !== null ? withoutCorner(selected.geometry, corner) : null;
+    const after = selected && corner !== null ? removeCorner(selected.geometry, corner) : null;
     const path = this.store.selection;
     if (selected && after) {
       this.canvas.corner = null;
       const edits = editsBetween(selected.geometry, after);
       this.push({ edits, text: `remove a corner of ${selected.title}` });
     } else if (path && !(path[0] === "plate" && path.length < 3)) {
-      this.push(removal(this.store.data, path));
+      this.push(removeItem(this.store.data, path));
       this.store.select(null);
     }
   }

@@ -1,6 +1,6 @@
 // Moving the selected item by keys: one edit for a series of steps.
 import type { Change } from "../../model/edits";
-import { moved } from "../../model/geometry";
+import { moveGeometry } from "../../model/geometry";
 import type { Item } from "../../model/items";
 import type { Canvas } from "../canvas";
 
@@ -18,7 +18,7 @@ export class Nudge {
   /** Move by a step [m]; the edit follows when the keys rest. */
   step(item: Item, dx: number, dy: number): void {
     this.by = [this.by[0] + dx, this.by[1] + dy];
-    this.canvas.preview = { geometry: moved(item.geometry, this.by), item, text: "" };
+    this.canvas.preview = { geometry: moveGeometry(item.geometry, this.by), item, text: "" };
     this.canvas.redraw();
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.finish(item), QUIET);

@@ -4,21 +4,21 @@ import { describe, expect, it } from "vitest";
 import { editsBetween, readGeometry, readSides, ringOf, signedArea } from "../../../../src/workbench/model/geometry";
 import { itemsOf } from "../../../../src/workbench/model/items";
 import type { Table } from "../../../../src/workbench/model/paths";
-import { dragged, handlesOf, withoutCorner } from "../../../../src/workbench/plan/interaction/handles";
+import { dragHandle, handlesOf, removeCorner } from "../../../../src/workbench/plan/interaction/handles";
 
 describe("handles", () => {
   it("keeps a rectangle by its sides about the origin: the opposite edge moves the other way", () => {
     const sides = readSides({ plate: { length_x: "6 m", length_y: "4 m" } });
     const right = handlesOf(sides!).find((handle) => handle.kind === "edge" && handle.at[0] === 3)!;
-    const after = dragged(sides!, right, [3.5, 9])!;
+    const after = dragHandle(sides!, right, [3.5, 9])!;
     expect(editsBetween(sides!, after)).toEqual([{ op: "length", path: ["plate", "length_x"], value: 7 }]);
   });
 
   it("never turns a rectangle inside out", () => {
     const box = readGeometry({ o: { kind: "rectangle", x: ["0 m", "2 m"], y: ["0 m", "1 m"] } }, ["o"])!;
     const corner = handlesOf(box)[0]!;
-    expect(dragged(box, corner, [3, 0.5])).toMatchObject({ x: [2, 3], y: [0.5, 1] });
-    expect(dragged(box, corner, [2, 0.5])).toBeNull();
+    expect(dragHandle(box, corner, [3, 0.5])).toMatchObject({ x: [2, 3], y: [0.5, 1] });
+    expect(dragHandle(box, corner, [2, 0.5])).toBeNull();
   });
 
   it("adds and removes corners of a polygon together with their bulges", () => {
@@ -43,7 +43,7 @@ describe("handles", () => {
         .filter((handle) => handle.kind === "add")
         .map((handle) => handle.index),
     ).toEqual([0, 2, 3]);
-    const more = dragged(arched, add, [1, -1])!;
+    const more = dragHandle(arched, add, [1, -1])!;
     expect(more).toMatchObject({
       points: [
         [0, 0],
@@ -54,7 +54,7 @@ describe("handles", () => {
       ],
       bulges: [0, 0, 0.5],
     });
-    expect(withoutCorner(more, 1)).toEqual(arched);
+    expect(removeCorner(more, 1)).toEqual(arched);
     const triangle = {
       ...arched,
       points: [
@@ -63,7 +63,7 @@ describe("handles", () => {
         [0, 1],
       ],
     } as typeof arched;
-    expect(withoutCorner(triangle, 0)).toBeNull();
+    expect(removeCorner(triangle, 0)).toBeNull();
   });
 
   it("draws arcs to the left of a counter-clockwise bulge: two half circles make a circle", () => {
@@ -111,7 +111,7 @@ describe("line loads along arcs", () => {
   it("keep their arcs when a corner is added or taken away", () => {
     const add = handlesOf(line).find((each) => each.kind === "add")!;
     expect(add).toMatchObject({ index: 1, at: [2, 0] });
-    const more = dragged(line, add, [2, 1])!;
+    const more = dragHandle(line, add, [2, 1])!;
     expect(more).toMatchObject({
       points: [
         [-1, 0],
@@ -121,8 +121,8 @@ describe("line loads along arcs", () => {
       ],
       bulges: [-1],
     });
-    expect(withoutCorner(more, 2)).toEqual(line);
-    expect(editsBetween(line, withoutCorner(line, 0)!)).toContainEqual({
+    expect(removeCorner(more, 2)).toEqual(line);
+    expect(editsBetween(line, removeCorner(line, 0)!)).toContainEqual({
       op: "set",
       path: ["loads", 0, "bulges"],
       value: [],
