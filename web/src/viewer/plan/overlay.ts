@@ -4,7 +4,7 @@ import { svg } from "../shared/dom";
 import { FONT } from "../shared/palette";
 import type { Camera } from "./camera";
 import { type Layers, symbolsOf } from "./plan-symbols";
-import { drawRulers, drawScaleBar } from "./rulers";
+import { drawRulers, drawScaleBar, RULER } from "./rulers";
 import { drawCross, drawEnds, drawPath, drawSymbol, drawText, type Kind } from "./symbols";
 
 /** Marks that the user sets, and those of the field. */
@@ -54,7 +54,7 @@ export class Overlay {
       ? symbolsOf(plan, layers, marks.factors).map((symbol) => drawGroup(symbol.kind, drawSymbol(camera, symbol)))
       : [];
     if (layers.extremes) groups.push(...marks.extremes.map((mark) => drawExtreme(camera, mark)));
-    dropOverlapping(groups, camera);
+    groups.push(...placeTexts(groups, camera));
     if (marks.section) {
       const pixels = marks.section.map((point) => camera.toPixel(point));
       groups.push(drawGroup("cut", [drawPath(pixels, false), ...drawEnds(pixels)]));
@@ -92,30 +92,39 @@ function drawExtreme(camera: Camera, { point, text, isMaximum }: Marks["extremes
   return group;
 }
 
-/** Remove texts that would cover others; those that would leave the view go to their symbol's other side. */
-function dropOverlapping(groups: readonly SVGGElement[], { width, height }: Camera): void {
+/**
+ * Move the texts of groups above all of them, and remove those that would cover others or lie outside.
+ *
+ * Texts that would leave the view move to the other side of their symbol, or beside the ruler.
+ */
+function placeTexts(groups: readonly SVGGElement[], { width, height }: Camera): SVGGElement[] {
   const rank = (group: SVGGElement) => {
     const position = PRIORITY.indexOf(group.dataset.kind as Kind);
     return position < 0 ? PRIORITY.length : position;
   };
-  const boxes: [number, number, number, number][] = [];
+  const boxes: number[][] = [];
   const context = document.createElement("canvas").getContext("2d");
   if (context) context.font = `11px ${FONT}`;
-  for (const group of [...groups].sort((a, b) => rank(a) - rank(b)))
-    for (const text of group.querySelectorAll("text")) {
-      const [x, y] = [Number(text.getAttribute("x")), Number(text.getAttribute("y"))];
-      const length = context?.measureText(text.textContent ?? "").width ?? 0;
-      let left = text.classList.contains("middle") ? x - length / 2 : x;
-      if (left + length > width - 2 && x < width) {
-        left = x - length - 16;
-        text.setAttribute("x", String(x - 16));
-        text.setAttribute("class", "label end");
-      }
-      const box: [number, number, number, number] = [left - 2, y - 11, left + length + 2, y + 4];
-      const isHidden = !text.textContent || y < -20 || y > height + 20 || boxes.some((other) => overlap(box, other));
-      if (isHidden) text.remove();
-      else boxes.push(box);
-    }
+  const isPlaced = (text: SVGTextElement) => {
+    const [x, y] = [Number(text.getAttribute("x")), Number(text.getAttribute("y"))];
+    const length = context?.measureText(text.textContent ?? "").width ?? 0;
+    const before = text.classList.contains("middle") ? x - length / 2 : x;
+    const beside = before + length > width - 2 && x < width ? x - length - 16 : before;
+    const left = beside < RULER.left + 4 && x > RULER.left ? RULER.left + 4 : beside;
+    text.setAttribute("x", String(left));
+    text.setAttribute("class", "label");
+    const box = [left - 2, y - 11, left + length + 2, y + 4];
+    if (!text.textContent || y < -20 || y > height + 20 || boxes.some((other) => overlap(box, other))) return false;
+    boxes.push(box);
+    return true;
+  };
+  return [...groups]
+    .sort((a, b) => rank(a) - rank(b))
+    .map((group) => {
+      const texts = [...group.querySelectorAll("text")];
+      for (const text of texts) text.remove();
+      return svg("g", { class: group.getAttribute("class") }, ...texts.filter(isPlaced));
+    });
 }
 
 function overlap(a: readonly number[], b: readonly number[]): boolean {

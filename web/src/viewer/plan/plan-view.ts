@@ -208,7 +208,7 @@ export class PlanView {
 
   private fitTo(camera: Camera): void {
     const { axes } = this.layers;
-    camera.fit(this.plan?.bounds ?? [-5, -5, 5, 5], 22, axes ? RULER.left : 0, axes ? RULER.bottom + 14 : 0);
+    camera.fit(this.plan?.bounds ?? [-5, -5, 5, 5], 36, axes ? RULER.left : 0, axes ? RULER.bottom + 14 : 0);
   }
 
   /** Draw with the next frame. */
