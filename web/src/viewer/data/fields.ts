@@ -1,18 +1,13 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
 import type { LocalPoint, Locator } from "./point-location";
-import { type Combination, type Extreme, readBlock, type Scene } from "./scene";
+import { type Combination, type Extreme, type Field, readBlock, type Scene } from "./scene";
 
 /** A combination by its index in the head, or an envelope over all certified combinations (of one limit state). */
 export type Choice = number | Envelope;
 export type Envelope = "largest" | "smallest" | `largest:${string}` | `smallest:${string}`;
 
-export interface FieldInfo {
-  name: string;
-  symbol: string;
-  unit: string;
-  meaning: string;
-  averaged: string;
-  signed: boolean;
+/** A field that can be shown, of the scene or derived of its moments. */
+export interface FieldInfo extends Field {
   derived: boolean;
 }
 

@@ -14,11 +14,6 @@ export function roundStepOf(factors: readonly number[], least: number): number {
   return Number((factor * power).toPrecision(12));
 }
 
-/** Return round numbers within low .. high, about `count` of them. */
-export function roundTicks(low: number, high: number, count: number): number[] {
-  return multiplesWithin(low, high, roundStep((high - low) / Math.max(count, 1)));
-}
-
 /** Return the multiples of a step within low .. high. */
 export function multiplesWithin(low: number, high: number, step: number): number[] {
   const [first, last] = [Math.ceil(low / step - 1e-9), Math.floor(high / step + 1e-9)];

@@ -3,7 +3,7 @@ import type { Point } from "../data/scene";
 import type { Camera } from "./camera";
 
 /** A press that moves less than this [px] is a click. */
-export const CLICK = 4;
+const CLICK = 4;
 
 /** Return where an event is on an element, from its upper left corner [px]. */
 export function pixelOf(element: Element, event: MouseEvent): Point {

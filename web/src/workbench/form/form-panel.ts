@@ -119,7 +119,7 @@ function isOptional(ctx: FormContext, field: Field): boolean {
 }
 
 /** What a section holds, in a few words; `optional` is one that does nothing unless it is there. */
-export function digestOf(field: Field, data: Table, optional: boolean): string {
+function digestOf(field: Field, data: Table, optional: boolean): string {
   const value: Json | undefined = data[field.name];
   if (field.node.is === "list" && value === undefined) return "none";
   if (Array.isArray(value)) return value.length > 0 ? String(value.length) : "none";

@@ -88,7 +88,7 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
 }
 
 /** Return the title of an item: its kind and its name, else its number. */
-export function titleOf(word: string, table: Table, position: number): string {
+function titleOf(word: string, table: Table, position: number): string {
   const kinds =
     word === "load" || word === "support" ? `${typeof table.kind === "string" ? table.kind : ""} ${word}`.trim() : word;
   return typeof table.name === "string" && table.name ? `${kinds} ${table.name}` : `${kinds} ${position + 1}`;

@@ -1,6 +1,7 @@
 // Lengths as the case file writes them, "200 mm", to meters and back: only what the drawing needs.
 // What is a good quantity is for the server to say.
 
+import { trimZeros } from "../../viewer/data/numbers";
 import type { Json } from "./paths";
 
 const METERS: Record<string, number> = {
@@ -52,9 +53,8 @@ function unitOf(value: Json | undefined): string {
 
 /** A number without noise and without zeros at its end. */
 export function formatDecimals(value: number, digits: number): string {
-  const text = value.toFixed(digits);
-  const short = text.includes(".") ? text.replace(/0+$/, "").replace(/\.$/, "") : text;
-  return short === "-0" ? "0" : short;
+  const text = trimZeros(value.toFixed(digits));
+  return text === "-0" ? "0" : text;
 }
 
 /** A length as text in a unit, to a tenth of a millimetre. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { bandOf, type ColorScale, crossesZero, makeScale, roundLevels } from "../../../src/viewer/data/color-scale";
-import { formatNumber, formatShort, formatTicks, roundStep, roundTicks } from "../../../src/viewer/data/numbers";
+import { formatNumber, formatShort, formatTicks, multiplesWithin, roundStep } from "../../../src/viewer/data/numbers";
 import { randoms } from "../synthetic";
 
 /** The color that a value is drawn in. */
@@ -33,7 +33,7 @@ describe("round numbers", () => {
 
   it("are written without the rounding of binary numbers", () => {
     expect(roundLevels(0, 1, 10)).toEqual([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1]);
-    expect(roundTicks(-0.31, 0.29, 6)).toEqual([-0.3, -0.2, -0.1, 0, 0.1, 0.2]);
+    expect(multiplesWithin(-0.31, 0.29, 0.1)).toEqual([-0.3, -0.2, -0.1, 0, 0.1, 0.2]);
     expect(formatTicks([-2.5, 0, 2.5])).toEqual(["−2.5", "0.0", "2.5"]);
     expect(formatTicks([0, 500, 1000])).toEqual(["0", "500", "1000"]);
     expect(formatTicks([-0.6, -0.3, -1.1e-17, 0.3, 0.6])).toEqual(["−0.6", "−0.3", "0.0", "0.3", "0.6"]);

@@ -20,7 +20,7 @@ export interface Input {
 }
 
 /** Return the value of a typed text, undefined for none. What is no number stays text, which the server reports. */
-export function parseInput(node: Node, typed: string): Json | undefined {
+function parseInput(node: Node, typed: string): Json | undefined {
   const text = typed.trim();
   if (text === "") return undefined;
   if (node.is === "number" && node.options.includes(text)) return text;
@@ -30,7 +30,7 @@ export function parseInput(node: Node, typed: string): Json | undefined {
 }
 
 /** Return a value as the text of an input. */
-export function inputText(value: Json | undefined): string {
+function inputText(value: Json | undefined): string {
   if (value === undefined || value === null) return "";
   return typeof value === "object" ? JSON.stringify(value) : String(value);
 }
