@@ -7,7 +7,7 @@ import { onTokenElsewhere, takeToken } from "./client/browser-storage";
 import { Connection } from "./client/connection";
 import { EditQueue } from "./client/edit-queue";
 import { Store } from "./client/store";
-import { isUntouched } from "./model/optimistic-edits";
+import { isUntouched } from "./model/changes/optimistic-edits";
 import { buildPage } from "./shell/page";
 import { askOffer, askWhichText } from "./shell/unsaved-work";
 

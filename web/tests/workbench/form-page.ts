@@ -1,8 +1,8 @@
 import type { FormContext } from "../../src/workbench/form/context";
 import { partWidget } from "../../src/workbench/form/section";
-import type { Change } from "../../src/workbench/model/edits";
+import type { Change } from "../../src/workbench/model/changes/edits";
+import { applyOptimistic } from "../../src/workbench/model/changes/optimistic-edits";
 import type { Issue } from "../../src/workbench/model/issues";
-import { applyOptimistic } from "../../src/workbench/model/optimistic-edits";
 import { type Path, pathKey, type Table } from "../../src/workbench/model/paths";
 import { schema } from "./schema";
 
@@ -51,7 +51,7 @@ export class Page {
   }
 }
 
-export const fault = (
+export const makeIssue = (
   path: Path,
   got = '"30"',
   expected = 'a pressure such as "30 MPa"',

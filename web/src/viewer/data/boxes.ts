@@ -18,10 +18,10 @@ export function boxAround(points: Iterable<readonly [number, number]>): Box {
 }
 
 /** Return the box around each element (x0, y0, x1, y1), enlarged by a share of its size, and the box around all. */
-export function elementBoxes(mesh: Mesh, margin = 0): { boxes: Float64Array; whole: Box } {
+export function elementBoxes(mesh: Mesh, margin = 0): { boxes: Float64Array; total: Box } {
   const { nodes, elements, elementCount } = mesh;
   const boxes = new Float64Array(4 * elementCount);
-  const whole: Box = [...EMPTY];
+  const total: Box = [...EMPTY];
   const box: Box = [...EMPTY];
   for (let e = 0; e < elementCount; e++) {
     for (let k = 0; k < 4; k++) box[k] = EMPTY[k]!;
@@ -31,9 +31,9 @@ export function elementBoxes(mesh: Mesh, margin = 0): { boxes: Float64Array; who
     }
     const [dx, dy] = [margin * (box[2] - box[0]), margin * (box[3] - box[1])];
     boxes.set([box[0] - dx, box[1] - dy, box[2] + dx, box[3] + dy], 4 * e);
-    extend(whole, boxes[4 * e]!, boxes[4 * e + 1]!, boxes[4 * e + 2]!, boxes[4 * e + 3]!);
+    extend(total, boxes[4 * e]!, boxes[4 * e + 1]!, boxes[4 * e + 2]!, boxes[4 * e + 3]!);
   }
-  return { boxes, whole };
+  return { boxes, total };
 }
 
 /** Extend a box to contain another one. */

@@ -11,7 +11,7 @@ export interface FieldInfo extends Field {
   derived: boolean;
 }
 
-/** The field whose sign tells contact (negative) from gap; never offered as a field. */
+/** The field whose sign distinguishes contact (negative) from gap; never offered as a field. */
 export const CONTACT = "contact";
 const MOMENTS = ["moment_x", "moment_y", "moment_xy"] as const;
 
@@ -53,10 +53,10 @@ export interface FieldExtremes {
 /** Return where a field of a combination or an envelope is smallest and largest at nodes. */
 export function extremesOf(scene: Scene, choice: Choice, name: string): FieldExtremes {
   const of = nodalValues(scene, choice, name);
-  const told = isEnvelope(choice) ? undefined : scene.head.combinations[choice]?.extremes[name];
+  const given = isEnvelope(choice) ? undefined : scene.head.combinations[choice]?.extremes[name];
   const { min, max, minNode, maxNode } = findExtremes(of);
   const at = (node: number): [number, number] => [scene.mesh.nodes[2 * node]!, scene.mesh.nodes[2 * node + 1]!];
-  return { min: told?.min ?? [min, ...at(minNode)], max: told?.max ?? [max, ...at(maxNode)] };
+  return { min: given?.min ?? [min, ...at(minNode)], max: given?.max ?? [max, ...at(maxNode)] };
 }
 
 /** Return the largest line force along the plate's edges in a combination or an envelope [kN/m], if there is any. */

@@ -21,11 +21,11 @@ export class Locator {
   private readonly count: [number, number]; // of buckets
   private readonly first: Uint32Array; // of each bucket, in `held`
   private readonly members: Uint32Array; // elements, bucket by bucket
-  private last = 0; // neighbours are asked for one after the other
+  private last = 0; // neighbors are located one after the other
 
   constructor(private readonly mesh: Mesh) {
-    const { boxes, whole } = elementBoxes(mesh, BULGE);
-    const [x0, y0, x1, y1] = whole;
+    const { boxes, total } = elementBoxes(mesh, BULGE);
+    const [x0, y0, x1, y1] = total;
     const [width, height] = [Math.max(x1 - x0, 1e-9), Math.max(y1 - y0, 1e-9)];
     const side = Math.sqrt((width * height) / Math.max(mesh.elementCount, 1));
     const cells = (length: number) => Math.min(2048, Math.max(1, Math.round(length / side)));
@@ -108,7 +108,7 @@ export class Locator {
       const det = a * d - b * c;
       if (det === 0) return null;
       const next = [xi + (d * dx - c * dy) / det, eta + (a * dy - b * dx) / det] as const;
-      // outside, Newton's steps are only followed to the neighbourhood
+      // outside, Newton's steps are only followed to the neighborhood
       const [u, v] = [clamp(next[0]), clamp(next[1])];
       const moved = Math.max(Math.abs(u - xi), Math.abs(v - eta));
       [xi, eta] = [u, v];

@@ -123,7 +123,7 @@ export interface Head {
   left_out: string[];
 }
 
-/** Nine-node quadrilaterals: four corners, four midsides, centre, counter-clockwise. */
+/** Nine-node quadrilaterals: four corners, four midsides, center, counter-clockwise. */
 export interface Mesh {
   nodes: Float32Array; // x, y of each node [m]
   elements: Uint32Array; // nine nodes of each element

@@ -1,11 +1,11 @@
 // Shape functions of the nine-node quadrilateral. Node order: the corners (-1,-1), (1,-1), (1,1), (-1,1), the midsides
-// (0,-1), (1,0), (0,1), (-1,0), the centre (0,0).
+// (0,-1), (1,0), (0,1), (-1,0), the center (0,0).
 
 /** Place of each node on the 3 x 3 grid of one-dimensional nodes (-1, 0, 1). */
 const COLUMN = [0, 2, 2, 0, 1, 2, 1, 0, 1] as const;
 const ROW = [0, 0, 2, 2, 0, 1, 2, 1, 1] as const;
 
-/** The eight triangles of a nine-node quadrilateral: all meet in its centre, two along each side. */
+/** The eight triangles of a nine-node quadrilateral: all meet in its center, two along each side. */
 export const TRIANGLES = [0, 4, 8, 4, 1, 8, 1, 5, 8, 5, 2, 8, 2, 6, 8, 6, 3, 8, 3, 7, 8, 7, 0, 8] as const;
 
 /** Two triangles of its corners alone. */

@@ -26,12 +26,12 @@ const TILE = 300;
 /** Return a mesh's triangles in square tiles, so that only visible ones have to be drawn. */
 export function makeTiling(mesh: Mesh): Tiling {
   const { elements, elementCount } = mesh;
-  const { boxes, whole } = elementBoxes(mesh);
+  const { boxes, total } = elementBoxes(mesh);
   const triangles = new Uint32Array((TRIANGLES.length + CORNERS.length) * elementCount);
   const tiles: Tile[] = [];
   let area = 0;
   let [fine, coarse] = [0, TRIANGLES.length * elementCount];
-  for (const members of groupByTile(boxes, whole, elementCount)) {
+  for (const members of groupByTile(boxes, total, elementCount)) {
     if (!members.length) continue;
     const box: Box = [
       boxes[4 * members[0]!]!,

@@ -84,7 +84,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
   return layers.labels ? symbols : symbols.map((symbol) => ({ ...symbol, texts: [] }));
 }
 
-/** Return the symbol of a load, none if it acts on the whole slab. */
+/** Return the symbol of a load, none if it acts on the entire slab. */
 function loadSymbol({ kind, points, ring, holes, footprint }: Load, text: string): PlanSymbol[] {
   const texts = text ? [plainSymbols(text)] : [];
   const load = { kind: "load", texts } as const;

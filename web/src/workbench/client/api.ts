@@ -1,6 +1,6 @@
 // The server's HTTP interface.
 
-import type { Change } from "../model/edits";
+import type { Change } from "../model/changes/edits";
 import { type Issue, issueLine } from "../model/issues";
 import type { Table } from "../model/paths";
 

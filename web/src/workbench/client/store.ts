@@ -1,7 +1,7 @@
 // The state of the page, and listeners to its changes. No elements here.
 
-import type { Change, Edit } from "../model/edits";
-import { applyOptimistic } from "../model/optimistic-edits";
+import type { Change, Edit } from "../model/changes/edits";
+import { applyOptimistic } from "../model/changes/optimistic-edits";
 import { type Path, samePath, type Table } from "../model/paths";
 import type { DocState } from "./api";
 

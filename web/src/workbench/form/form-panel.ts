@@ -10,7 +10,7 @@ import { heading, shortValue } from "./labels";
 import "./form.css";
 import { nodeWidget } from "./section";
 
-/** The sections in the order of thought: what there is, what acts, what is wanted, how it is computed. */
+/** The sections: what there is, what acts, what is output, how it is computed. */
 const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
   { title: "", keys: ["title"] },
   { title: "Slab", keys: ["plate", "columns", "supports"] },

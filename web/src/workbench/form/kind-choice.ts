@@ -1,10 +1,10 @@
 // The choice between the kinds of a table.
 import { fill, h, newId } from "../../viewer/shared/dom";
+import { switchKind } from "../model/changes/variants";
 import { issuesAt } from "../model/issues";
 import { titleAt } from "../model/items";
 import { type Path, pathKey, startsWith, tableAt } from "../model/paths";
 import type { Part } from "../model/schema";
-import { switchKind } from "../model/variants";
 import type { FormContext, Widget } from "./context";
 import { showIssues } from "./errors";
 

@@ -1,12 +1,12 @@
 // The slab's outline: a rectangle about the origin, or a shape that is drawn where it lies.
 
 import { h, newId } from "../../viewer/shared/dom";
-import type { Edit } from "../model/edits";
+import type { Edit } from "../model/changes/edits";
+import { outlineEdits } from "../model/changes/new-items";
+import { defaultPlacement } from "../model/changes/variants";
 import { readSides, ringOf } from "../model/geometry";
-import { outlineEdits } from "../model/new-items";
 import { type Path, pathKey, startsWith, type Table, tableAt } from "../model/paths";
 import { formatLength } from "../model/quantities";
-import { defaultPlacement } from "../model/variants";
 import type { FormContext, Widget } from "./context";
 import { valueField } from "./inputs/value-field";
 

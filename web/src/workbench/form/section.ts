@@ -1,10 +1,10 @@
 // A table of the case file: its fields, and the tables and lists in it.
 import { button, fill, h, newId } from "../../viewer/shared/dom";
+import { defaultPlacement } from "../model/changes/variants";
 import { defaultsFor } from "../model/defaults";
 import { issuesOfPart } from "../model/issues";
 import { type Path, pathKey, startsWith, tableAt, valueAt } from "../model/paths";
 import type { Field, Node, Part } from "../model/schema";
-import { defaultPlacement } from "../model/variants";
 import type { FormContext, Widget } from "./context";
 import { showIssues } from "./errors";
 import { valueField } from "./inputs/value-field";

@@ -1,7 +1,7 @@
 // Shapes in plan in meters: read from the case file, and written back as edits.
 
 import { type Box, boxAround } from "../../viewer/data/boxes";
-import type { Edit } from "./edits";
+import type { Edit } from "./changes/edits";
 import { isTable, type Json, type Path, valueAt } from "./paths";
 import { parseLength, parsePoint, parsePoints } from "./quantities";
 

@@ -2,7 +2,7 @@
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
-import type { Change } from "../model/edits";
+import type { Change } from "../model/changes/edits";
 import { type Path, startsWith, valueAt } from "../model/paths";
 import { Canvas } from "./canvas";
 import { Keyboard } from "./interaction/keyboard";

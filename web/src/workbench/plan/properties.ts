@@ -3,11 +3,11 @@ import { button, fill, h } from "../../viewer/shared/dom";
 import type { FormContext, Widget } from "../form/context";
 import { shapeEdits } from "../form/plate-shape";
 import { partWidget } from "../form/section";
-import type { Change } from "../model/edits";
+import type { Change } from "../model/changes/edits";
+import { duplicateItem } from "../model/changes/new-items";
+import { removeItem } from "../model/changes/references";
 import { titleAt } from "../model/items";
-import { duplicateItem } from "../model/new-items";
 import { type Path, pathKey, valueAt } from "../model/paths";
-import { removeItem } from "../model/references";
 
 export interface PropertyPanel extends Widget {
   /** Show the item at a path; null: the slab. */

@@ -1,5 +1,5 @@
 // The tools of the drawing, and what each takes from the pointer.
-import type { NewKind } from "../model/new-items";
+import type { NewKind } from "../model/changes/new-items";
 
 export type ToolName = "select" | NewKind;
 

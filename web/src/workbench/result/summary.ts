@@ -70,7 +70,7 @@ export function showSummary(
   );
 }
 
-/** What a certificate holds beside the ratios that tell how well the equations are fulfilled. */
+/** What a certificate holds beside the ratios that measure how well the equations are satisfied. */
 const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "too_large", "load", "reaction"]);
 
 /** Whether a ratio is above its limit. */

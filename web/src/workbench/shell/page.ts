@@ -7,7 +7,7 @@ import type { EditQueue } from "../client/edit-queue";
 import { type Store, TOPICS } from "../client/store";
 import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
-import type { Change } from "../model/edits";
+import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
 import { Schema } from "../model/schema";
 import { planEditor } from "../plan/plan-editor";

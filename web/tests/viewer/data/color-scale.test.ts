@@ -52,8 +52,8 @@ describe("a color scale", () => {
     expect(above![0]).toBeGreaterThan(above![2]); // red
     // as far from zero, as dark
     const even = makeScale(-100, 100, true);
-    const grey = ([red, green, blue]: number[]) => 0.3 * red! + 0.6 * green! + 0.1 * blue!;
-    expect(Math.abs(grey(colorOf(even, -75)) - grey(colorOf(even, 75)))).toBeLessThan(40);
+    const gray = ([red, green, blue]: number[]) => 0.3 * red! + 0.6 * green! + 0.1 * blue!;
+    expect(Math.abs(gray(colorOf(even, -75)) - gray(colorOf(even, 75)))).toBeLessThan(40);
   });
 
   it("goes from dark to light where it does not", () => {
@@ -75,7 +75,7 @@ describe("a color scale", () => {
     expect(colorOf(scale, -3)).toEqual(scale.under);
   });
 
-  it("ends where it was told to", () => {
+  it("ends at its limits", () => {
     const scale = makeScale(0, 87, false, [0, 87]);
     expect(scale.levels[0]).toBe(0);
     expect(scale.levels[scale.levels.length - 1]).toBe(87);

@@ -126,7 +126,7 @@ describe("fields of a scene", () => {
     ).toEqual(["largest", "smallest"]);
   });
 
-  it("tell which combination governs at a place", () => {
+  it("say which combination governs at a place", () => {
     expect(fieldValueAt(scene, locator, "largest:ultimate", "settlement", locator.locate(1, 1)!)).toEqual({
       value: expect.closeTo(7, 5) as number,
       from: 1,
@@ -164,7 +164,7 @@ describe("fields of a scene", () => {
     ]);
   });
 
-  it("have ends with places; those told by the scene come first", () => {
+  it("have ends with places; those of the scene come first", () => {
     expect(extremesOf(scene, 0, "settlement").max[0]).toBe(8);
     expect(extremesOf(scene, 0, "settlement").max[1]).toBe(8);
     const told = sceneOf(mesh, [{ name: "A", fields: { pressure: (x) => x } }]);

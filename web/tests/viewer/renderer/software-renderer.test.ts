@@ -51,7 +51,7 @@ describe("drawing without a graphics card", () => {
     expect(wrong).toBeLessThan(0.001 * width * height);
   });
 
-  it("leaves no pixel between neighbouring triangles", () => {
+  it("leaves no pixel between neighboring triangles", () => {
     // sides through the very middle of pixels, where rounding decides
     const plain = grid(30, 20, (x, y) => [30 * x, 20 * y]);
     const all = trianglesOf(plain);

@@ -25,7 +25,7 @@ class FakeEvents {
     this.closed = true;
   }
 
-  tell(name: string, about: object = {}): void {
+  send(name: string, about: object = {}): void {
     this.listeners.get(name)?.({ data: JSON.stringify(about) });
   }
 }
@@ -106,17 +106,17 @@ describe("the connection", () => {
     const api = new WholeApi(DATA);
     const { store, connection, events } = page(api);
     await connection.start();
-    const told: string[] = [];
-    store.on(["connection"], () => told.push(store.connection));
+    const changes: string[] = [];
+    store.on(["connection"], () => changes.push(store.connection));
     const first = events();
-    first.tell("error");
+    first.send("error");
     await settle();
-    expect(told).toEqual([]);
+    expect(changes).toEqual([]);
     expect(first.closed).toBe(true);
     expect(events()).not.toBe(first);
   });
 
-  it("tells which edits no longer make sense after someone else has changed the same part", async () => {
+  it("reports which edits no longer make sense after someone else has changed the same part", async () => {
     const api = new WholeApi(DATA);
     const { queue, connection, refused } = page(api);
     await connection.start();
@@ -150,11 +150,11 @@ describe("the connection", () => {
     const api = new WholeApi(DATA);
     const { store, connection, events } = page(api);
     await connection.start();
-    events().tell("solving", { run: 3, version: 1 });
-    events().tell("progress", { run: 3, text: "mesh 1", share: 0.25 });
-    events().tell("progress", { run: 2, text: "of an older run", share: 0.9 });
+    events().send("solving", { run: 3, version: 1 });
+    events().send("progress", { run: 3, text: "mesh 1", share: 0.25 });
+    events().send("progress", { run: 2, text: "of an older run", share: 0.9 });
     expect(store.run).toMatchObject({ kind: "solving", text: "mesh 1", share: 0.25 });
-    events().tell("solved", { run: 3, version: 1, seconds: 2 });
+    events().send("solved", { run: 3, version: 1, seconds: 2 });
     expect([store.run.kind, store.solved?.run]).toEqual(["idle", 3]);
     expect(freshness(store.solved, store.doc?.version, 0)).toBe("fresh");
     expect(freshness(store.solved, store.doc?.version, 1)).toBe("stale");

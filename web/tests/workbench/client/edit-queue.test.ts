@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 import type { DocState } from "../../../src/workbench/client/api";
 import { canMerge, EditQueue } from "../../../src/workbench/client/edit-queue";
-import type { Change } from "../../../src/workbench/model/edits";
+import type { Change } from "../../../src/workbench/model/changes/edits";
 import { sameValue, valueAt } from "../../../src/workbench/model/paths";
 import { FakeApi } from "../fake-api";
 
@@ -86,7 +86,7 @@ describe("the queue of edits", () => {
     expect(queue.waiting).toHaveLength(0);
   });
 
-  it("does an edit on a newer version where its part is untouched, and tells where it is not", async () => {
+  it("does an edit on a newer version where its part is untouched, and reports where it is not", async () => {
     const api = new FakeApi({ plate: { E: "30 GPa", nu: 0.2 } });
     const { queue, refused } = queueOn(api);
     api.elsewhere(set("E", "25 GPa"));

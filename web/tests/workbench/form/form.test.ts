@@ -3,10 +3,10 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { formPanel } from "../../../src/workbench/form/form-panel";
 import { summaryOf } from "../../../src/workbench/form/labels";
+import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
 import { issueSentence, issuesOfPart } from "../../../src/workbench/model/issues";
-import { applyOptimistic } from "../../../src/workbench/model/optimistic-edits";
 import { type Table, valueAt } from "../../../src/workbench/model/paths";
-import { fault, Page, PLATE } from "../form-page";
+import { makeIssue, Page, PLATE } from "../form-page";
 import { schema } from "../schema";
 
 beforeEach(() => void vi.useFakeTimers());
@@ -81,16 +81,16 @@ describe("a field", () => {
   });
 });
 
-describe("faults", () => {
-  it("stand at their field in words, with what was found, expected and how to mend it", () => {
+describe("issues", () => {
+  it("stand at their field in words, with what was found, expected and how to fix it", () => {
     const page = new Page(PLATE);
-    page.faults = [fault(["plate", "E"])];
+    page.faults = [makeIssue(["plate", "E"])];
     page.show(["plate"]);
     const field = page.field(["plate", "E"]);
     expect(field.querySelector(".messages")?.textContent).toBe(
       'Found "30", expected a pressure such as "30 MPa" — the unit is missing.',
     );
-    expect(issueSentence(fault(["x"], '"g"', "a load case", 'did you mean "G"?'))).toBe(
+    expect(issueSentence(makeIssue(["x"], '"g"', "a load case", 'did you mean "G"?'))).toBe(
       'Found "g", expected a load case — did you mean "G"?',
     );
     expect(page.input(["plate", "E"]).getAttribute("aria-invalid")).toBe("true");
@@ -100,12 +100,12 @@ describe("faults", () => {
     expect(page.input(["plate", "E"]).hasAttribute("aria-invalid")).toBe(false);
   });
 
-  it("of one value of a pair stand at the pair; of unknown keys and of a table as a whole at the table", () => {
+  it("of one value of a pair stand at the pair; of unknown keys and of a table itself at the table", () => {
     const page = new Page({ loads: [{ kind: "patch", q: "1 kPa", x: ["1", "2 m"], y: ["0 m", "1 m"] }] });
     page.faults = [
-      fault(["loads", 0, "x", 0]),
-      fault(["loads", 0, "colour"], '"red"', "no such key", ""),
-      fault(["loads", 0], "a load", "something else", ""),
+      makeIssue(["loads", 0, "x", 0]),
+      makeIssue(["loads", 0, "colour"], '"red"', "no such key", ""),
+      makeIssue(["loads", 0], "a load", "something else", ""),
     ];
     page.show(["loads", 0]);
     expect(page.field(["loads", 0, "x"]).classList.contains("faulty")).toBe(true);
@@ -122,7 +122,7 @@ describe("faults", () => {
         { kind: "point", P: "5" },
       ],
     });
-    page.faults = [fault(["loads", 1, "P"])];
+    page.faults = [makeIssue(["loads", 1, "P"])];
     const form = formPanel(page.ctx, { read: () => [], write: () => undefined });
     document.body.replaceChildren(form.element);
     form.update();

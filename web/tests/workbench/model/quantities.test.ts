@@ -1,6 +1,6 @@
 // Lengths as texts: read, moved, written back in the unit that stood there.
 import { describe, expect, it } from "vitest";
-import { applyOptimistic } from "../../../src/workbench/model/optimistic-edits";
+import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
 import {
   formatDecimals,
   formatLength,
@@ -63,7 +63,7 @@ describe("foreseen edits", () => {
     columns: [{ name: "A", x: "500 mm", y: "1 m" }],
   };
 
-  it("moves all places of a thing in their units", () => {
+  it("moves all places of an item in their units", () => {
     const moved = applyOptimistic(
       applyOptimistic(data, { op: "move", path: ["plate", "openings", 0], by: [0.5, -1] }),
       {

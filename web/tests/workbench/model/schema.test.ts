@@ -6,7 +6,7 @@ import type { Table } from "../../../src/workbench/model/paths";
 import { schema } from "../schema";
 
 describe("the schema", () => {
-  it("tells what each key is", () => {
+  it("says what each key is", () => {
     const plate = schema.part("Plate");
     const node = (name: string) => plate.fields.find((field) => field.name === name)?.node;
     expect(node("thickness")).toEqual({ is: "quantity", dimension: "length", example: "0.2 m" });

@@ -26,7 +26,7 @@ E = "1"
 `;
 
 describe("the pieces of a text", () => {
-  it("are the whole text, also of a broken one", () => {
+  it("are the entire text, also of a broken one", () => {
     for (const text of [TEXT, 'a = "open\nb = [1, {', "= ] }} '''\nx", '"""a\nb""" # c'])
       expect(
         tokenize(text)

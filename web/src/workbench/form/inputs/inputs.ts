@@ -2,9 +2,9 @@
 
 import { fill, h, newId } from "../../../viewer/shared/dom";
 import { debounce } from "../../client/debounce";
+import { referencedNames } from "../../model/changes/references";
 import { issuesAt } from "../../model/issues";
 import { type Json, type Path, pathKey, startsWith, valueAt } from "../../model/paths";
-import { referencedNames } from "../../model/references";
 import type { Field, Node } from "../../model/schema";
 import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
 import { showIssues } from "../errors";

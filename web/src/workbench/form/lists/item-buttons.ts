@@ -1,7 +1,7 @@
 // The buttons that copy and remove an item of a list.
-import { duplicateItem } from "../../model/new-items";
+import { duplicateItem } from "../../model/changes/new-items";
+import { removeItem } from "../../model/changes/references";
 import type { Path } from "../../model/paths";
-import { removeItem } from "../../model/references";
 import { iconButton } from "../../shell/icons";
 import type { FormContext } from "../context";
 

@@ -1,11 +1,11 @@
 // A list of tables: as rows of a table where its tables are flat, else as items that fold.
 import { button, fill, h } from "../../../viewer/shared/dom";
+import { defaultPlacement } from "../../model/changes/variants";
 import { defaultsFor } from "../../model/defaults";
 import { issuesOfList } from "../../model/issues";
 import { freeName, namesIn } from "../../model/names";
 import { isTable, type Json, listAt, type Path, pathKey, startsWith, type Table } from "../../model/paths";
 import type { Node, Part } from "../../model/schema";
-import { defaultPlacement } from "../../model/variants";
 import type { FormContext, Widget } from "../context";
 import { showIssues } from "../errors";
 import { kindChoice, kindText } from "../kind-choice";

@@ -1,6 +1,7 @@
 // What pointers do between press and release: moving, reshaping and drawing.
 import { withMinus } from "../../../viewer/data/numbers";
-import type { Addition, Change } from "../../model/edits";
+import type { Addition, Change } from "../../model/changes/edits";
+import { addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
 import {
   editsBetween,
   type Geometry,
@@ -12,7 +13,6 @@ import {
   ringOf,
 } from "../../model/geometry";
 import type { Item } from "../../model/items";
-import { addLine, addPoint, addShape, type DrawnShape } from "../../model/new-items";
 import type { Table } from "../../model/paths";
 import { formatDecimals, formatLength } from "../../model/quantities";
 import type { Tool } from "../tools";

@@ -1,10 +1,10 @@
 // The keyboard in the drawing.
 import type { Store } from "../../client/store";
-import type { Change } from "../../model/edits";
+import type { Change } from "../../model/changes/edits";
+import { duplicateItem } from "../../model/changes/new-items";
+import { removeItem } from "../../model/changes/references";
 import { editsBetween } from "../../model/geometry";
-import { duplicateItem } from "../../model/new-items";
 import { samePath } from "../../model/paths";
-import { removeItem } from "../../model/references";
 import type { Canvas } from "../canvas";
 import type { ToolBar } from "../tool-bar";
 import { toolForKey } from "../tools";

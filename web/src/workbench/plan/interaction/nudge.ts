@@ -1,5 +1,5 @@
 // Moving the selected item by keys: one edit for a series of steps.
-import type { Change } from "../../model/edits";
+import type { Change } from "../../model/changes/edits";
 import { moveGeometry } from "../../model/geometry";
 import type { Item } from "../../model/items";
 import type { Canvas } from "../canvas";

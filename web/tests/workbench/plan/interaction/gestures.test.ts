@@ -1,9 +1,9 @@
 // @vitest-environment happy-dom
 // The changes that dragging and drawing make.
 import { describe, expect, it } from "vitest";
+import { addPoint, addShape, outlineEdits } from "../../../../src/workbench/model/changes/new-items";
 import { itemsOf } from "../../../../src/workbench/model/items";
 import { freeName } from "../../../../src/workbench/model/names";
-import { addPoint, addShape, outlineEdits } from "../../../../src/workbench/model/new-items";
 import type { Table } from "../../../../src/workbench/model/paths";
 import { DrawGesture, MoveGesture, ReshapeGesture } from "../../../../src/workbench/plan/interaction/gestures";
 import { handlesOf } from "../../../../src/workbench/plan/interaction/handles";
@@ -14,7 +14,7 @@ describe("dragging", () => {
   const items = itemsOf(DATA, null);
   const column = items.find((item) => item.kind === "column")!;
 
-  it("is one edit that moves the thing and says so", () => {
+  it("is one edit that moves the item and says so", () => {
     const moving = new MoveGesture(column, [4.1, 1.05]);
     moving.moveTo(free([4.5, 1.2]));
     const preview = moving.moveTo(free([5, 1.25]));

@@ -1,12 +1,12 @@
 // @vitest-environment happy-dom
 // Switching the kind of a table.
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { readGeometry, ringOf } from "../../../src/workbench/model/geometry";
-import { applyOptimistic } from "../../../src/workbench/model/optimistic-edits";
-import { type Path, type Table, valueAt } from "../../../src/workbench/model/paths";
-import { defaultPlacement, switchKind } from "../../../src/workbench/model/variants";
-import { Page, PLATE } from "../form-page";
-import { schema } from "../schema";
+import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";
+import { defaultPlacement, switchKind } from "../../../../src/workbench/model/changes/variants";
+import { readGeometry, ringOf } from "../../../../src/workbench/model/geometry";
+import { type Path, type Table, valueAt } from "../../../../src/workbench/model/paths";
+import { Page, PLATE } from "../../form-page";
+import { schema } from "../../schema";
 
 beforeEach(() => void vi.useFakeTimers());
 

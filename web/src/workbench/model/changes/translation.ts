@@ -1,7 +1,7 @@
 // Moving an item of the case file: all of its places, in the units that are there.
 
-import { isTable, type Json } from "./paths";
-import { formatLike, parseLength } from "./quantities";
+import { isTable, type Json } from "../paths";
+import { formatLike, parseLength } from "../quantities";
 
 type Step = readonly [number, number];
 

@@ -1,11 +1,11 @@
 // Switching a table to another kind: what both kinds share stays, what the other needs is filled in.
 
-import { defaultsFor } from "./defaults";
+import { defaultsFor } from "../defaults";
+import { boundsOf, type Point, readGeometry, readSides, ringOf } from "../geometry";
+import { type Json, type Path, sameValue, type Table, tableAt, valueAt } from "../paths";
+import { formatLength } from "../quantities";
+import type { Field, Node, Part } from "../schema";
 import type { Edit } from "./edits";
-import { boundsOf, type Point, readGeometry, readSides, ringOf } from "./geometry";
-import { type Json, type Path, sameValue, type Table, tableAt, valueAt } from "./paths";
-import { formatLength } from "./quantities";
-import type { Field, Node, Part } from "./schema";
 
 /** Values that a switch of kind took away, by path and kind, to be put back by switching back. */
 export type Memory = Map<string, Table>;

@@ -1,10 +1,10 @@
 // @vitest-environment happy-dom
 // Names that other parts of the file refer to.
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { applyOptimistic } from "../../../src/workbench/model/optimistic-edits";
-import { type Table, valueAt } from "../../../src/workbench/model/paths";
-import { removeItem, renameReferences } from "../../../src/workbench/model/references";
-import { Page } from "../form-page";
+import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";
+import { removeItem, renameReferences } from "../../../../src/workbench/model/changes/references";
+import { type Table, valueAt } from "../../../../src/workbench/model/paths";
+import { Page } from "../../form-page";
 
 beforeEach(() => void vi.useFakeTimers());
 

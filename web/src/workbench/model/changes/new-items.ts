@@ -1,11 +1,11 @@
 // The changes that add what was drawn to the case file.
-import { defaultsFor } from "./defaults";
+import { defaultsFor } from "../defaults";
+import { isInside, type Point, type Ring } from "../geometry";
+import { footprintOf, titleAt } from "../items";
+import { freeName, namesIn } from "../names";
+import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
+import { formatLength, parseLength } from "../quantities";
 import type { Addition, Edit } from "./edits";
-import { isInside, type Point, type Ring } from "./geometry";
-import { footprintOf, titleAt } from "./items";
-import { freeName, namesIn } from "./names";
-import { isTable, type Json, listAt, type Path, type Table, tableAt } from "./paths";
-import { formatLength, parseLength } from "./quantities";
 
 /** What is added; slabs replace the one that is there. */
 export type NewKind =
