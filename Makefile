@@ -43,7 +43,7 @@ lint: $(VENV)/dev.stamp web/node_modules/.package-lock.json ## ruff, the order o
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
-	$(WITH_NODE); cd web && npm run --if-present lint
+	$(WITH_NODE); cd web && npm run lint
 
 types: $(VENV)/dev.stamp ## mypy, strict
 	$(BIN)/mypy

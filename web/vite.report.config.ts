@@ -1,7 +1,7 @@
 // The report's script and style: one file each, which groundslab writes into every report.
 import { defineConfig } from "vite";
 
-import { notice } from "./notice";
+import { notice } from "./notice.ts";
 
 export default defineConfig({
   build: {
@@ -9,6 +9,12 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     rolldownOptions: { output: { postBanner: notice } },
-    lib: { entry: "src/report/main.ts", formats: ["iife"], name: "groundslabReport", fileName: () => "report.js", cssFileName: "report" },
+    lib: {
+      entry: "src/report/main.ts",
+      formats: ["iife"],
+      name: "groundslabReport",
+      fileName: () => "report.js",
+      cssFileName: "report",
+    },
   },
 });

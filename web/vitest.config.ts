@@ -2,4 +2,7 @@
 import { defineConfig } from "vitest/config";
 
 // the schema and the examples of the program lie beside web/
-export default defineConfig({ test: { include: ["tests/**/*.test.ts"], environment: "node" }, server: { fs: { allow: [".."] } } });
+export default defineConfig({
+  test: { include: ["tests/**/*.test.ts"], environment: "node" },
+  server: { fs: { allow: [".."] } },
+});

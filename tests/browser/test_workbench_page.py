@@ -127,8 +127,8 @@ def test_the_keyboard_alone_moves_and_removes(server: Server, bench: Bench, case
     assert bench.page.locator(".last-edit").inner_text() == "remove column A1 and its load"
 
 
-def test_a_wrong_unit_is_told_at_its_field(server: Server, bench: Bench, case: Path) -> None:
-    """What was typed stays in the text to the letter; field and list of faults say what is wrong and how to mend it."""
+def test_a_wrong_unit_is_reported_at_its_field(server: Server, bench: Bench, case: Path) -> None:
+    """What was typed stays in the text to the letter; field and list of errors say what is wrong and how to fix it."""
     bench.open(server.start(case))
     bench.wait_solved()
     bench.tab("Form")
@@ -137,35 +137,35 @@ def test_a_wrong_unit_is_told_at_its_field(server: Server, bench: Bench, case: P
     message.filter(has_text="expected a length").wait_for()
     assert '"MPa" is no unit of a length' in message.inner_text()
     bench.wait_text('thickness = "250 MPa"  # as on the drawing')
-    assert bench.page.locator(".fault-count").inner_text() == "1 fault"
+    assert bench.page.locator(".issue-count").inner_text() == "1 error"
     assert "earlier state of the model" in bench.page.locator(".status-words").inner_text()
     # from another view the list leads back to the field
     bench.tab("Text")
-    assert "expected a length" in bench.page.locator(".line-fault").inner_text()
+    assert "expected a length" in bench.page.locator(".line-issue").inner_text()
     bench.tab("Plan")
-    bench.page.locator(".fault-list summary").click()
-    bench.page.locator(".fault-list li button").click()
+    bench.page.locator(".issue-list summary").click()
+    bench.page.locator(".issue-list li button").click()
     bench.fill("300 mm", "plate", "thickness")
     bench.wait_solved()
     bench.wait_text('thickness = "300 mm"  # as on the drawing')
     # all that was typed into one field in one go is one step
-    assert bench.page.locator(".fault-count").inner_text() == "No faults"
+    assert bench.page.locator(".issue-count").inner_text() == "No errors"
 
 
-def test_broken_text_can_be_mended_where_it_is_broken(server: Server, bench: Bench, case: Path) -> None:
+def test_broken_text_can_be_fixed_where_it_is_broken(server: Server, bench: Bench, case: Path) -> None:
     """While the text is no TOML, form and drawing show the last state and say why they cannot be edited."""
     bench.open(server.start(case))
     bench.tab("Text")
     area = bench.page.locator(".code-input")
     whole = area.input_value()
     area.fill(whole.replace("nu = 0.2", "nu = 0.2 0"))
-    bench.page.wait_for_selector(".line-fault")
+    bench.page.wait_for_selector(".line-issue")
     assert bench.page.locator(".code-gutter .bad").inner_text() == "8"
     bench.page.wait_for_selector(".broken:not([hidden])")
-    assert bench.page.locator('[data-kind="slab"]').count() == 1
+    assert bench.page.locator('svg.drawing [data-kind="slab"]').count() == 1
     area.fill(whole)
     bench.page.wait_for_selector(".broken", state="hidden")
-    assert bench.page.locator(".fault-count").inner_text() == "No faults"
+    assert bench.page.locator(".issue-count").inner_text() == "No errors"
 
 
 def test_nothing_is_lost_when_the_server_dies(server: Server, tabs: Any, case: Path) -> None:
@@ -187,10 +187,10 @@ def test_nothing_is_lost_when_the_server_dies(server: Server, tabs: Any, case: P
     other.page.goto(server.start(case, port))
     for each in (bench, other):
         each.page.get_by_role("dialog").get_by_text("Unsaved work was found").wait_for()
-    bench.page.get_by_role("button", name="Take them up").click()
+    bench.page.get_by_role("button", name="Restore").click()
     bench.wait_text('size = "0.05 m"', 'thickness = "275 mm"  # as on the drawing')
     bench.page.wait_for_selector(".banner", state="hidden")
-    other.page.get_by_role("button", name="Take them up").click()
+    other.page.get_by_role("button", name="Restore").click()
     other.page.wait_for_selector("svg.drawing[data-view]")
     other.wait_text('size = "0.05 m"', 'thickness = "275 mm"  # as on the drawing')
     bench.page.locator(".solve.solving").click()
@@ -208,7 +208,7 @@ def test_a_file_changed_by_others_is_replaced_only_when_asked(server: Server, be
     theirs = case.read_text()
     bench.page.keyboard.press("Control+s")
     dialog = bench.page.get_by_role("dialog")
-    dialog.get_by_role("button", name="Do not save").click()
+    dialog.get_by_role("button", name="Don't save").click()
     assert case.read_text() == theirs
     bench.page.keyboard.press("Control+s")
     dialog.get_by_role("button", name="Replace it").click()
@@ -242,7 +242,7 @@ def test_the_result_is_read_at_places_and_along_lines(server: Server, bench: Ben
     for share in (0.3, 0.7):
         page.mouse.click(box["x"] + box["width"] * share, box["y"] + box["height"] * 0.5)
     page.locator(".section-box canvas").first.wait_for()
-    assert "along" in page.locator(".chart-title").inner_text()
+    assert "along" in page.locator(".gs-chart-title").inner_text()
     place = page.locator(".value-box .gs-values-at").text_content()
     with page.expect_response(lambda answer: "/scene" in answer.url):
         bench.fill("400 mm", "plate", "thickness")
@@ -297,7 +297,7 @@ def test_closed_lines_are_no_areas(server: Server, bench: Bench, case: Path) -> 
     bench.open(server.start(case))
     fill = "element => getComputedStyle(element.querySelector('path')).fill"
     drawn = [
-        bench.page.locator(f"svg.drawing .thing[data-path='{path}']").evaluate(fill)
+        bench.page.locator(f"svg.drawing .symbol[data-path='{path}']").evaluate(fill)
         for path in ('["loads",1]', '["supports",0]', '["loads",2]')
     ]
     assert drawn[:2] == ["none", "none"]

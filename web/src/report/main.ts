@@ -1,9 +1,10 @@
 // The report's script: the viewer, where the page has a place for it. The page works without it.
-import { Viewer } from "../view/viewer";
-import { fromGzipBase64, SceneError, type Scene } from "../view/scene";
-import type { Choice } from "../view/fields";
-import { startTheme } from "../view/theme";
-import "../view/theme.css";
+
+import type { Choice } from "../viewer/data/fields";
+import { decodeGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
+import { Viewer } from "../viewer/panels/viewer";
+import { startTheme } from "../viewer/shared/theme";
+import "../viewer/shared/theme.css";
 import "./report.css";
 
 async function start(): Promise<void> {
@@ -13,36 +14,35 @@ async function start(): Promise<void> {
   if (!place || !packed?.textContent?.trim()) return;
   place.textContent = "Unpacking the results …";
   try {
-    const scene = await fromGzipBase64(packed.textContent);
+    const scene = await decodeGzipBase64(packed.textContent);
     packed.textContent = ""; // the text is no longer needed
     place.textContent = "";
-    const wanted = place.dataset["field"];
-    const combination = combinationOf(scene, place.dataset["combination"]);
-    const viewer = new Viewer(place, scene, {
-      themeSwitch: true, ...(wanted ? { field: wanted } : {}), ...(combination === undefined ? {} : { combination }),
-    });
-    follow(viewer, scene);
+    const { field, combination } = place.dataset;
+    const viewer = new Viewer(place, scene, field || undefined, choiceOf(scene, combination));
+    followLinks(viewer, scene);
   } catch (error) {
-    place.textContent = error instanceof SceneError ? error.message : `The viewer cannot start: ${String(error)}. All tables of this report hold without it.`;
+    place.textContent =
+      error instanceof SceneError
+        ? error.message
+        : `The viewer cannot start: ${String(error)}. The tables of this report do not need it.`;
     place.classList.add("viewer-failed");
   }
 }
 
-/** Elements with data-x and data-y lead to their place in the viewer, with data-field and data-combination if given. */
-function follow(viewer: Viewer, scene: Scene): void {
+/** Let elements with data-x and data-y lead to that point in the viewer, with data-field and data-combination if given. */
+function followLinks(viewer: Viewer, scene: Scene): void {
   document.addEventListener("click", (event) => {
     const link = event.target instanceof Element ? event.target.closest<HTMLElement>("[data-x][data-y]") : null;
     if (!link) return;
     event.preventDefault();
     const { x, y, field, combination } = link.dataset;
-    const choice = combinationOf(scene, combination) ?? viewer.shown.choice;
-    viewer.show(choice, field ?? viewer.shown.field, [Number(x), Number(y)]);
+    viewer.show(choiceOf(scene, combination), field, [Number(x), Number(y)]);
     viewer.element.scrollIntoView({ behavior: "smooth", block: "center" });
   });
 }
 
-/** Return a combination by its name, or an envelope by its words. */
-function combinationOf(scene: Scene, name: string | undefined): Choice | undefined {
+/** Return a combination by its name, or an envelope by its text. */
+function choiceOf(scene: Scene, name: string | undefined): Choice | undefined {
   if (!name) return undefined;
   const found = scene.head.combinations.findIndex((each) => each.name === name);
   if (found >= 0) return found;

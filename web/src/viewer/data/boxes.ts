@@ -1,0 +1,45 @@
+// Boxes around points and elements, in plan [m].
+import type { Mesh } from "./scene";
+
+export type Box = [x0: number, y0: number, x1: number, y1: number];
+
+const EMPTY: Readonly<Box> = [
+  Number.POSITIVE_INFINITY,
+  Number.POSITIVE_INFINITY,
+  Number.NEGATIVE_INFINITY,
+  Number.NEGATIVE_INFINITY,
+];
+
+/** Return the box around points; an inverted, infinite one if there are none. */
+export function boxAround(points: Iterable<readonly [number, number]>): Box {
+  const box: Box = [...EMPTY];
+  for (const [x, y] of points) extend(box, x, y, x, y);
+  return box;
+}
+
+/** Return the box around each element (x0, y0, x1, y1), enlarged by a share of its size, and the box around all. */
+export function elementBoxes(mesh: Mesh, margin = 0): { boxes: Float64Array; total: Box } {
+  const { nodes, elements, elementCount } = mesh;
+  const boxes = new Float64Array(4 * elementCount);
+  const total: Box = [...EMPTY];
+  const box: Box = [...EMPTY];
+  for (let e = 0; e < elementCount; e++) {
+    for (let k = 0; k < 4; k++) box[k] = EMPTY[k]!;
+    for (let k = 9 * e; k < 9 * e + 9; k++) {
+      const [x, y] = [nodes[2 * elements[k]!]!, nodes[2 * elements[k]! + 1]!];
+      extend(box, x, y, x, y);
+    }
+    const [dx, dy] = [margin * (box[2] - box[0]), margin * (box[3] - box[1])];
+    boxes.set([box[0] - dx, box[1] - dy, box[2] + dx, box[3] + dy], 4 * e);
+    extend(total, boxes[4 * e]!, boxes[4 * e + 1]!, boxes[4 * e + 2]!, boxes[4 * e + 3]!);
+  }
+  return { boxes, total };
+}
+
+/** Extend a box to contain another one. */
+export function extend(box: Box, x0: number, y0: number, x1: number, y1: number): void {
+  if (x0 < box[0]) box[0] = x0;
+  if (y0 < box[1]) box[1] = y0;
+  if (x1 > box[2]) box[2] = x1;
+  if (y1 > box[3]) box[3] = y1;
+}

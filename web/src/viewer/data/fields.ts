@@ -1,0 +1,286 @@
+// Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
+import type { LocalPoint, Locator } from "./point-location";
+import { type Combination, type Extreme, type Field, readBlock, type Scene } from "./scene";
+
+/** A combination by its index in the head, or an envelope over all certified combinations (of one limit state). */
+export type Choice = number | Envelope;
+export type Envelope = "largest" | "smallest" | `largest:${string}` | `smallest:${string}`;
+
+/** A field that can be shown, of the scene or derived of its moments. */
+export interface FieldInfo extends Field {
+  derived: boolean;
+}
+
+/** The field whose sign distinguishes contact (negative) from gap; never offered as a field. */
+export const CONTACT = "contact";
+const MOMENTS = ["moment_x", "moment_y", "moment_xy"] as const;
+
+/** Moments derived from m_x, m_y and m_xy; names as in the tables. */
+const DERIVED: readonly { name: string; symbol: string; meaning: string }[] = [
+  { name: "m_1", symbol: "m_1", meaning: "larger principal moment" },
+  { name: "m_2", symbol: "m_2", meaning: "smaller principal moment" },
+  {
+    name: "bottom_x",
+    symbol: "m_x bottom",
+    meaning: "design moment bottom x, for reinforcement along x (Wood and Armer)",
+  },
+  {
+    name: "bottom_y",
+    symbol: "m_y bottom",
+    meaning: "design moment bottom y, for reinforcement along y (Wood and Armer)",
+  },
+  { name: "top_x", symbol: "m_x top", meaning: "design moment top x, for reinforcement along x (Wood and Armer)" },
+  { name: "top_y", symbol: "m_y top", meaning: "design moment top y, for reinforcement along y (Wood and Armer)" },
+];
+
+/** Return the fields that can be shown: those of the scene, then what is derived of the moments. */
+export function fieldsOf(scene: Scene): FieldInfo[] {
+  const basic = scene.head.fields
+    .filter((field) => field.name !== CONTACT)
+    .map((field) => ({ ...field, derived: false }));
+  const moment = basic.find((field) => field.name === MOMENTS[0]);
+  if (!moment || !MOMENTS.every((name) => basic.some((field) => field.name === name))) return basic;
+  const averaged = "derived from m_x, m_y and m_xy at the nodes";
+  return [...basic, ...DERIVED.map((each) => ({ ...each, unit: moment.unit, averaged, signed: true, derived: true }))];
+}
+
+/** Where a field is smallest and largest: value, x, y. */
+export interface FieldExtremes {
+  min: Extreme;
+  max: Extreme;
+}
+
+/** Return where a field of a combination or an envelope is smallest and largest at nodes. */
+export function extremesOf(scene: Scene, choice: Choice, name: string): FieldExtremes {
+  const of = nodalValues(scene, choice, name);
+  const given = isEnvelope(choice) ? undefined : scene.head.combinations[choice]?.extremes[name];
+  const { min, max, minNode, maxNode } = findExtremes(of);
+  const at = (node: number): [number, number] => [scene.mesh.nodes[2 * node]!, scene.mesh.nodes[2 * node + 1]!];
+  return { min: given?.min ?? [min, ...at(minNode)], max: given?.max ?? [max, ...at(maxNode)] };
+}
+
+/** Return the largest line force along the plate's edges in a combination or an envelope [kN/m], if there is any. */
+export function lineForceOf(scene: Scene, choice: Choice): Extreme | null {
+  const found = combinationsOf(scene, choice)
+    .map((each) => scene.head.combinations[each]?.extremes.line_force?.max)
+    .filter((each) => each !== undefined);
+  return found.length ? found.reduce((most, each) => (each[0] > most[0] ? each : most)) : null;
+}
+
+/** Return what is known of a field by its name. */
+export function fieldOf(scene: Scene, name: string): FieldInfo {
+  const found = fieldsOf(scene).find((field) => field.name === name);
+  if (!found) throw new RangeError(`no field ${name}`);
+  return found;
+}
+
+/** Return the principal moments m_1 >= m_2 by Mohr's circle. */
+export function principalMoments(mx: number, my: number, mxy: number): [number, number] {
+  const [middle, radius] = [(mx + my) / 2, Math.hypot((mx - my) / 2, mxy)];
+  return [middle + radius, middle - radius];
+}
+
+/** Return the direction of the strips that m_1 bends, from x [degrees]. */
+export function principalDirection(mx: number, my: number, mxy: number): number {
+  return (Math.atan2(2 * mxy, mx - my) * 90) / Math.PI;
+}
+
+/** Return the design moments along x and y at the bottom, >= 0 (Wood 1968, Armer 1968), sagging positive. */
+export function designMoments(mx: number, my: number, mxy: number): [number, number] {
+  const twist = Math.abs(mxy);
+  const [x, y] = [mx + twist, my + twist];
+  // where one of them would be negative it is none, and the other grows by the twist that is left to it alone
+  if (x < 0 && y < 0) return [0, 0];
+  if (x < 0) return [0, Math.max(my + (mxy * mxy) / Math.abs(mx), 0)];
+  if (y < 0) return [Math.max(mx + (mxy * mxy) / Math.abs(my), 0), 0];
+  return [x, y];
+}
+
+/** Return one derived moment of m_x, m_y and m_xy. */
+export function deriveMoment(name: string, mx: number, my: number, mxy: number): number {
+  switch (name) {
+    case "m_1":
+      return principalMoments(mx, my, mxy)[0];
+    case "m_2":
+      return principalMoments(mx, my, mxy)[1];
+    case "bottom_x":
+      return designMoments(mx, my, mxy)[0];
+    case "bottom_y":
+      return designMoments(mx, my, mxy)[1];
+    case "top_x":
+      return 0 - designMoments(-mx, -my, mxy)[0];
+    case "top_y":
+      return 0 - designMoments(-mx, -my, mxy)[1];
+    default:
+      throw new RangeError(`no derived field ${name}`);
+  }
+}
+
+/** Whether a choice is an envelope. */
+export function isEnvelope(choice: Choice): choice is Envelope {
+  return typeof choice !== "number";
+}
+
+/** Return the combinations that have values to show. */
+export function shown(scene: Scene): Combination[] {
+  return scene.head.combinations.filter((each) => each.values !== null);
+}
+
+/** Return the indices of the combinations that an envelope goes over: certified, with values, of its limit state. */
+export function combinationsOf(scene: Scene, choice: Choice): number[] {
+  if (!isEnvelope(choice)) return [choice];
+  const [, state] = splitEnvelope(choice);
+  return scene.head.combinations.flatMap((each, i) =>
+    each.values !== null && each.certified && (state === null || each.limit_state === state) ? [i] : [],
+  );
+}
+
+/** Return the envelopes that a scene offers: none of one combination, one pair for each limit state that has several. */
+export function envelopesOf(scene: Scene): Envelope[] {
+  const all = combinationsOf(scene, "largest").map((i) => scene.head.combinations[i]!.limit_state);
+  if (all.length < 2) return [];
+  const states = [...new Set(all)];
+  if (states.length === 1) return ["largest", "smallest"];
+  const several = states.filter((state) => all.filter((each) => each === state).length > 1);
+  return [...several.flatMap((state): Envelope[] => [`largest:${state}`, `smallest:${state}`]), "largest", "smallest"];
+}
+
+/** Return the name of a choice. */
+export function choiceName(scene: Scene, choice: Choice): string {
+  const { combinations } = scene.head;
+  if (isEnvelope(choice)) {
+    const [which, state] = splitEnvelope(choice);
+    return `${which === "largest" ? "max" : "min"} of all ${state === null ? "" : `${state} `}combinations`;
+  }
+  const one = combinations[choice];
+  return one ? (combinations.length > 1 ? `${one.number} ${one.name}` : one.name) : "";
+}
+
+/** Return a choice from its text, as a select element keeps it. */
+export function parseChoice(text: string): Choice {
+  return /^\d+$/.test(text) ? Number(text) : (text as Envelope);
+}
+
+/** Return nodal values of a field, of a combination or an envelope; kept for the next time. */
+export function nodalValues(scene: Scene, choice: Choice, name: string): Float32Array {
+  const key = `${choice} ${name}`;
+  const kept = cacheOf(scene);
+  const before = kept.get(key);
+  if (before) {
+    // the most lately used are kept longest
+    kept.delete(key);
+    kept.set(key, before);
+    return before;
+  }
+  const made = isEnvelope(choice) ? envelopeValues(scene, choice, name) : combinationValues(scene, choice, name);
+  kept.set(key, made);
+  for (const [oldest, array] of kept) {
+    if (sizeOf(kept) <= MOST_BYTES || array === made) break;
+    kept.delete(oldest);
+  }
+  return made;
+}
+
+/** A value at a place, and the combination (index) that it comes from. */
+export interface FieldValue {
+  value: number;
+  from: number;
+}
+
+/** Return the value of a field at a place: of a combination, or the extreme over an envelope's combinations there. */
+export function fieldValueAt(
+  scene: Scene,
+  locator: Locator,
+  choice: Choice,
+  name: string,
+  spot: LocalPoint,
+): FieldValue {
+  let found: FieldValue = { value: NaN, from: -1 };
+  const largest = !isEnvelope(choice) || splitEnvelope(choice)[0] === "largest";
+  for (const from of combinationsOf(scene, choice)) {
+    const value = interpolateField(scene, locator, from, name, spot);
+    if (found.from < 0 || (largest ? value > found.value : value < found.value)) found = { value, from };
+  }
+  return found;
+}
+
+/** Return whether a place is in contact; in an envelope, whether it is in all of its combinations. */
+export function isInContact(scene: Scene, locator: Locator, choice: Choice, spot: LocalPoint): boolean | null {
+  if (!scene.head.fields.some((field) => field.name === CONTACT)) return null;
+  return combinationsOf(scene, choice).every(
+    (from) => locator.interpolate(nodalValues(scene, from, CONTACT), spot) < 0,
+  );
+}
+
+/** Return the smallest and largest of nodal values and their nodes. */
+export function findExtremes(of: Float32Array): { min: number; max: number; minNode: number; maxNode: number } {
+  let [minNode, maxNode] = [0, 0];
+  for (let i = 1; i < of.length; i++) {
+    if (of[i]! < of[minNode]!) minNode = i;
+    if (of[i]! > of[maxNode]!) maxNode = i;
+  }
+  return { min: of[minNode] ?? NaN, max: of[maxNode] ?? NaN, minNode, maxNode };
+}
+
+const MOST_BYTES = 256e6;
+const CACHES = new WeakMap<Scene, Map<string, Float32Array>>();
+
+function cacheOf(scene: Scene): Map<string, Float32Array> {
+  const cache = CACHES.get(scene) ?? new Map<string, Float32Array>();
+  CACHES.set(scene, cache);
+  return cache;
+}
+
+function sizeOf(kept: Map<string, Float32Array>): number {
+  let sum = 0;
+  for (const array of kept.values()) sum += array.byteLength;
+  return sum;
+}
+
+function splitEnvelope(choice: Envelope): ["largest" | "smallest", string | null] {
+  const at = choice.indexOf(":");
+  const which = (at < 0 ? choice : choice.slice(0, at)) as "largest" | "smallest";
+  return [which, at < 0 ? null : choice.slice(at + 1)];
+}
+
+function isDerived(name: string): boolean {
+  return DERIVED.some((each) => each.name === name);
+}
+
+function combinationValues(scene: Scene, index: number, name: string): Float32Array {
+  if (isDerived(name)) {
+    const [mx, my, mxy] = MOMENTS.map((moment) => nodalValues(scene, index, moment)) as [
+      Float32Array,
+      Float32Array,
+      Float32Array,
+    ];
+    return mx.map((value, i) => deriveMoment(name, value, my[i]!, mxy[i]!));
+  }
+  const of = scene.head.combinations[index]?.values?.[name];
+  if (!of) throw new RangeError(`no values of ${name} in combination ${index}`);
+  return readBlock(scene, of);
+}
+
+function envelopeValues(scene: Scene, choice: Envelope, name: string): Float32Array {
+  const of = combinationsOf(scene, choice);
+  if (!of.length) throw new RangeError("no combination for this envelope");
+  // a place counts as lifted if it is in any of the combinations
+  const largest = name === CONTACT || splitEnvelope(choice)[0] === "largest";
+  const result = combinationValues(scene, of[0]!, name).slice();
+  for (const index of of.slice(1)) {
+    const other = combinationValues(scene, index, name);
+    for (let i = 0; i < result.length; i++)
+      if (largest ? other[i]! > result[i]! : other[i]! < result[i]!) result[i] = other[i]!;
+  }
+  return result;
+}
+
+function interpolateField(scene: Scene, locator: Locator, index: number, name: string, spot: LocalPoint): number {
+  if (!isDerived(name)) return locator.interpolate(nodalValues(scene, index, name), spot);
+  const [mx, my, mxy] = MOMENTS.map((moment) => locator.interpolate(nodalValues(scene, index, moment), spot)) as [
+    number,
+    number,
+    number,
+  ];
+  return deriveMoment(name, mx, my, mxy);
+}

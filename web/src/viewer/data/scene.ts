@@ -1,0 +1,230 @@
+// One solved model as the browser gets it: a JSON head, and blocks of numbers behind it.
+
+export type Point = [number, number];
+export type Ring = Point[];
+
+export interface Block {
+  offset: number; // bytes, in the data
+  shape: number[];
+  type: "u8" | "u16" | "u32" | "i32" | "f32";
+  scale: number; // value = scale * raw + shift
+  shift: number;
+}
+
+export interface Opening {
+  path: string;
+  ring: Ring;
+}
+export interface Zone {
+  path: string;
+  ring: Ring;
+  thickness: number;
+  name?: string;
+}
+export interface Column {
+  path: string;
+  name: string;
+  x: number;
+  y: number;
+  ring: Ring;
+}
+export interface Support {
+  path: string;
+  name: string;
+  kind: "point" | "line";
+  points: Point[];
+  acts: string;
+  elastic: boolean;
+}
+export interface Load {
+  path: string;
+  name: string;
+  kind: string; // point, line, patch, area, uniform, self weight, ...
+  case: string;
+  points?: Point[];
+  ring?: Ring;
+  holes?: Ring[]; // of a loaded area
+  footprint?: Ring; // of a point load that has one
+  parts: [string, number, string][]; // symbol, value without factor, unit
+  varies?: boolean; // whether the pressure varies over the area
+}
+export interface Place {
+  path: string;
+  name: string;
+  x: number;
+  y: number;
+}
+export interface Area {
+  path: string;
+  ring: Ring;
+}
+export interface Line {
+  path: string;
+  name: string;
+  start: Point;
+  end: Point;
+}
+export interface Strip extends Line {
+  width: number;
+}
+
+export interface Plan {
+  bounds: [number, number, number, number]; // x0, y0, x1, y1 of the plate [m]
+  outline: Ring;
+  thickness?: number; // [m] outside all zones
+  openings: Opening[];
+  zones: Zone[];
+  columns: Column[];
+  supports: Support[];
+  loads: Load[];
+  boreholes: Place[];
+  soil_zones: Area[];
+  voids: Area[];
+  lines: Line[];
+  strips: Strip[];
+  points: Place[];
+}
+
+export interface Field {
+  name: string;
+  symbol: string;
+  unit: string;
+  meaning: string;
+  averaged: string;
+  signed: boolean;
+}
+
+export type Extreme = [value: number, x: number, y: number];
+
+interface Range {
+  min: Extreme;
+  max: Extreme;
+}
+
+export interface Combination {
+  name: string;
+  number: number;
+  limit_state: string;
+  factors: [string, number][];
+  refused: string | null;
+  certified: boolean;
+  values: Record<string, Block> | null;
+  extremes: Record<string, Range>; // of "line_force" along the plate's edges, where the ground has one
+}
+
+export interface Head {
+  format: number;
+  title: string;
+  version: string;
+  plan: Plan;
+  mesh: { nodes: Block; elements: Block; section?: Block };
+  fields: Field[];
+  combinations: Combination[];
+  left_out: string[];
+}
+
+/** Nine-node quadrilaterals: four corners, four midsides, center, counter-clockwise. */
+export interface Mesh {
+  nodes: Float32Array; // x, y of each node [m]
+  elements: Uint32Array; // nine nodes of each element
+  section: Uint16Array | null; // of each element: 0 outside all zones, else the zone's number
+  nodeCount: number;
+  elementCount: number;
+}
+
+export interface Scene {
+  head: Head;
+  data: ArrayBuffer;
+  start: number; // of the data in the buffer [bytes]
+  mesh: Mesh;
+}
+
+/** A scene that cannot be read, with the reason in words for the user. */
+export class SceneError extends Error {}
+
+const FORMAT = 2;
+const BYTES = { u8: 1, u16: 2, u32: 4, i32: 4, f32: 4 } as const;
+
+/** Read a packed scene: 4 bytes length, JSON, padding to a multiple of 8, data. */
+export function decodeScene(buffer: ArrayBuffer): Scene {
+  if (buffer.byteLength < 4) throw new SceneError("The results are empty.");
+  const length = new DataView(buffer).getUint32(0, true);
+  if (4 + length > buffer.byteLength) throw new SceneError("The results are cut off.");
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))) as Head;
+  if (head.format !== FORMAT)
+    throw new SceneError(`The results have format ${head.format}; this page reads format ${FORMAT}.`);
+  const start = Math.ceil((4 + length) / 8) * 8;
+  const nodes = readNumbers(buffer, start, head.mesh.nodes);
+  const raw = readRaw(buffer, start, head.mesh.elements);
+  const elements = raw instanceof Uint32Array ? raw : Uint32Array.from(raw);
+  const nodeCount = nodes.length / 2;
+  for (const node of elements)
+    if (node >= nodeCount) throw new SceneError("The results are damaged: an element names a node that is not there.");
+  const section = head.mesh.section ? Uint16Array.from(readRaw(buffer, start, head.mesh.section)) : null;
+  return {
+    head,
+    data: buffer,
+    start,
+    mesh: { nodes, elements, section, nodeCount, elementCount: elements.length / 9 },
+  };
+}
+
+/** Read base64 of a gzipped packed scene, as a report holds it. */
+export async function decodeGzipBase64(text: string): Promise<Scene> {
+  if (typeof DecompressionStream === "undefined")
+    throw new SceneError(
+      "This browser is too old to unpack the results (it has no DecompressionStream). A version from 2023 or later can.",
+    );
+  const bytes = decodeBase64(text);
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  let buffer: ArrayBuffer;
+  try {
+    buffer = await new Response(unpacked).arrayBuffer();
+  } catch {
+    throw new SceneError("The results in this file are damaged: they cannot be unpacked.");
+  }
+  return decodeScene(buffer);
+}
+
+/** Return the numbers of a block, in its own units. */
+export function readBlock(scene: Scene, of: Block): Float32Array {
+  return readNumbers(scene.data, scene.start, of);
+}
+
+function readNumbers(buffer: ArrayBuffer, start: number, of: Block): Float32Array {
+  const raw = readRaw(buffer, start, of);
+  if (raw instanceof Float32Array && of.scale === 1 && of.shift === 0) return raw;
+  const values = new Float32Array(raw.length);
+  const { scale, shift } = of;
+  for (let i = 0; i < raw.length; i++) values[i] = scale * raw[i]! + shift;
+  return values;
+}
+
+function readRaw(
+  buffer: ArrayBuffer,
+  start: number,
+  of: Block,
+): Uint8Array | Uint16Array | Uint32Array | Int32Array | Float32Array {
+  const count = of.shape.reduce((product, side) => product * side, 1);
+  const offset = start + of.offset;
+  if (offset + count * BYTES[of.type] > buffer.byteLength) throw new SceneError("The results are cut off.");
+  switch (of.type) {
+    case "u8":
+      return new Uint8Array(buffer, offset, count);
+    case "u16":
+      return new Uint16Array(buffer, offset, count);
+    case "u32":
+      return new Uint32Array(buffer, offset, count);
+    case "i32":
+      return new Int32Array(buffer, offset, count);
+    case "f32":
+      return new Float32Array(buffer, offset, count);
+  }
+}
+
+function decodeBase64(text: string): Uint8Array<ArrayBuffer> {
+  const letters = atob(text.replace(/\s+/g, ""));
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}

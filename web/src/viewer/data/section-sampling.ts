@@ -1,0 +1,101 @@
+// Values of a field along a straight line through the plate.
+import { type Choice, fieldValueAt } from "./fields";
+import type { LocalPoint, Locator } from "./point-location";
+import type { Point, Scene } from "./scene";
+
+/** Where a line was sampled: distances from its start [m], and where in the mesh, null off the plate. */
+export interface Samples {
+  start: Point;
+  end: Point;
+  s: number[];
+  spots: (LocalPoint | null)[];
+}
+
+const BISECTIONS = 22;
+
+/**
+ * Return samples along a line: evenly, and on both sides of every border between elements that it crosses.
+ *
+ * So kinks, jumps where the thickness changes, and edges of openings are where they are.
+ */
+export function sampleLine(locator: Locator, start: Point, end: Point, count = 400): Samples {
+  const length = Math.hypot(end[0] - start[0], end[1] - start[1]);
+  const at = (part: number) =>
+    locator.locate(start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1]));
+  const parts: number[] = [];
+  const spots: (LocalPoint | null)[] = [];
+  const keep = (part: number, spot: LocalPoint | null) => {
+    parts.push(part);
+    spots.push(spot);
+  };
+  // walk from a to b, which lie in different elements, by halving until the border between them is found
+  const border = (a: number, inA: LocalPoint | null, b: number, inB: LocalPoint | null, left: number): void => {
+    if (inA?.element === inB?.element) return;
+    if (left === 0) {
+      keep(a, inA);
+      keep(b, inB);
+      return;
+    }
+    const middle = (a + b) / 2;
+    const inMiddle = at(middle);
+    border(a, inA, middle, inMiddle, left - 1);
+    border(middle, inMiddle, b, inB, left - 1);
+  };
+  let before = at(0);
+  keep(0, before);
+  for (let i = 1; i <= count; i++) {
+    const spot = at(i / count);
+    border((i - 1) / count, before, i / count, spot, BISECTIONS);
+    keep(i / count, spot);
+    before = spot;
+  }
+  // a border that falls on an even sample is met twice
+  const once = parts.map((part, i) => i === 0 || part > parts[i - 1]!);
+  return {
+    start,
+    end,
+    s: parts.filter((_, i) => once[i]).map((part) => part * length),
+    spots: spots.filter((_, i) => once[i]),
+  };
+}
+
+/** Return a field along a line, null off the plate. */
+export function sampleField(
+  scene: Scene,
+  locator: Locator,
+  choice: Choice,
+  field: string,
+  samples: Samples,
+): (number | null)[] {
+  return samples.spots.map((spot) => (spot ? fieldValueAt(scene, locator, choice, field, spot).value : null));
+}
+
+/** The smallest and largest value along a line, with their distances from its start; null if it misses the plate. */
+export function findPeaks(
+  s: readonly number[],
+  y: readonly (number | null)[],
+): { min: [number, number]; max: [number, number] } | null {
+  let min: [number, number] | null = null;
+  let max: [number, number] | null = null;
+  y.forEach((value, i) => {
+    if (value === null) return;
+    if (!min || value < min[1]) min = [s[i]!, value];
+    if (!max || value > max[1]) max = [s[i]!, value];
+  });
+  return min && max ? { min, max } : null;
+}
+
+/** Return the ends of the axis of values: with zero unless all values are far from it. */
+export function axisLimits(low: number | null, high: number | null): [number, number] {
+  let [from, to] = [low ?? 0, high ?? 0];
+  if (from > 0 && from < 0.7 * to) from = 0;
+  if (to < 0 && to > 0.7 * from) to = 0;
+  if (from === to) return [from - (0.1 * Math.abs(from) || 1), to + (0.1 * Math.abs(to) || 1)];
+  const rim = 0.08 * (to - from);
+  return [from === 0 ? 0 : from - rim, to === 0 ? 0 : to + rim];
+}
+
+/** Settlements and moments are drawn downwards, as the plate settles and where its face is in tension. */
+export function pointsDownward(field: string): boolean {
+  return field === "settlement" || field.startsWith("moment") || /^(m_|bottom|top)/.test(field);
+}

@@ -1,0 +1,248 @@
+// A result as a picture: which field of which combination, in plan or in space, with its color scale.
+import {
+  type Choice,
+  choiceName,
+  type Envelope,
+  envelopesOf,
+  fieldOf,
+  fieldsOf,
+  fieldValueAt,
+  isEnvelope,
+  parseChoice,
+} from "../data/fields";
+import { formatNumber, withMinus } from "../data/numbers";
+import { Locator } from "../data/point-location";
+import type { Point, Scene } from "../data/scene";
+import type { ScaleRange, ShownField } from "../data/shown-field";
+import { PlanView, type Tool } from "../plan/plan-view";
+import { button, fill, h, press, setText } from "../shared/dom";
+import { symbolText } from "../shared/symbols";
+import { onThemeChange } from "../shared/theme";
+import { SpaceView } from "../space/space-view";
+import { Legend } from "./legend";
+import "./result-view.css";
+
+type Mode = "plan" | "space";
+
+export interface ResultViewHooks {
+  /** A point was picked. */
+  onPick(at: Point): void;
+  /** A section was cut between two points. */
+  onSection(start: Point, end: Point): void;
+  /** Another field or combination is shown. */
+  onShow(): void;
+}
+
+/** What is looked at, kept while results change. */
+export class ResultView {
+  readonly plan: PlanView;
+  space: SpaceView | null = null; // made when it is first used
+  scene: Scene | null = null;
+  locator: Locator | null = null;
+  choice: Choice = 0;
+  field = "";
+  mode: Mode = "plan";
+  /** The scale of what is shown. */
+  shown: ShownField | null = null;
+  readonly fields = h("select", { "aria-label": "Field", class: "field-choice" });
+  readonly combinations = h("select", { "aria-label": "Combination", class: "combination-choice" });
+  readonly toolGroup: HTMLElement;
+  readonly modeGroup: HTMLElement;
+  readonly fitButton = button("Fit", "Show the entire plate (0)", () => this.fit());
+  /** Beside the picture: the scale. */
+  readonly scaleBox = h("div", { class: "gs-scale" });
+  /** The picture. */
+  readonly element: HTMLElement;
+  private readonly planBox = h("div", { class: "gs-box" });
+  private readonly spaceBox = h("div", { class: "gs-box", hidden: true });
+  private readonly reading = h("div", { class: "gs-reading", "aria-hidden": "true" });
+  private readonly legend: Legend;
+  private readonly tools: Record<Tool, HTMLButtonElement>;
+  private readonly modes: Record<Mode, HTMLButtonElement>;
+  private range: ScaleRange = "auto";
+  private name = ""; // of the combination, so that it stays chosen when their order changes
+
+  /** `offerRefused`: whether combinations without values can be chosen. */
+  constructor(
+    private readonly hooks: ResultViewHooks,
+    private readonly offerRefused = false,
+  ) {
+    this.tools = {
+      pan: button("Pan", "Drag to move, turn the wheel or pinch to zoom", () => this.setTool("pan")),
+      pick: button("Pick", "Click on the plate to read all values there", () => this.setTool("pick")),
+      section: button("Section", "Click two points to cut a section; with Shift along x or y", () =>
+        this.setTool("section"),
+      ),
+    };
+    this.modes = {
+      plan: button("Plan", "The plate seen from above", () => this.setMode("plan")),
+      space: button("3-D", "The bent plate in space", () => this.setMode("space")),
+    };
+    this.toolGroup = h("div", { class: "gs-group", role: "group", "aria-label": "Tool" }, ...Object.values(this.tools));
+    this.modeGroup = h("div", { class: "gs-group", role: "group", "aria-label": "View" }, ...Object.values(this.modes));
+    this.element = h("div", { class: "gs-stage" }, this.planBox, this.spaceBox, this.reading);
+    this.plan = new PlanView(this.planBox);
+    this.legend = new Legend(this.scaleBox);
+    this.plan.onShow = (shown) => this.showLegend(shown);
+    this.plan.onPick = (at) => hooks.onPick(at);
+    this.plan.onSection = (start, end) => hooks.onSection(start, end);
+    this.plan.onHover = (at) => this.read(at);
+    this.fields.addEventListener("change", () => this.show(this.choice, this.fields.value));
+    this.combinations.addEventListener("change", () => this.show(parseChoice(this.combinations.value), this.field));
+    onThemeChange((theme) => {
+      this.plan.setTheme(theme);
+      this.space?.setTheme(theme);
+    });
+    this.setTool("pick");
+    press(this.modes, "plan");
+  }
+
+  /** Show a scene; zoom, field and combination stay as far as it has them. */
+  setScene(scene: Scene, field = this.field, choice = this.matchingChoice(scene)): void {
+    this.scene = scene;
+    this.locator = new Locator(scene.mesh);
+    this.plan.setScene(scene);
+    this.space?.setScene(scene);
+    fillFields(this.fields, scene);
+    fillCombinations(this.combinations, scene, this.offerRefused);
+    const firstField = fieldsOf(scene)[0]?.name ?? "";
+    const firstChoice = [...this.combinations.options].find(
+      (each) => each.dataset.empty === undefined && /^\d+$/.test(each.value),
+    );
+    const wanted =
+      choice === undefined
+        ? undefined
+        : [...this.combinations.options].find((each) => each.value === String(choice) && !each.disabled);
+    const found = wanted ?? firstChoice;
+    this.show(
+      found ? parseChoice(found.value) : 0,
+      fieldsOf(scene).some((each) => each.name === field) ? field : firstField,
+    );
+  }
+
+  /** Show nothing. */
+  clear(): void {
+    this.scene = null;
+    this.locator = null;
+    this.name = "";
+    this.plan.setScene(null);
+    this.plan.setPlan(null);
+    this.plan.mark("pick", null);
+    this.plan.mark("section", null);
+    this.space?.setScene(null);
+  }
+
+  /** Show a field of a combination or an envelope. */
+  show(choice: Choice, field: string): void {
+    const { scene } = this;
+    if (!scene) return;
+    if (!isEnvelope(choice)) this.name = scene.head.combinations[choice]?.name ?? "";
+    this.choice = choice;
+    this.field = field;
+    this.combinations.value = String(choice);
+    this.fields.value = field;
+    this.fields.title = fieldOf(scene, field).meaning;
+    this.combinations.title = choiceName(scene, choice);
+    if (isEnvelope(choice) || scene.head.combinations[choice]?.values) this.view().show(choice, field);
+    this.hooks.onShow();
+  }
+
+  setRange(range: ScaleRange): void {
+    this.range = range;
+    this.plan.setRange(range);
+    this.space?.setRange(range);
+  }
+
+  setTool(tool: Tool): void {
+    this.plan.setTool(tool);
+    press(this.tools, tool);
+  }
+
+  fit(): void {
+    this.view().fit();
+  }
+
+  private setMode(mode: Mode): void {
+    this.mode = mode;
+    press(this.modes, mode);
+    for (const each of Object.values(this.tools)) each.disabled = mode === "space";
+    this.planBox.hidden = mode !== "plan";
+    this.spaceBox.hidden = mode !== "space";
+    if (mode === "space" && !this.space) {
+      this.space = new SpaceView(this.spaceBox);
+      this.space.onShow = (shown) => this.showLegend(shown);
+      this.space.setRange(this.range);
+      this.space.setScene(this.scene);
+    }
+    this.show(this.choice, this.field);
+  }
+
+  private view(): PlanView | SpaceView {
+    return this.mode === "space" && this.space ? this.space : this.plan;
+  }
+
+  /** Return the choice that stands for the present one in another scene. */
+  private matchingChoice(scene: Scene): Choice | undefined {
+    if (isEnvelope(this.choice)) return this.choice;
+    const position = scene.head.combinations.findIndex((each) => each.name === this.name);
+    return position < 0 ? undefined : position;
+  }
+
+  private showLegend(shown: ShownField | null): void {
+    this.shown = shown;
+    this.legend.show(shown, this.scene);
+  }
+
+  /** Show the value under the pointer. */
+  private read(at: Point | null): void {
+    const { scene, locator } = this;
+    if (!at || !scene || !locator) return setText(this.reading, "");
+    let text = `x ${at[0].toFixed(2)}  y ${at[1].toFixed(2)} m`;
+    const spot = this.plan.shown ? locator.locate(...at) : null;
+    if (spot) {
+      const info = fieldOf(scene, this.field);
+      const found = fieldValueAt(scene, locator, this.choice, this.field, spot);
+      text += `   ${symbolText(info.symbol)} = ${formatNumber(found.value)} ${info.unit}`;
+      if (isEnvelope(this.choice)) text += ` (combination ${scene.head.combinations[found.from]?.number ?? ""})`;
+    }
+    setText(this.reading, withMinus(text));
+  }
+}
+
+/** Fill a list with the fields of a scene. */
+function fillFields(select: HTMLSelectElement, scene: Scene): void {
+  const makeGroup = (label: string, derived: boolean) => {
+    const options = fieldsOf(scene).filter((field) => field.derived === derived);
+    const makeOption = ({ name, meaning, symbol }: (typeof options)[number]) =>
+      h("option", { value: name, title: meaning }, `${symbolText(symbol)} – ${meaning.split(/[,(]/)[0]!.trim()}`);
+    return h("optgroup", { label }, ...options.map(makeOption));
+  };
+  fill(select, makeGroup("Results", false), makeGroup("Derived moments", true));
+}
+
+/** Fill a list with the combinations and envelopes of a scene; those without values are marked, and disabled if not offered. */
+function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused: boolean): void {
+  const { combinations, left_out: leftOut } = scene.head;
+  const envelopes = envelopesOf(scene).map((each: Envelope) => h("option", { value: each }, choiceName(scene, each)));
+  const options = combinations.map((each, i) => {
+    const empty = each.values === null;
+    const state =
+      each.refused !== null
+        ? " (no equilibrium)"
+        : empty
+          ? leftOut.includes(each.name)
+            ? " (left out)"
+            : " (no values)"
+          : each.certified
+            ? ""
+            : " (not certified)";
+    const attributes = { value: i, disabled: empty && !offerRefused, "data-empty": empty, title: each.refused ?? "" };
+    return h("option", attributes, choiceName(scene, i) + state);
+  });
+  if (!envelopes.length) return fill(select, ...options);
+  fill(
+    select,
+    h("optgroup", { label: "Envelopes" }, ...envelopes),
+    h("optgroup", { label: "Combinations" }, ...options),
+  );
+}

@@ -1,0 +1,95 @@
+// A section through the plate: the line it is cut along, and the chart of a field along it.
+import { type Choice, fieldOf, isEnvelope } from "../data/fields";
+import { formatShort } from "../data/numbers";
+import type { Line, Point, Scene } from "../data/scene";
+import { fillOptions, h } from "../shared/dom";
+import { symbolText } from "../shared/symbols";
+import { onThemeChange } from "../shared/theme";
+import type { ResultView } from "./result-view";
+import { SectionChart } from "./section-chart";
+
+/** Where a section is cut. */
+export type SectionLine = Pick<Line, "start" | "end" | "name">;
+
+const THIS = "this";
+
+export class SectionPanel {
+  section: SectionLine | null = null;
+  readonly chart: SectionChart;
+  readonly title = h("div", { class: "gs-chart-title" });
+  readonly lines = h("select", { "aria-label": "Section line" });
+  readonly combinations = h("select", { "aria-label": "Combinations in the section" });
+
+  /** `hint`: what the title says while there is no section; `onCut` is called with every section that is chosen. */
+  constructor(
+    private readonly view: ResultView,
+    place: HTMLElement,
+    private readonly hint: string,
+    private readonly onCut: (section: SectionLine | null) => void,
+  ) {
+    this.chart = new SectionChart(place);
+    this.chart.onPlace = (at) => view.plan.mark("place", at);
+    this.combinations.addEventListener("change", () => this.drawChart());
+    this.lines.addEventListener("change", () => {
+      const line = view.scene?.head.plan.lines[Number(this.lines.value || Number.NaN)];
+      this.cut(line ?? null);
+    });
+    onThemeChange((theme) => this.chart.setTheme(theme));
+  }
+
+  /** Cut a section; null: remove it. */
+  cut(section: SectionLine | null): void {
+    this.section = section;
+    this.view.plan.mark("section", section && [section.start, section.end]);
+    if (!section?.name) this.lines.value = "";
+    this.drawChart();
+    this.onCut(section);
+  }
+
+  /** Show what the view shows now. */
+  update(): void {
+    const { scene } = this.view;
+    const lines = scene?.head.plan.lines ?? [];
+    fillOptions(this.lines, [
+      ["", "Section along …"],
+      ...lines.map((line, i) => [String(i), line.name || `line ${i + 1}`] as const),
+    ]);
+    this.lines.hidden = lines.length === 0;
+    const solved = scene ? solvedCombinations(scene) : [];
+    const states = [...new Set(solved.map((i) => scene!.head.combinations[i]!.limit_state))];
+    fillOptions(this.combinations, [
+      [THIS, "combination shown"],
+      ...(solved.length > 1 ? [["all", "all combinations"] as const] : []),
+      ...(states.length > 1 ? states.map((state) => [state, `all ${state} combinations`] as const) : []),
+    ]);
+    this.combinations.hidden = solved.length < 2;
+    this.drawChart();
+  }
+
+  private drawChart(): void {
+    const { section } = this;
+    const { scene, locator, field } = this.view;
+    if (!section || !scene || !locator) {
+      this.title.textContent = this.hint;
+      return this.chart.show(null);
+    }
+    const info = fieldOf(scene, field);
+    const place = ([x, y]: Point) => `(${formatShort(x, 5)}, ${formatShort(y, 5)})`;
+    const name = section.name ? `${section.name}: ` : "";
+    this.title.textContent = `${symbolText(info.symbol)} [${info.unit}] along ${name}${place(section.start)} to ${place(section.end)} m`;
+    this.chart.show({ scene, locator, field, choices: this.choices(scene), ...section });
+  }
+
+  private choices(scene: Scene): Choice[] {
+    const { choice } = this.view;
+    const { value } = this.combinations;
+    if (value === THIS) return isEnvelope(choice) || scene.head.combinations[choice]?.values ? [choice] : [];
+    return solvedCombinations(scene).filter(
+      (i) => value === "all" || value === scene.head.combinations[i]!.limit_state,
+    );
+  }
+}
+
+function solvedCombinations(scene: Scene): number[] {
+  return scene.head.combinations.flatMap((each, i) => (each.values === null ? [] : [i]));
+}

@@ -1,0 +1,118 @@
+// All values at a picked point.
+import {
+  type Choice,
+  choiceName,
+  type FieldInfo,
+  fieldsOf,
+  fieldValueAt,
+  isEnvelope,
+  isInContact,
+  principalDirection,
+} from "../data/fields";
+import { formatNumber, withMinus } from "../data/numbers";
+import type { LocalPoint, Locator } from "../data/point-location";
+import type { Point, Scene } from "../data/scene";
+import { thicknessText } from "../plan/symbols";
+import { type Child, fill, h } from "../shared/dom";
+import { symbolElement } from "../shared/symbols";
+import "./value-panel.css";
+
+export class ValuePanel {
+  readonly element = h("div", { class: "gs-values", "aria-live": "polite" });
+  /** A field's row was chosen. */
+  onField?: (field: string) => void;
+
+  constructor(container: HTMLElement) {
+    container.append(this.element);
+    this.showHint();
+  }
+
+  /** Show all values at a point; null: a hint how to pick one. `field` is the one that is drawn. */
+  show(scene: Scene | null, locator: Locator | null, choice: Choice, point: Point | null, field?: string): void {
+    if (!scene || !locator || !point) return this.showHint();
+    const [x, y] = point;
+    const place = h("div", { class: "gs-values-at" }, `x ${meters(x)} m, y ${meters(y)} m`);
+    const spot = locator.locate(x, y);
+    if (!spot) return fill(this.element, place, h("p", {}, "This point is not on the plate."));
+    const rows = fieldsOf(scene).map((info) => this.makeRow(scene, locator, choice, spot, info, info.name === field));
+    if (!isEnvelope(choice) && fieldsOf(scene).some((each) => each.name === "m_1")) {
+      const [mx, my, mxy] = ["moment_x", "moment_y", "moment_xy"].map(
+        (name) => fieldValueAt(scene, locator, choice, name, spot).value,
+      ) as [number, number, number];
+      rows.push(
+        makeRow(
+          "phi_1",
+          "direction of the strips that m_1 bends, from x",
+          formatNumber(principalDirection(mx, my, mxy), 3),
+          "°",
+        ),
+      );
+    }
+    fill(
+      this.element,
+      place,
+      h("div", { class: "gs-values-of" }, choiceName(scene, choice)),
+      h("table", {}, h("tbody", {}, ...rows)),
+      h("div", { class: "gs-values-notes" }, ...makeNotes(scene, locator, choice, spot)),
+    );
+  }
+
+  private makeRow(
+    scene: Scene,
+    locator: Locator,
+    choice: Choice,
+    spot: LocalPoint,
+    info: FieldInfo,
+    isChosen: boolean,
+  ): HTMLElement {
+    const found = fieldValueAt(scene, locator, choice, info.name, spot);
+    const row = makeRow(info.symbol, info.meaning, formatNumber(found.value), info.unit);
+    const from = scene.head.combinations[found.from];
+    if (isEnvelope(choice))
+      row.append(h("td", { class: "gs-from", title: from?.name ?? "" }, `(${from?.number ?? ""})`));
+    row.classList.toggle("gs-chosen", isChosen);
+    const { onField } = this;
+    if (!onField) return row;
+    row.tabIndex = 0;
+    row.addEventListener("click", () => onField(info.name));
+    row.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") onField(info.name);
+    });
+    return row;
+  }
+
+  private showHint(): void {
+    fill(this.element, h("p", { class: "gs-values-hint" }, "Click on the plate to read all values there."));
+  }
+}
+
+function makeRow(symbol: string, meaning: string, value: string, unit: string): HTMLTableRowElement {
+  const name = h("th", { scope: "row" }, symbolElement(symbol));
+  return h("tr", { title: meaning }, name, h("td", {}, value), h("td", { class: "gs-unit" }, unit));
+}
+
+function makeNotes(scene: Scene, locator: Locator, choice: Choice, spot: LocalPoint): Child[] {
+  const contact = isInContact(scene, locator, choice, spot);
+  const no = isEnvelope(choice) ? "not in every combination" : "no";
+  const section = sectionText(scene, spot.element);
+  const governing = "In brackets: the number of the combination that governs; hold the pointer over it for its name.";
+  return [
+    contact !== null && h("div", {}, `contact: ${contact ? "yes" : no}`),
+    section !== "" && h("div", {}, section),
+    isEnvelope(choice) && h("div", { class: "gs-screen" }, governing),
+  ];
+}
+
+/** Return which section of the plate an element belongs to. */
+function sectionText({ head: { plan }, mesh }: Scene, element: number): string {
+  const position = mesh.section?.[element];
+  if (position === undefined) return "";
+  const zone = plan.zones[position - 1];
+  const thickness = zone ? zone.thickness : plan.thickness;
+  const name = zone ? (zone.name ?? `zone ${position}`) : "plate";
+  return `section: ${name}${thickness === undefined ? "" : `, ${thicknessText(thickness)}`}`;
+}
+
+function meters(value: number): string {
+  return withMinus(value.toFixed(3));
+}

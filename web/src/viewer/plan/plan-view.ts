@@ -1,0 +1,382 @@
+// The plate in plan: a field in colors, and above it the symbols of the plan.
+import {
+  type Choice,
+  CONTACT,
+  extremesOf,
+  type FieldExtremes,
+  fieldOf,
+  findExtremes,
+  isEnvelope,
+  nodalValues,
+} from "../data/fields";
+import { formatNumber } from "../data/numbers";
+import type { Extreme, Plan, Point, Scene } from "../data/scene";
+import { type ScaleRange, type ShownField, scaleFor } from "../data/shown-field";
+import { createRenderer } from "../renderer/create-renderer";
+import type { FieldRenderer, Picture } from "../renderer/renderer";
+import { h } from "../shared/dom";
+import { currentTheme, type Theme } from "../shared/theme";
+import { Camera } from "./camera";
+import { isFar, pixelOf, Touches, zoomByWheel } from "./navigation";
+import { type Marks, Overlay } from "./overlay";
+import { ALL_LAYERS, type Layers } from "./plan-symbols";
+import { RULER } from "./rulers";
+import "./plan-view.css";
+
+export type Tool = "pan" | "pick" | "section";
+
+const STILL = 140; // ms without movement until everything is drawn again
+
+export class PlanView {
+  /** A point of the plan was picked [m]. */
+  onPick?: (at: Point) => void;
+  /** A section was cut between two points [m]. */
+  onSection?: (start: Point, end: Point) => void;
+  /** The pointer is over a point of the plan [m]; null: it left. */
+  onHover?: (at: Point | null) => void;
+  /** Another field, combination or scale is shown; null: none. */
+  onShow?: (shown: ShownField | null) => void;
+
+  readonly element = h("div", {
+    class: "gs-plan",
+    tabindex: 0,
+    role: "application",
+    "aria-label": "Plan view. Arrow keys move it, plus and minus zoom, 0 shows all.",
+  });
+  private readonly overlay = new Overlay();
+  private renderer: FieldRenderer;
+  private scene: Scene | null = null;
+  private plan: Plan | null = null;
+  private choice: { choice: Choice; field: string } | null = null;
+  private picture: Picture | null = null;
+  private seen: ShownField | null = null;
+  private readonly camera = new Camera();
+  private fitted = false; // whether the user has left the view as `fit` made it
+  private tool: Tool = "pan";
+  private theme: Theme = currentTheme();
+  private readonly layers: Layers = { ...ALL_LAYERS };
+  private readonly options = { lines: true, mesh: false, contact: true };
+  private range: ScaleRange = "auto";
+  private readonly marks: Marks = { pick: null, place: null, section: null, extremes: [], factors: null };
+  private sectionStart: Point | null = null;
+  private readonly touches = new Touches();
+  private pressed: Point | null = null; // where a click may begin
+  private frame = 0;
+  private stillTimer = 0;
+  private moving = false;
+  private drawn: Camera | null = null; // what the overlay shows
+  private painted: { camera: Camera; when: number } | null = null; // what the renderer drew last
+
+  constructor(container: HTMLElement) {
+    this.renderer = createRenderer(false, (replacement) => {
+      this.renderer = replacement;
+      this.load();
+    });
+    this.element.append(this.renderer.canvas, this.overlay.element);
+    container.append(this.element);
+    this.listen();
+    new ResizeObserver(() => this.resize()).observe(this.element);
+    this.load();
+    this.resize();
+  }
+
+  get shown(): ShownField | null {
+    return this.seen;
+  }
+
+  /** Show a scene, with its plan; null takes the field away and leaves the plan. */
+  setScene(scene: Scene | null): void {
+    this.scene = scene;
+    this.choice = null;
+    if (scene) this.setPlan(scene.head.plan);
+    this.load();
+  }
+
+  /** Show a plan; the field, if there is one, stays. */
+  setPlan(plan: Plan | null): void {
+    const isFirst = this.plan === null && plan !== null;
+    const hasMoved = plan !== null && this.plan !== null && String(plan.bounds) !== String(this.plan.bounds);
+    this.plan = plan;
+    if (isFirst || (hasMoved && this.fitted)) this.fit();
+    this.redraw();
+  }
+
+  /** Show a field of a combination or an envelope. */
+  show(choice: Choice, field: string): void {
+    this.choice = { choice, field };
+    this.refresh();
+  }
+
+  setTool(tool: Tool): void {
+    this.tool = tool;
+    this.sectionStart = null;
+    this.element.dataset.tool = tool;
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    this.renderer.setTheme(theme);
+    this.redraw();
+  }
+
+  /** Choose what is drawn above the field. */
+  setLayers(layers: Partial<Layers>): void {
+    Object.assign(this.layers, layers);
+    this.redraw();
+  }
+
+  /** Choose lines between bands, the elements' sides, the contact boundary. */
+  setOptions(options: Partial<{ lines: boolean; mesh: boolean; contact: boolean }>): void {
+    Object.assign(this.options, options);
+    this.refresh();
+  }
+
+  setRange(range: ScaleRange): void {
+    this.range = range;
+    this.refresh();
+  }
+
+  /** Set a mark; null: remove it. */
+  mark<K extends "pick" | "place" | "section">(name: K, at: Marks[K]): void {
+    this.marks[name] = at;
+    this.redraw();
+  }
+
+  /** Show the entire plate. */
+  fit(): void {
+    this.fitTo(this.camera);
+    this.fitted = true;
+    this.redraw();
+  }
+
+  /** Draw what is seen, on white, `ratio` dots per pixel: for paper. */
+  snapshot(width: number, height: number, ratio: number): HTMLElement {
+    const camera = Object.assign(new Camera(), this.camera, { width, height });
+    // what is seen now fits into the paper
+    camera.scale *= Math.min(width / Math.max(this.camera.width, 1), height / Math.max(this.camera.height, 1));
+    if (this.fitted) this.fitTo(camera);
+    const picture = h("canvas", { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+    this.renderer.setTheme("light");
+    this.paint(camera, ratio);
+    picture.getContext("2d")!.drawImage(this.renderer.canvas, 0, 0, picture.width, picture.height);
+    this.renderer.setTheme(this.theme);
+    this.draw();
+    const overlay = new Overlay();
+    overlay.draw(camera, this.plan, this.layers, this.marks);
+    return h("div", { class: "gs-snapshot", style: `width:${width}px;height:${height}px` }, picture, overlay.element);
+  }
+
+  /** Give the renderer everything it needs. */
+  private load(): void {
+    this.renderer.setTheme(this.theme);
+    this.renderer.setMesh(this.scene?.mesh ?? null);
+    this.refresh();
+  }
+
+  /** Find out what is to be shown: values, scale, marks. */
+  private refresh(): void {
+    const { scene, choice: shown, options, marks } = this;
+    this.picture = this.seen = this.painted = marks.factors = null;
+    marks.extremes = [];
+    if (scene && shown) {
+      const field = fieldOf(scene, shown.field);
+      const hasContact = scene.head.fields.some((each) => each.name === CONTACT);
+      const contact = hasContact ? nodalValues(scene, shown.choice, CONTACT) : null;
+      const lifted = contact !== null && findExtremes(contact).max > 0;
+      const scale = scaleFor(scene, shown.choice, field, this.range);
+      const { lines, mesh } = options;
+      const nodal = nodalValues(scene, shown.choice, shown.field);
+      const visible = options.contact && lifted ? contact : null;
+      this.picture = { values: nodal, contact: visible, settlement: null, scale, lines, mesh };
+      this.seen = { choice: shown.choice, field, scale, lifted };
+      marks.extremes = extremeMarks(extremesOf(scene, shown.choice, shown.field));
+      const factors = isEnvelope(shown.choice) ? null : scene.head.combinations[shown.choice]?.factors;
+      if (factors?.length) marks.factors = new Map(factors);
+    }
+    this.renderer.setPicture(this.picture);
+    this.onShow?.(this.seen);
+    this.redraw();
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (!width || !height) return;
+    Object.assign(this.camera, { width, height });
+    if (this.fitted) this.fit();
+    else this.redraw();
+  }
+
+  private fitTo(camera: Camera): void {
+    const { axes } = this.layers;
+    camera.fit(this.plan?.bounds ?? [-5, -5, 5, 5], 36, axes ? RULER.left : 0, axes ? RULER.bottom + 14 : 0);
+  }
+
+  /** Draw with the next frame. */
+  private redraw(): void {
+    this.drawn = null;
+    this.request();
+  }
+
+  private request(): void {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.draw();
+    });
+  }
+
+  /** The user has moved the view: draw roughly until nothing has moved for a while. */
+  private moved(): void {
+    this.fitted = false;
+    this.moving = true;
+    clearTimeout(this.stillTimer);
+    this.stillTimer = window.setTimeout(() => {
+      this.moving = false;
+      this.redraw();
+    }, STILL);
+    this.request();
+  }
+
+  private draw(): void {
+    const { camera, drawn } = this;
+    if (!this.element.clientWidth || !this.element.clientHeight) return;
+    this.drawField();
+    if (this.moving && drawn?.scale === camera.scale) {
+      this.overlay.shift((drawn.x - camera.x) * camera.scale, (camera.y - drawn.y) * camera.scale);
+      this.overlay.drawRulers(camera, this.layers);
+      return;
+    }
+    this.overlay.draw(camera, this.plan, this.layers, this.marks);
+    this.drawn = Object.assign(new Camera(), camera);
+  }
+
+  /**
+   * Draw the field. Without a graphics card, while the view moves, the last drawing is moved and stretched instead, and
+   * the field is drawn again when the view is still or shows too much beyond that drawing.
+   */
+  private drawField(): void {
+    const { renderer, camera, painted } = this;
+    const now = performance.now();
+    if (this.moving && painted && !renderer.accelerated) {
+      const zoom = camera.scale / painted.camera.scale;
+      const [dx, dy] = [(painted.camera.x - camera.x) * camera.scale, (camera.y - painted.camera.y) * camera.scale];
+      const isNear = zoom > 0.6 && zoom < 2 && Math.abs(dx) < camera.width / 3 && Math.abs(dy) < camera.height / 3;
+      if (isNear || now - painted.when < 4 * renderer.cost) {
+        renderer.canvas.style.transform = `translate(${dx}px, ${dy}px) scale(${zoom})`;
+        return;
+      }
+    }
+    this.paint(camera, Math.min(window.devicePixelRatio || 1, 2));
+    renderer.canvas.style.transform = "";
+    this.painted = { camera: Object.assign(new Camera(), camera), when: now };
+  }
+
+  private paint(camera: Camera, ratio: number): void {
+    const { width, height, scale, box } = camera;
+    this.renderer.draw({ camera: camera.lookDown(), width, height, ratio, scale, exaggeration: 0, box });
+  }
+
+  private listen(): void {
+    const { element, camera, touches } = this;
+    element.addEventListener("pointerdown", (event) => {
+      if (event.button > 1) return;
+      element.setPointerCapture(event.pointerId);
+      touches.set(event.pointerId, pixelOf(element, event));
+      this.pressed = touches.size === 1 ? pixelOf(element, event) : null;
+    });
+    element.addEventListener("pointermove", (event) => this.drag(event));
+    const release = (event: PointerEvent) => {
+      if (!touches.delete(event.pointerId)) return;
+      const isClick = event.type === "pointerup" && this.pressed && event.button === 0;
+      if (isClick) this.click(camera.toPlan(pixelOf(element, event)), event.shiftKey);
+      this.pressed = null;
+    };
+    element.addEventListener("pointerup", release);
+    element.addEventListener("pointercancel", release);
+    element.addEventListener("pointerleave", () => this.hover(null));
+    element.addEventListener(
+      "wheel",
+      (event) => {
+        zoomByWheel(camera, event, pixelOf(element, event));
+        this.moved();
+      },
+      { passive: false },
+    );
+    element.addEventListener("dblclick", () => {
+      if (this.tool === "pan") this.fit();
+    });
+    element.addEventListener("keydown", (event) => {
+      if (this.handleKey(event)) event.preventDefault();
+    });
+  }
+
+  private drag(event: PointerEvent): void {
+    const { camera, touches } = this;
+    const at = pixelOf(this.element, event);
+    const before = this.pressed ?? touches.get(event.pointerId);
+    if (!before) return this.hover(camera.toPlan(at), event.shiftKey);
+    if (this.pressed && !isFar(this.pressed, at)) return;
+    this.pressed = null;
+    if (!touches.pinch(camera, event.pointerId, at)) camera.pan(at[0] - before[0], at[1] - before[1]);
+    this.moved();
+  }
+
+  /** Return a point rounded to what a pixel can mean; `straight`: along x or y from the section's start. */
+  private round([x, y]: Point, straight: boolean): Point {
+    const digits = Math.max(0, Math.ceil(Math.log10(this.camera.scale)));
+    const [u, v] = [Number(x.toFixed(digits)), Number(y.toFixed(digits))];
+    const { sectionStart: from } = this;
+    if (!straight || !from) return [u, v];
+    return Math.abs(u - from[0]) > Math.abs(v - from[1]) ? [u, from[1]] : [from[0], v];
+  }
+
+  private hover(at: Point | null, straight = false): void {
+    if (this.sectionStart && at) this.mark("section", [this.sectionStart, this.round(at, straight)]);
+    this.onHover?.(at);
+  }
+
+  private click(point: Point, straight: boolean): void {
+    const at = this.round(point, straight);
+    if (this.tool === "pick") {
+      this.mark("pick", at);
+      this.onPick?.(at);
+    } else if (this.tool === "section") {
+      const start = this.sectionStart;
+      this.sectionStart = start ? null : at;
+      this.mark("section", [start ?? at, at]);
+      if (start) this.onSection?.(start, at);
+    }
+  }
+
+  private handleKey(event: KeyboardEvent): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const { camera } = this;
+    const step = event.shiftKey ? 200 : 50;
+    const moves: Record<string, () => void> = {
+      ArrowLeft: () => camera.pan(step, 0),
+      ArrowRight: () => camera.pan(-step, 0),
+      ArrowUp: () => camera.pan(0, step),
+      ArrowDown: () => camera.pan(0, -step),
+      "+": () => camera.zoom(1.25),
+      "=": () => camera.zoom(1.25),
+      "-": () => camera.zoom(0.8),
+    };
+    const move = moves[event.key];
+    if (move) {
+      move();
+      this.moved();
+    } else if (event.key === "0") this.fit();
+    else if (event.key === "Escape" && this.sectionStart) {
+      this.sectionStart = null;
+      this.mark("section", null);
+    } else return false;
+    return true;
+  }
+}
+
+/** Return the marks of minimum and maximum; none of a zero, which much of the plate may have. */
+function extremeMarks({ min, max }: FieldExtremes): Marks["extremes"] {
+  const small = 1e-6 * Math.max(Math.abs(min[0]), Math.abs(max[0]));
+  const mark = ([value, x, y]: Extreme, word: string, isMaximum: boolean) =>
+    Math.abs(value) > small ? [{ point: [x, y] as Point, text: `${word} ${formatNumber(value)}`, isMaximum }] : [];
+  return max[0] - min[0] > small ? [...mark(max, "max", true), ...mark(min, "min", false)] : [];
+}

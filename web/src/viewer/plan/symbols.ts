@@ -1,0 +1,298 @@
+// Symbols of what has a place in plan: the same in the editor and over a result.
+import { formatShort } from "../data/numbers";
+import type { Point } from "../data/scene";
+import { svg } from "../shared/dom";
+import type { Camera } from "./camera";
+import "./symbols.css";
+
+export type Kind =
+  | "slab"
+  | "opening"
+  | "zone"
+  | "column"
+  | "support"
+  | "load"
+  | "borehole"
+  | "soil zone"
+  | "void"
+  | "gap"
+  | "output point"
+  | "section line"
+  | "strip";
+
+/** Something with a place in plan. */
+export interface PlanSymbol {
+  kind: Kind;
+  shape: "point" | "line" | "area";
+  points: readonly Readonly<Point>[]; // [m]
+  texts: readonly string[]; // beside it, one below the other
+  foot?: readonly Readonly<Point>[] | null | undefined; // a column's cross-section, a load's footprint
+  holes?: readonly (readonly Readonly<Point>[])[]; // parts of an area that are not loaded
+  hidden?: boolean; // a point load that another one at the same place stands for
+  upward?: boolean; // a point load that lifts
+  elastic?: boolean; // a support
+  width?: number; // of a strip [m]
+}
+
+type Pixels = readonly Readonly<Point>[];
+
+const ARROW = 26; // px: length of a point load's arrow
+
+/** Draw a symbol. */
+export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
+  const toPixels = (points: readonly Readonly<Point>[]) => points.map((point) => camera.toPixel(point));
+  const pixels = toPixels(symbol.points);
+  const at = pixels[0];
+  if (!at) return [];
+  const text = symbol.texts[0] ?? "";
+  switch (symbol.kind) {
+    case "slab":
+      return [drawArea(pixels)];
+    case "opening":
+      return [drawArea(pixels), ...drawDiagonals(pixels)];
+    case "zone":
+      return [drawArea(pixels), drawText(middleTop(pixels), text, [0, 13], "middle")];
+    case "soil zone":
+    case "void":
+      return [drawArea(pixels), drawText(leftTop(pixels), text, [5, 13])];
+    case "column":
+      return drawColumn(at, toPixels(symbol.foot ?? []), text);
+    case "support":
+      if (symbol.shape === "point") return drawPointSupport(at, symbol.elastic === true, text);
+      return [
+        drawPath(pixels, false, symbol.elastic ? "elastic" : ""),
+        ...drawTeeth(pixels),
+        drawText(middleOf(pixels), text, [6, 14]),
+      ];
+    case "load":
+      return drawLoad(symbol, pixels, toPixels);
+    case "borehole":
+      return drawBorehole(at, text);
+    case "strip":
+      return drawStrip(pixels, ((symbol.width ?? 0) / 2) * camera.scale, text);
+    case "section line":
+      return [drawPath(pixels, false), ...drawEnds(pixels), drawText(at, text, [6, -6])];
+    case "output point":
+    case "gap":
+      return [...drawCross(at, 5), drawText(at, text, [7, -5])];
+  }
+}
+
+/** Draw a line through pixels. */
+export function drawPath(pixels: Pixels, closed: boolean, className = ""): SVGElement {
+  const d = pixels.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
+  return svg("path", { d: closed ? `${d}Z` : d, class: className || null });
+}
+
+/** Draw a text with a halo, so that it can be read above lines; `align` "middle" or "end" of the place. */
+export function drawText(
+  [x, y]: Readonly<Point>,
+  text: string,
+  [dx, dy]: Readonly<Point> = [0, 0],
+  align = "",
+): SVGElement {
+  return svg("text", { x: (x + dx).toFixed(1), y: (y + dy).toFixed(1), class: `label ${align}`.trim() }, text);
+}
+
+/** Draw a surface; lines have no such class, since a closed one would be filled, too. */
+function drawArea(pixels: Pixels): SVGElement {
+  return drawPath(pixels, true, "area");
+}
+
+function leftTop(pixels: Pixels): Point {
+  return [Math.min(...pixels.map(([x]) => x)), Math.min(...pixels.map(([, y]) => y))];
+}
+
+function middleTop(pixels: Pixels): Point {
+  const xs = pixels.map(([x]) => x);
+  return [(Math.min(...xs) + Math.max(...xs)) / 2, leftTop(pixels)[1]];
+}
+
+/** Return the middle of a line's places. */
+function middleOf(pixels: Pixels): Point {
+  const [a, b] = [pixels[Math.floor((pixels.length - 1) / 2)]!, pixels[Math.ceil((pixels.length - 1) / 2)]!];
+  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+}
+
+/** Return the direction from one place to another, and the distance. */
+function directionOf(a: Readonly<Point>, b: Readonly<Point>): [x: number, y: number, length: number] {
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  return [(b[0] - a[0]) / (length || 1), (b[1] - a[1]) / (length || 1), length];
+}
+
+function drawDiagonals(pixels: Pixels): SVGElement[] {
+  if (pixels.length !== 4) return [];
+  return [0, 1].map((i) => drawPath([pixels[i]!, pixels[i + 2]!], false, "fine"));
+}
+
+function drawColumn(at: Readonly<Point>, foot: Pixels, name: string): SVGElement[] {
+  const size = Math.max(0, ...foot.map(([x, y]) => Math.max(Math.abs(x - at[0]), Math.abs(y - at[1]))));
+  const body = size < 3.5 ? svg("rect", { x: at[0] - 3.5, y: at[1] - 3.5, width: 7, height: 7 }) : drawArea(foot);
+  return [body, drawText(at, name, [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
+}
+
+function drawPointSupport([x, y]: Readonly<Point>, elastic: boolean, name: string): SVGElement[] {
+  const spring = [-7, -3.5, 0, 3.5, 7].map((dx, i): Point => [x + dx, y + (i % 2 ? 19 : 15)]);
+  const base: Pixels = elastic
+    ? spring
+    : [
+        [x - 9, y + 15],
+        [x + 9, y + 15],
+      ];
+  const triangle: Pixels = [
+    [x, y],
+    [x - 7, y + 12],
+    [x + 7, y + 12],
+  ];
+  return [drawArea(triangle), drawPath(base, false, "fine"), drawText([x, y], name, [11, 16])];
+}
+
+/** Draw short strokes along a line support. */
+function drawTeeth(pixels: Pixels): SVGElement[] {
+  return placesAlong(pixels, 9).map(({ at: [x, y], along: [dx, dy] }) =>
+    drawPath(
+      [
+        [x, y],
+        [x - dy * 5 - dx * 5, y + dx * 5 - dy * 5],
+      ],
+      false,
+      "fine",
+    ),
+  );
+}
+
+/** Return places along a line, so many pixels apart, with the direction there. */
+function placesAlong(pixels: Pixels, spacing: number): { at: Point; along: Point }[] {
+  return pixels.slice(1).flatMap((b, i) => {
+    const a = pixels[i]!;
+    const [dx, dy, length] = directionOf(a, b);
+    if (length === 0) return [];
+    const count = Math.min(400, Math.max(1, Math.round(length / spacing)));
+    return Array.from({ length: count + 1 }, (_, k) => ({
+      at: [a[0] + (dx * length * k) / count, a[1] + (dy * length * k) / count] as Point,
+      along: [dx, dy] as Point,
+    }));
+  });
+}
+
+function drawLoad(
+  symbol: PlanSymbol,
+  pixels: Pixels,
+  toPixels: (points: readonly Readonly<Point>[]) => Point[],
+): SVGElement[] {
+  const { texts } = symbol;
+  const drawTexts = (at: Readonly<Point>, dx: number, dy: number, up: boolean) =>
+    texts.map((text, i) => drawText(at, text, [dx, dy + 12 * (up ? i - texts.length + 1 : i)]));
+  if (symbol.shape === "point") {
+    const foot = symbol.foot ? [drawArea(toPixels(symbol.foot))] : [];
+    return symbol.hidden ? foot : [...foot, ...drawPointLoad(pixels[0]!, symbol.upward === true, texts)];
+  }
+  if (symbol.shape === "area") {
+    const holes = (symbol.holes ?? []).map((hole) => drawPath(toPixels(hole), true, "hole"));
+    return [drawArea(pixels), ...holes, ...drawTexts(leftTop(pixels), 5, 13, false)];
+  }
+  const arrows = placesAlong(pixels, 16).flatMap(({ at: [x, y] }) => [
+    drawPath(
+      [
+        [x, y],
+        [x, y - 11],
+      ],
+      false,
+      "fine",
+    ),
+    drawPath(
+      [
+        [x - 2.5, y - 4.5],
+        [x, y],
+        [x + 2.5, y - 4.5],
+      ],
+      false,
+      "fine",
+    ),
+  ]);
+  const tails = pixels.map(([x, y]): Point => [x, y - 11]);
+  return [
+    drawPath(pixels, false, "wall"),
+    drawPath(tails, false, "fine"),
+    ...arrows,
+    ...drawTexts(pixels[0]!, 4, -15, true),
+  ];
+}
+
+/** Draw one arrow for all loads at a place, their values beside it. */
+function drawPointLoad([x, y]: Readonly<Point>, upward: boolean, texts: readonly string[]): SVGElement[] {
+  const near: Point = [x - 3, y - 3];
+  const far: Point = [x - 3 - ARROW * 0.62, y - 3 - ARROW];
+  const [head, tail] = upward ? [far, near] : [near, far];
+  const [dx, dy] = directionOf(tail, head);
+  const wing = (side: number): Point => [head[0] - dx * 8 - dy * 3.5 * side, head[1] - dy * 8 + dx * 3.5 * side];
+  return [
+    drawPath([tail, head], false),
+    drawPath([head, wing(1), wing(-1)], true, "head"),
+    ...texts.map((text, i) => drawText(far, text, [0, -4 - 12 * (texts.length - 1 - i)], "middle")),
+  ];
+}
+
+/** Draw a circle with two of its quarters filled. */
+function drawBorehole([x, y]: Readonly<Point>, name: string): SVGElement[] {
+  const quarters = `M${x} ${y}L${x} ${y - 7}A7 7 0 0 1 ${x + 7} ${y}ZM${x} ${y}L${x} ${y + 7}A7 7 0 0 1 ${x - 7} ${y}Z`;
+  return [
+    svg("circle", { cx: x, cy: y, r: 7 }),
+    svg("path", { d: quarters, class: "filled" }),
+    drawText([x, y], name, [10, -4]),
+  ];
+}
+
+function drawStrip(pixels: Pixels, half: number, name: string): SVGElement[] {
+  const [a, b = a] = pixels as [Point, Point?];
+  const [dx, dy, length] = directionOf(a, b);
+  if (length === 0) return [];
+  const [nx, ny] = [-dy * half, dx * half];
+  const outline: Pixels = [
+    [a[0] + nx, a[1] + ny],
+    [b[0] + nx, b[1] + ny],
+    [b[0] - nx, b[1] - ny],
+    [a[0] - nx, a[1] - ny],
+  ];
+  return [drawArea(outline), drawPath(pixels, false), drawText(a, name, [6, -6])];
+}
+
+/** Draw bars across the ends of a section line. */
+export function drawEnds([a, b]: Pixels): SVGElement[] {
+  if (!a || !b) return [];
+  const [dx, dy] = directionOf(a, b);
+  return [a, b].map(([x, y]) =>
+    drawPath(
+      [
+        [x + dy * 6, y - dx * 6],
+        [x - dy * 6, y + dx * 6],
+      ],
+      false,
+    ),
+  );
+}
+
+/** Draw an upright cross. */
+export function drawCross([x, y]: Readonly<Point>, size: number): SVGElement[] {
+  return [
+    drawPath(
+      [
+        [x - size, y],
+        [x + size, y],
+      ],
+      false,
+    ),
+    drawPath(
+      [
+        [x, y - size],
+        [x, y + size],
+      ],
+      false,
+    ),
+  ];
+}
+
+/** Format a thickness [m] as beside a zone. */
+export function thicknessText(thickness: number): string {
+  return `t = ${formatShort(thickness * 1000)} mm`;
+}

@@ -1,0 +1,63 @@
+// Draws a field on the mesh, seen from above or bent in space: by the graphics card where there is one, else by the
+// processor.
+import type { Camera } from "three";
+import type { Box } from "../data/boxes";
+import type { ColorScale } from "../data/color-scale";
+import type { Mesh } from "../data/scene";
+import { type Range, type Tiling, visibleRanges } from "../data/triangulation";
+import type { Theme } from "../shared/theme";
+
+/** What is shown on the mesh. */
+export interface Picture {
+  values: Float32Array; // of the nodes
+  contact: Float32Array | null; // of the nodes: negative in contact, positive elsewhere
+  settlement: Float32Array | null; // of the nodes [mm]; null: the plate is flat and not lit
+  scale: ColorScale;
+  lines: boolean; // between the bands
+  mesh: boolean; // the elements' sides
+}
+
+/** From where the mesh is seen, and how large the drawing is. */
+export interface View {
+  camera: Camera;
+  width: number; // [px of style sheets]
+  height: number;
+  ratio: number; // dots per pixel
+  scale: number; // pixels per meter, about
+  exaggeration: number; // of the settlement
+  box: Readonly<Box>; // the part of the plan that is seen [m]
+}
+
+/** Lines in space: x, y, z of both ends of each [m]. */
+export interface Lines {
+  flat: Float32Array; // where the plate was before it bent
+  columns: Float32Array;
+}
+
+export interface FieldRenderer {
+  readonly canvas: HTMLCanvasElement;
+  /** Whether a graphics card draws. */
+  readonly accelerated: boolean;
+  /** Time that the last drawing took [ms], 0 where nobody waits for it. */
+  readonly cost: number;
+  setMesh(mesh: Mesh | null): void;
+  setPicture(picture: Picture | null): void;
+  setLines(lines: Lines): void;
+  setTheme(theme: Theme): void;
+  draw(view: View): void;
+}
+
+/** Elements smaller than this [dots] look the same in two triangles as in eight. */
+const SMALL = 3.5;
+
+/** Distance along x between the stripes where there is no contact [px]. */
+export const STRIPES = 12;
+
+/** Light where none falls directly; the lamp is high, at the left and in front. */
+export const AMBIENT = 0.5;
+export const SUN = [-0.4506, -0.3505, 0.8211] as const;
+
+/** Return the triangles that a view shows. */
+export function rangesIn(tiling: Tiling, { box, scale, ratio }: View): Range[] {
+  return visibleRanges(tiling, box, tiling.side * scale * ratio < SMALL);
+}

@@ -1,0 +1,254 @@
+// The plate in space, bent by its settlement many times exaggerated, with a field in colors.
+import { PerspectiveCamera, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { type Choice, extremesOf, fieldOf, nodalValues } from "../data/fields";
+import { formatShort, roundStep } from "../data/numbers";
+import type { Ring, Scene } from "../data/scene";
+import { type ScaleRange, type ShownField, scaleFor } from "../data/shown-field";
+import { createRenderer } from "../renderer/create-renderer";
+import type { FieldRenderer } from "../renderer/renderer";
+import { h } from "../shared/dom";
+import { currentTheme, type Theme } from "../shared/theme";
+import "./space-view.css";
+
+const FIELD_OF_VIEW = 32; // degrees
+const TANGENT = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+const EVERYTHING = [
+  Number.NEGATIVE_INFINITY,
+  Number.NEGATIVE_INFINITY,
+  Number.POSITIVE_INFINITY,
+  Number.POSITIVE_INFINITY,
+] as const;
+
+export class SpaceView {
+  /** Another field, combination or scale is shown; null: none. */
+  onShow?: (shown: ShownField | null) => void;
+  readonly element = h("div", {
+    class: "gs-space",
+    tabindex: 0,
+    role: "application",
+    "aria-label": "View in space. Drag or arrow keys turn it, the wheel or plus and minus zoom, 0 shows all.",
+  });
+  private readonly slider = h("input", {
+    type: "range",
+    min: 0,
+    max: 100,
+    "aria-label": "Exaggeration of the settlement",
+  });
+  private readonly factor = h("output");
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
+  private readonly stage = h("div", { class: "gs-space-stage" });
+  private readonly controls: OrbitControls;
+  private renderer: FieldRenderer;
+  private scene: Scene | null = null;
+  private choice: { choice: Choice; field: string } | null = null;
+  private range: ScaleRange = "auto";
+  private theme: Theme = currentTheme();
+  private base = 1; // exaggeration in the slider's middle
+  private exaggeration = 1;
+  private depth = 0; // of the middle between least and greatest settlement [mm]
+  private feet: number[] = []; // the node next to each column
+  private fitted = false; // whether the user has left the view as `fit` made it
+  private frame = 0;
+
+  constructor(container: HTMLElement) {
+    this.renderer = createRenderer(true, (replacement) => {
+      this.renderer = replacement;
+      this.load();
+    });
+    this.stage.append(this.renderer.canvas);
+    const label = h("label", { class: "gs-space-factor" }, "settlement exaggerated", this.slider, this.factor);
+    this.element.append(this.stage, label);
+    container.append(this.element);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.stage);
+    this.controls.addEventListener("change", () => this.redraw());
+    this.controls.addEventListener("start", () => {
+      this.fitted = false;
+    });
+    this.slider.addEventListener("input", () => this.exaggerate());
+    this.element.addEventListener("keydown", (event) => {
+      if (this.handleKey(event)) event.preventDefault();
+    });
+    new ResizeObserver(() => (this.fitted ? this.fit() : this.redraw())).observe(this.element);
+    this.renderer.setTheme(this.theme);
+  }
+
+  setScene(scene: Scene | null): void {
+    this.scene = scene;
+    this.choice = null;
+    this.feet = scene ? scene.head.plan.columns.map(({ x, y }) => nearestNode(scene, x, y)) : [];
+    this.load();
+    this.fit();
+  }
+
+  show(choice: Choice, field: string): void {
+    this.choice = { choice, field };
+    const { scene } = this;
+    if (!scene) return;
+    const info = fieldOf(scene, field);
+    const scale = scaleFor(scene, choice, info, this.range);
+    const settlement = nodalValues(scene, choice, "settlement");
+    const nodal = nodalValues(scene, choice, field);
+    this.renderer.setPicture({ values: nodal, contact: null, settlement, scale, lines: true, mesh: false });
+    const ends = extremesOf(scene, choice, "settlement");
+    const greatest = Math.max(Math.abs(ends.min[0]), Math.abs(ends.max[0]), 1e-9) / 1000;
+    this.base = roundStep((0.06 * this.extent()) / greatest);
+    this.depth = (ends.min[0] + ends.max[0]) / 2;
+    this.exaggerate();
+    this.onShow?.({ choice, field: info, scale, lifted: false });
+  }
+
+  setRange(range: ScaleRange): void {
+    this.range = range;
+    this.refresh();
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    this.renderer.setTheme(theme);
+    this.redraw();
+  }
+
+  /** Show the entire plate, from the front and above. */
+  fit(): void {
+    const { scene, camera, controls } = this;
+    this.redraw();
+    if (!scene) return;
+    const [x0, y0, x1, y1] = scene.head.plan.bounds;
+    const { clientWidth: width, clientHeight: height } = this.element;
+    const half = TANGENT * Math.min(1, (width || 1) / (height || 1) / 1.25);
+    const away = (0.5 * Math.hypot(x1 - x0, y1 - y0) * 0.86) / half;
+    const target = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, (-this.depth * this.exaggeration) / 1000);
+    controls.target.copy(target);
+    camera.position.copy(target).addScaledVector(new Vector3(-0.42, -0.78, 0.62).normalize(), away);
+    camera.near = away / 100;
+    camera.far = away * 20;
+    camera.updateProjectionMatrix();
+    controls.update();
+    this.fitted = true;
+  }
+
+  /** Draw what is seen, on white: for paper. */
+  snapshot(width: number, height: number, ratio: number): HTMLElement {
+    const picture = h("canvas", {
+      width: Math.round(width * ratio),
+      height: Math.round(height * ratio),
+      style: `width:${width}px`,
+    });
+    this.renderer.setTheme("light");
+    this.draw(width, height, ratio);
+    picture.getContext("2d")!.drawImage(this.renderer.canvas, 0, 0, picture.width, picture.height);
+    this.renderer.setTheme(this.theme);
+    this.draw();
+    return picture;
+  }
+
+  /** Give the renderer everything it needs. */
+  private load(): void {
+    this.renderer.setTheme(this.theme);
+    this.renderer.setMesh(this.scene?.mesh ?? null);
+    this.refresh();
+  }
+
+  private refresh(): void {
+    if (this.choice) this.show(this.choice.choice, this.choice.field);
+  }
+
+  private extent(): number {
+    const [x0, y0, x1, y1] = this.scene?.head.plan.bounds ?? [0, 0, 1, 1];
+    return Math.max(x1 - x0, y1 - y0);
+  }
+
+  private exaggerate(): void {
+    const part = Number(this.slider.value);
+    this.exaggeration = part === 0 ? 0 : this.base * 10 ** ((part - 50) / 50);
+    this.factor.textContent = `${formatShort(this.exaggeration, 2)}\u00d7`;
+    if (!this.scene || !this.choice) return;
+    this.renderer.setLines({
+      flat: this.flatLines(this.scene),
+      columns: this.columnLines(this.scene, this.choice.choice),
+    });
+    if (this.fitted) this.fit();
+    this.redraw();
+  }
+
+  /** Return the outline and the openings where they were. */
+  private flatLines({ head: { plan } }: Scene): Float32Array {
+    const rings = [plan.outline, ...plan.openings.map((each) => each.ring)];
+    return Float32Array.from(rings.flatMap((ring) => sidesOf(ring, ([x, y], [u, v]) => [x, y, 0, u, v, 0])));
+  }
+
+  /** Return each column as an upright prism that stands on the bent plate. */
+  private columnLines(scene: Scene, choice: Choice): Float32Array {
+    const settlement = nodalValues(scene, choice, "settlement"); // [mm]
+    const height = 0.07 * this.extent();
+    const lines = scene.head.plan.columns.flatMap(({ ring }, k) => {
+      const foot = (-settlement[this.feet[k]!]! * this.exaggeration) / 1000;
+      const top = foot + height;
+      // corners of a rectangle; of a round one every few
+      const corners = ring.length > 8 ? ring.filter((_, i) => i % Math.ceil(ring.length / 8) === 0) : ring;
+      return sidesOf(corners, ([x, y], [u, v]) => [x, y, foot, x, y, top, x, y, top, u, v, top]);
+    });
+    return Float32Array.from(lines);
+  }
+
+  private handleKey(event: KeyboardEvent): boolean {
+    if (event.target !== this.element || event.ctrlKey || event.metaKey || event.altKey) return false;
+    const { controls } = this;
+    const turn = Math.PI / 24;
+    const moves: Record<string, () => void> = {
+      ArrowLeft: () => controls.rotateLeft(turn),
+      ArrowRight: () => controls.rotateLeft(-turn),
+      ArrowUp: () => controls.rotateUp(turn),
+      ArrowDown: () => controls.rotateUp(-turn),
+      "+": () => controls.dollyIn(0.85),
+      "=": () => controls.dollyIn(0.85),
+      "-": () => controls.dollyOut(0.85),
+    };
+    const move = moves[event.key];
+    if (move) {
+      move();
+      this.fitted = false;
+      controls.update();
+      this.redraw();
+    } else if (event.key === "0") this.fit();
+    return move !== undefined || event.key === "0";
+  }
+
+  /** Draw with the next frame. */
+  private redraw(): void {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.draw();
+    });
+  }
+
+  private draw(
+    width = this.stage.clientWidth,
+    height = this.stage.clientHeight,
+    ratio = Math.min(window.devicePixelRatio || 1, 2),
+  ): void {
+    const { camera, exaggeration } = this;
+    if (!width || !height) return;
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    const scale = height / (2 * TANGENT * camera.position.distanceTo(this.controls.target));
+    this.renderer.draw({ camera, width, height, ratio, scale, exaggeration, box: EVERYTHING });
+  }
+}
+
+/** Return what is made of each side of a ring. */
+function sidesOf(ring: Ring, make: (from: Ring[number], to: Ring[number]) => number[]): number[] {
+  return ring.flatMap((from, i) => make(from, ring[(i + 1) % ring.length]!));
+}
+
+function nearestNode({ mesh }: Scene, x: number, y: number): number {
+  let [nearest, least] = [0, Number.POSITIVE_INFINITY];
+  for (let i = 0; i < mesh.nodeCount; i++) {
+    const distance = (mesh.nodes[2 * i]! - x) ** 2 + (mesh.nodes[2 * i + 1]! - y) ** 2;
+    if (distance < least) [nearest, least] = [i, distance];
+  }
+  return nearest;
+}

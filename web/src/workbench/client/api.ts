@@ -1,0 +1,210 @@
+// The server's HTTP interface.
+
+import type { Change } from "../model/changes/edits";
+import { type Issue, issueLine } from "../model/issues";
+import type { Table } from "../model/paths";
+
+/** Unsaved work that an earlier run of the server has kept. */
+export interface Offer {
+  file: string | null;
+  when: string;
+  kept: string;
+  /** Whether the file is no longer the one that the work builds on. */
+  changed?: boolean;
+}
+
+export interface DocState {
+  version: number;
+  text: string;
+  /** Null while the text is not TOML, or not read yet. */
+  data: Table | null;
+  /** Whether the server is still reading the text: issues are not known yet, the plan is the previous one. */
+  checking?: boolean;
+  faults: Issue[];
+  plan: Table | null;
+  file: string | null;
+  dirty: boolean;
+  can_undo: boolean;
+  can_redo: boolean;
+  undo_text: string;
+  redo_text: string;
+  offer: Offer | null;
+  autosolve?: boolean;
+  run?: { run: number; version: number } | null;
+  /** Why unsaved work cannot be written to the disk, empty if it can. */
+  unkept?: string;
+  /** Whether another program has changed the file since it was read. */
+  outside?: boolean;
+}
+
+export interface Folder {
+  folder: string;
+  parent: string | null;
+  folders: string[];
+  files: string[];
+}
+
+export interface SummaryRow {
+  label: string;
+  symbol: string;
+  value: string | number | null;
+  unit: string;
+  note: string;
+}
+
+export interface CombinationSummary {
+  name: string;
+  refused: string | null;
+  certificate: Table | null;
+  sections: { title: string; rows: SummaryRow[]; notes: string[] }[];
+}
+
+export interface DesignCheck {
+  name: string;
+  status: "fails" | "attention" | "no failure found" | "not checked";
+  words: string;
+}
+
+export interface Summary {
+  design?: { status: DesignCheck["status"]; headline: string; checks: DesignCheck[] };
+  combinations: CombinationSummary[];
+}
+
+/** The server does not answer. */
+export class Unreachable extends Error {}
+
+/** The server answers, but does not know this page: another server, or a restarted one. */
+export class Unauthorized extends Error {}
+
+/** The edit was made on an older version; `state` is the present one. */
+export class Outdated extends Error {
+  constructor(readonly state: DocState) {
+    super("the document has changed meanwhile");
+  }
+}
+
+/** The server refuses; the message is for users. `kind` names the obstacle, `url` another workbench. */
+export class Refused extends Error {
+  constructor(
+    message: string,
+    readonly status: number,
+    readonly kind = "",
+    readonly url = "",
+  ) {
+    super(message);
+  }
+}
+
+export interface Api {
+  state(): Promise<DocState>;
+  schema(): Promise<Table>;
+  edit(change: Change, base: number): Promise<DocState>;
+  undo(): Promise<DocState>;
+  redo(): Promise<DocState>;
+  save(file: string | null, over: boolean): Promise<DocState>;
+  open(file: string): Promise<DocState>;
+  createCase(): Promise<DocState>;
+  restore(take: boolean): Promise<DocState>;
+  files(folder: string | null): Promise<Folder>;
+  solve(): Promise<number>;
+  cancel(): Promise<void>;
+  autosolve(on: boolean): Promise<void>;
+  scene(run: number): Promise<ArrayBuffer>;
+  summary(run: number): Promise<Summary>;
+  reportAddress(run: number): string;
+  eventsAddress(): string;
+}
+
+const PATIENCE = 15_000; // ms until a server that does not answer counts as gone
+
+/** The interface over HTTP, every call with the token. */
+export class HttpApi implements Api {
+  constructor(private token: string) {}
+
+  /** Use another token, because the server was restarted. */
+  setToken(token: string): void {
+    this.token = token;
+  }
+
+  state = () => this.json<DocState>("state");
+  schema = () => this.json<Table>("schema");
+  edit = (change: Change, base: number) => this.json<DocState>("edits", { ...change, base });
+  undo = () => this.json<DocState>("undo", {});
+  redo = () => this.json<DocState>("redo", {});
+  save = (file: string | null, over: boolean) => this.json<DocState>("save", file === null ? { over } : { file, over });
+  open = (file: string) => this.json<DocState>("open", { file });
+  createCase = () => this.json<DocState>("new", {});
+  restore = (take: boolean) => this.json<DocState>("restore", { take });
+  files = (folder: string | null) =>
+    this.json<Folder>(folder === null ? "files" : `files?folder=${encodeURIComponent(folder)}`);
+  solve = async () => (await this.json<{ run: number }>("solve", {})).run;
+  cancel = async () => void (await this.json("cancel", {}));
+  autosolve = async (on: boolean) => void (await this.json("autosolve", { on }));
+  summary = (run: number) => this.json<Summary>(`results/${run}/summary`);
+  scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
+  reportAddress = (run: number) => `api/results/${run}/report?token=${encodeURIComponent(this.token)}`;
+  eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;
+
+  private async json<T>(name: string, body?: object): Promise<T> {
+    return (await (await this.request(name, body)).json()) as T;
+  }
+
+  private async request(name: string, body?: object, patience = PATIENCE): Promise<Response> {
+    let response: Response;
+    try {
+      response = await fetch(`api/${name}`, {
+        method: body === undefined ? "GET" : "POST",
+        headers: {
+          "X-Groundslab-Token": this.token,
+          ...(body === undefined ? {} : { "Content-Type": "application/json" }),
+        },
+        ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+        signal: AbortSignal.timeout(patience),
+      });
+    } catch (error) {
+      throw new Unreachable(String(error));
+    }
+    if (!response.ok) throw await refusal(response);
+    return response;
+  }
+}
+
+/** Return the error of an answer. */
+async function refusal(response: Response): Promise<Error> {
+  if (response.status === 403 || response.status === 401) return new Unauthorized("the server does not know this page");
+  if (response.status === 502 || response.status === 503 || response.status === 504)
+    return new Unreachable(`status ${response.status}`);
+  let body: unknown;
+  try {
+    body = await response.json();
+  } catch {
+    return new Refused(`the server answered ${response.status}`, response.status);
+  }
+  if (response.status === 409 && isState(body)) return new Outdated(body);
+  const words = messageOf(body) ?? `the server answered ${response.status}`;
+  return new Refused(words, response.status, errorField(body, "kind"), errorField(body, "url"));
+}
+
+/** Return a text in the error of an answer, empty if there is none. */
+function errorField(body: unknown, name: string): string {
+  const error =
+    typeof body === "object" && body !== null && "error" in body
+      ? (body.error as Record<string, unknown> | null)
+      : null;
+  const part = error?.[name];
+  return typeof part === "string" ? part : "";
+}
+
+function isState(body: unknown): body is DocState {
+  return typeof body === "object" && body !== null && "version" in body && "text" in body;
+}
+
+/** Return the message of a refusal: {"error": {...}} with an issue's parts or a message, or {"detail": ...}. */
+export function messageOf(body: unknown): string | null {
+  if (typeof body === "string") return body;
+  if (Array.isArray(body)) return body.flatMap((each) => messageOf(each) ?? []).join("; ") || null;
+  if (typeof body !== "object" || body === null) return null;
+  const table = body as Record<string, unknown>;
+  if (typeof table.got === "string" && typeof table.expected === "string") return issueLine(table as unknown as Issue);
+  return messageOf(table.error ?? table.message ?? table.msg ?? table.detail ?? table.faults ?? null);
+}

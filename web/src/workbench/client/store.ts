@@ -1,0 +1,157 @@
+// The state of the page, and listeners to its changes. No elements here.
+
+import type { Change, Edit } from "../model/changes/edits";
+import { applyOptimistic } from "../model/changes/optimistic-edits";
+import { type Path, samePath, type Table } from "../model/paths";
+import type { DocState } from "./api";
+
+/** The state of the connection. */
+export type Connection = "ok" | "away" | "unauthorized";
+
+/** What the solver is doing. */
+export type Run =
+  | { kind: "idle" }
+  | { kind: "solving"; run: number; version: number; text: string; share: number | null }
+  | {
+      kind: "refused";
+      version: number;
+      message: string;
+      faults: readonly { where: string; got: string; expected: string; mend: string }[];
+    }
+  | { kind: "cancelled" };
+
+/** The result shown. */
+export interface Solved {
+  run: number;
+  version: number;
+  seconds: number;
+  /** What fails in the design, empty if nothing was found to. */
+  design: string;
+}
+
+/** What listeners can be called about. */
+export const TOPICS = [
+  "doc",
+  "data",
+  "connection",
+  "run",
+  "solved",
+  "selection",
+  "waiting",
+  "autosolve",
+  "notice",
+] as const;
+export type Topic = (typeof TOPICS)[number];
+
+/** A short message to the user, with an action. */
+export interface Notice {
+  text: string;
+  kind: "info" | "bad";
+  action?: { label: string; run: () => void };
+}
+
+export class Store {
+  doc: DocState | null = null;
+  schema: Table | null = null;
+  connection: Connection = "ok";
+  run: Run = { kind: "idle" };
+  solved: Solved | null = null;
+  autosolve = false;
+  selection: Path | null = null;
+  notice: Notice | null = null;
+  /** The server's data with the edits that are still on their way. */
+  data: Table = {};
+  /** The server's data; the last ones that could be read while the text is broken. */
+  private readable: Table = {};
+  private waiting: readonly Change[] = [];
+  private readonly listeners = new Map<Topic, Set<() => void>>();
+
+  /** Call a function whenever one of the topics changes; returns how to stop that. */
+  on(topics: readonly Topic[], listener: () => void): () => void {
+    for (const topic of topics) {
+      const all = this.listeners.get(topic) ?? new Set();
+      this.listeners.set(topic, all.add(listener));
+    }
+    return () => {
+      for (const topic of topics) this.listeners.get(topic)?.delete(listener);
+    };
+  }
+
+  /** Call all listeners of a topic. */
+  emit(topic: Topic): void {
+    for (const listener of [...(this.listeners.get(topic) ?? [])]) listener();
+  }
+
+  /** Take a state from the server, and the edits that are to follow it. */
+  setDoc(doc: DocState, waiting: readonly Change[] = this.waiting): void {
+    const fewer = waiting.length !== this.waiting.length;
+    this.doc = doc;
+    this.waiting = [...waiting];
+    this.readable = doc.data ?? this.readable;
+    if (doc.autosolve !== undefined && doc.autosolve !== this.autosolve) {
+      this.autosolve = doc.autosolve;
+      this.emit("autosolve");
+    }
+    this.applyWaiting();
+    if (fewer) this.emit("waiting");
+    this.emit("doc");
+    this.emit("data");
+  }
+
+  /** Take the edits that wait. */
+  setWaiting(waiting: readonly Change[]): void {
+    this.waiting = [...waiting];
+    this.applyWaiting();
+    this.emit("waiting");
+    this.emit("data");
+  }
+
+  get waitingCount(): number {
+    return this.waiting.length;
+  }
+
+  /** The text that waits to be sent, null if none does. */
+  get waitingText(): string | null {
+    const edits: Edit[] = this.waiting.flatMap((change) => change.edits);
+    const text = edits.findLast((edit) => edit.op === "text");
+    return text?.op === "text" ? text.value : null;
+  }
+
+  setConnection(connection: Connection): void {
+    if (this.connection === connection) return;
+    this.connection = connection;
+    this.emit("connection");
+  }
+
+  setRun(run: Run): void {
+    this.run = run;
+    this.emit("run");
+  }
+
+  setSolved(solved: Solved | null): void {
+    this.solved = solved;
+    this.emit("solved");
+  }
+
+  select(path: Path | null): void {
+    if (samePath(this.selection, path)) return;
+    this.selection = path;
+    this.emit("selection");
+  }
+
+  notify(notice: Notice | null): void {
+    this.notice = notice;
+    this.emit("notice");
+  }
+
+  /** Whether the text is broken, so that form and drawing cannot be edited. */
+  get broken(): boolean {
+    return this.doc !== null && this.doc.data === null && !this.doc.checking;
+  }
+
+  private applyWaiting(): void {
+    let data: Table = this.readable;
+    for (const change of this.waiting) for (const edit of change.edits) data = applyOptimistic(data, edit);
+    this.data = data;
+  }
+}

@@ -1,0 +1,47 @@
+// What the parts of a form share.
+
+import type { Change, Edit } from "../model/changes/edits";
+import { isReferenced, renameReferences } from "../model/changes/references";
+import type { Memory } from "../model/changes/variants";
+import type { Issue } from "../model/issues";
+import { titleAt } from "../model/items";
+import { type Json, type Path, sameValue, type Table, valueAt } from "../model/paths";
+import type { Schema } from "../model/schema";
+
+export interface FormContext {
+  readonly schema: Schema;
+  readonly memory: Memory;
+  data(): Table;
+  issues(): readonly Issue[];
+  change(change: Change): void;
+}
+
+/** A part of a form: `update` shows the present data and issues, `reveal` opens and focuses the field of a path. */
+export interface Widget {
+  readonly element: HTMLElement;
+  update(): void;
+  reveal(path: Path): boolean;
+}
+
+/** Set one value, or take it away if it is undefined; `typing` joins it with what was typed into the same field before. */
+export function setValue(ctx: FormContext, path: Path, value: Json | undefined, typing = false): void {
+  const old = valueAt(ctx.data(), path);
+  if (sameValue(value, old)) return;
+  const own: Edit = value === undefined ? { op: "remove", path } : { op: "set", path, value };
+  const others = typeof value === "string" ? renameReferences(ctx.data(), path, value) : [];
+  const change: Change = { edits: [own, ...others], text: `change ${describeField(ctx.data(), path)}` };
+  ctx.change(typing ? { ...change, merge: true } : change);
+}
+
+/** Whether a field is sent only when its input is complete. */
+export function isSentWhenComplete(path: Path): boolean {
+  return isReferenced(path);
+}
+
+/** What a field is called in the list of edits: `thickness of slab`, `E of ground.layers[1]`. */
+function describeField(data: Table, path: Path): string {
+  const key = path.findLast((step) => typeof step === "string") ?? "";
+  const above = path.slice(0, path.lastIndexOf(key));
+  if (above.length === 0) return String(key);
+  return `${String(key).replaceAll("_", " ")} of ${titleAt(data, above)}`;
+}

@@ -1,0 +1,148 @@
+// The case file as a form: one section that folds for each key at the top of the file.
+
+import { h, setText } from "../../viewer/shared/dom";
+import { issueCount, issuesAt, issuesOfPart } from "../model/issues";
+import { isTable, type Json, type Path, type Table } from "../model/paths";
+import type { Field } from "../model/schema";
+import type { FormContext, Widget } from "./context";
+import { showIssues } from "./errors";
+import { heading, shortValue } from "./labels";
+import "./form.css";
+import { nodeWidget } from "./section";
+
+/** The sections: what there is, what acts, what is output, how it is computed. */
+const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
+  { title: "", keys: ["title"] },
+  { title: "Slab", keys: ["plate", "columns", "supports"] },
+  { title: "Ground", keys: ["ground", "soil_zones", "boreholes", "beyond", "contact"] },
+  { title: "Loads", keys: ["cases", "loads", "combinations", "combine"] },
+  { title: "Results", keys: ["output", "reinforcement"] },
+  { title: "Analysis", keys: ["mesh", "analysis"] },
+];
+const HEADINGS: Record<string, string> = {
+  plate: "Slab",
+  cases: "Load cases",
+  combine: "Combinations by EN 1990",
+  beyond: "Ground beyond the slab",
+  output: "Points, lines and strips",
+};
+const OPEN_AT_FIRST = ["plate", "ground"];
+
+/** The form, and how to get to one of its fields. */
+export function formPanel(
+  ctx: FormContext,
+  openKeys: { read(): string[] | null; write(keys: string[]): void },
+): Widget {
+  const root = ctx.schema.part("");
+  const named = new Set(GROUPS.flatMap((group) => group.keys));
+  const others = root.fields.filter((field) => !named.has(field.name)).map((field) => field.name);
+  const messages = h("div", { class: "messages" });
+  const element = h("div", { class: "form", role: "region", "aria-label": "form" }, messages);
+  const open = new Set(openKeys.read() ?? OPEN_AT_FIRST);
+  const sections: Widget[] = [];
+  const opened = (key: string, isOpen: boolean) => {
+    if (isOpen) open.add(key);
+    else open.delete(key);
+    openKeys.write([...open]);
+  };
+  for (const group of [...GROUPS, { title: "More", keys: others }]) {
+    const fields = group.keys.flatMap((key) => root.fields.find((field) => field.name === key) ?? []);
+    if (fields.length > 0 && group.title) element.append(h("h3", { class: "group-title" }, group.title));
+    for (const field of fields) {
+      const widget = isSimple(field)
+        ? nodeWidget(ctx, [field.name], field)
+        : foldedSection(ctx, field, open.has(field.name), opened);
+      sections.push(widget);
+      element.append(widget.element);
+    }
+  }
+  const update = () => {
+    for (const each of sections) each.update();
+    showIssues(messages, issuesOfPart(ctx.issues(), [], root));
+  };
+  const reveal = (target: Path) => sections.some((each) => each.reveal(target));
+  return { element, update, reveal };
+}
+
+function isSimple(field: Field): boolean {
+  return !["part", "kinds", "list"].includes(field.node.is);
+}
+
+function foldedSection(
+  ctx: FormContext,
+  field: Field,
+  open: boolean,
+  opened: (key: string, open: boolean) => void,
+): Widget {
+  const path: Path = [field.name];
+  const digest = h("span", { class: "digest" });
+  const badge = h("span", { class: "badge" });
+  const element = h(
+    "details",
+    { class: "section", "data-section": field.name },
+    h("summary", {}, h("span", { class: "section-title" }, HEADINGS[field.name] ?? heading(field.name)), digest, badge),
+  );
+  let body: Widget | null = null;
+  const build = () => {
+    if (!element.open || body) return;
+    body = nodeWidget(ctx, path, field, true);
+    element.append(h("div", { class: "section-body" }, body.element));
+    body.update();
+  };
+  element.open = open;
+  element.addEventListener("toggle", () => {
+    build();
+    opened(field.name, element.open);
+  });
+  const update = () => {
+    setText(digest, digestOf(field, ctx.data(), isOptional(ctx, field)));
+    const count = issuesAt(ctx.issues(), path).length;
+    setText(badge, count > 0 ? String(count) : "");
+    badge.title = issueCount(count);
+    build();
+    if (element.open) body?.update();
+  };
+  const reveal = (target: Path) => {
+    if (target[0] !== field.name) return false;
+    element.open = true;
+    build();
+    return body?.reveal(target) ?? false;
+  };
+  return { element, update, reveal };
+}
+
+/** Whether a section does nothing unless it is there. */
+function isOptional(ctx: FormContext, field: Field): boolean {
+  return (
+    !field.needed && field.node.is === "part" && ctx.schema.part(field.node.part).fields.some((each) => each.needed)
+  );
+}
+
+/** What a section holds, in a few words; `optional` is one that does nothing unless it is there. */
+function digestOf(field: Field, data: Table, optional: boolean): string {
+  const value: Json | undefined = data[field.name];
+  if (field.node.is === "list" && value === undefined) return "none";
+  if (Array.isArray(value)) return value.length > 0 ? String(value.length) : "none";
+  if (!isTable(value)) return field.needed ? "missing" : optional ? "not used" : "by default";
+  if (field.name === "plate") {
+    const outline = isTable(value.outline)
+      ? String(value.outline.kind ?? "outline")
+      : [value.length_x, value.length_y].map(shortValue).join(" × ");
+    return [outline, `t = ${shortValue(value.thickness)}`].filter(Boolean).join(", ");
+  }
+  if (field.name === "output") {
+    return Object.entries(value)
+      .map(([key, list]) => `${Array.isArray(list) ? list.length : 0} ${key}`)
+      .join(", ");
+  }
+  const layers = Array.isArray(value.layers)
+    ? `${value.layers.length} layer${value.layers.length === 1 ? "" : "s"}`
+    : "";
+  const simple = Object.entries(value).filter(
+    ([key, each]) => key !== "kind" && !isTable(each) && !(Array.isArray(each) && isTable(each[0])),
+  );
+  const pieces = simple.slice(0, 3).map(([key, each]) => `${key.replaceAll("_", " ")} ${shortValue(each)}`);
+  return (
+    [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean).join(", ") || "by default"
+  );
+}

@@ -1,0 +1,257 @@
+// Elements that edit one value of the case file, by what the value is.
+
+import { fill, h, newId } from "../../../viewer/shared/dom";
+import { debounce } from "../../client/debounce";
+import { referencedNames } from "../../model/changes/references";
+import { issuesAt } from "../../model/issues";
+import { type Json, type Path, pathKey, startsWith, valueAt } from "../../model/paths";
+import type { Field, Node } from "../../model/schema";
+import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
+import { showIssues } from "../errors";
+import { defaultText } from "../labels";
+
+export const QUIET = 350; // ms without a key until what was typed is sent
+
+/** An element that edits a value. `focus` is what takes the keyboard. */
+export interface Input {
+  readonly element: HTMLElement;
+  readonly focus: HTMLElement;
+  update(): void;
+}
+
+/** Return the value of a typed text, undefined for none. What is no number stays text, which the server reports. */
+function parseInput(node: Node, typed: string): Json | undefined {
+  const text = typed.trim();
+  if (text === "") return undefined;
+  if (node.is === "number" && node.options.includes(text)) return text;
+  const numeric =
+    (node.is === "number" || node.is === "integer") && /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(text);
+  return numeric ? Number(text) : text;
+}
+
+/** Return a value as the text of an input. */
+function inputText(value: Json | undefined): string {
+  if (value === undefined || value === null) return "";
+  return typeof value === "object" ? JSON.stringify(value) : String(value);
+}
+
+export interface TextOptions {
+  label?: string;
+  placeholder?: string;
+  /** Another way to write the value, for cells of lists. */
+  write?: (value: Json | undefined, typing: boolean) => void;
+}
+
+/** A line of text for a quantity, a number or a text. */
+export function textInput(ctx: FormContext, path: Path, node: Node, options: TextOptions = {}): Input {
+  const input = h("input", {
+    type: "text",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: options.placeholder ?? "",
+    "aria-label": options.label,
+    class: node.is === "text" ? "wide" : "number",
+    inputmode: node.is === "number" || node.is === "integer" ? "decimal" : null,
+  });
+  const write = options.write ?? ((value: Json | undefined, typing: boolean) => setValue(ctx, path, value, typing));
+  let typed = false;
+  let sent = 0; // edits since the field has had the keyboard
+  const send = () => {
+    typed = false;
+    write(parseInput(node, input.value), sent > 0);
+    sent += 1;
+  };
+  const soon = debounce(QUIET, send);
+  const atEnd = isSentWhenComplete(path);
+  input.addEventListener("focus", () => (sent = 0));
+  input.addEventListener("input", () => {
+    typed = true;
+    if (!atEnd) soon();
+  });
+  const end = () => {
+    soon.flush();
+    if (typed) send();
+  };
+  input.addEventListener("change", end);
+  input.addEventListener("blur", end);
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") end();
+  });
+  const known = referencedNames(ctx.data(), path) === null ? null : h("datalist", { id: newId("names") });
+  if (known) input.setAttribute("list", known.id);
+  const update = () => {
+    if (known) fill(known, ...(referencedNames(ctx.data(), path) ?? []).map((name) => h("option", { value: name })));
+    const value = valueAt(ctx.data(), path);
+    if (typed || (document.activeElement === input && parseInput(node, input.value) === value)) return;
+    if (input.value !== inputText(value)) input.value = inputText(value);
+  };
+  return { element: known ? h("span", { class: "with-names" }, input, known) : input, focus: input, update };
+}
+
+/** A choice of one option; the default is shown faintly where nothing is chosen. */
+function choiceInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
+  const select = h("select", {});
+  const update = () => {
+    const value = valueAt(ctx.data(), path);
+    const chosen = inputText(value ?? standard);
+    const odd = words.includes(chosen) ? [] : [h("option", { value: chosen }, chosen === "" ? "choose …" : chosen)];
+    fill(select, ...odd, ...words.map((word) => h("option", { value: word }, word)));
+    select.value = chosen;
+    select.classList.toggle("by-default", value === undefined);
+    select.title = value === undefined && standard !== undefined ? "by default" : "";
+  };
+  select.addEventListener("change", () => setValue(ctx, path, select.value === "" ? undefined : select.value));
+  return { element: select, focus: select, update };
+}
+
+/** Yes or no. */
+function flagInput(ctx: FormContext, path: Path, standard: Json | undefined): Input {
+  const box = h("input", { type: "checkbox", class: "flag" });
+  const update = () => {
+    const value = valueAt(ctx.data(), path) ?? standard;
+    box.checked = value === true;
+    box.indeterminate = typeof value !== "boolean";
+  };
+  box.addEventListener("change", () => setValue(ctx, path, box.checked));
+  return { element: box, focus: box, update };
+}
+
+/** A choice of several options. */
+function choicesInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
+  const boxes = words.map((word) => h("input", { type: "checkbox", value: word }));
+  const group = h("span", { class: "checks", role: "group" }, ...boxes.map((box) => h("label", {}, box, box.value)));
+  const update = () => {
+    const value = valueAt(ctx.data(), path) ?? standard;
+    for (const box of boxes) box.checked = Array.isArray(value) && value.includes(box.value);
+  };
+  group.addEventListener("change", () =>
+    setValue(
+      ctx,
+      path,
+      boxes.filter((box) => box.checked).map((box) => box.value),
+    ),
+  );
+  return { element: group, focus: boxes[0] ?? group, update };
+}
+
+/** A fixed number of values side by side. */
+export function tupleInput(
+  ctx: FormContext,
+  path: Path,
+  each: Node,
+  length: number,
+  labels: readonly string[],
+  standard: Json | undefined,
+): Input {
+  const write = (n: number) => (value: Json | undefined, typing: boolean) => {
+    const old = valueAt(ctx.data(), path);
+    const list = Array.from(
+      { length },
+      (_, k) => (Array.isArray(old) ? old[k] : undefined) ?? defaultElement(each, standard, k),
+    );
+    list[n] = value ?? "";
+    const empty = value === undefined && list.every((item, k) => item === "" || (!Array.isArray(old) && k !== n));
+    setValue(ctx, path, empty ? undefined : list, typing);
+  };
+  const cells = Array.from({ length }, (_, n) =>
+    textInput(ctx, [...path, n], each, {
+      label: labels[n] ?? String(n + 1),
+      placeholder: Array.isArray(standard) ? defaultText(standard[n]) : (labels[n] ?? ""),
+      write: write(n),
+    }),
+  );
+  const element = h("span", { class: "tuple" }, ...cells.map((cell) => cell.element));
+  const update = () => {
+    for (const cell of cells) cell.update();
+  };
+  return { element, focus: cells[0]?.focus ?? element, update };
+}
+
+/** Return the default of a tuple's value, with a unit. */
+function defaultElement(each: Node, standard: Json | undefined, n: number): Json {
+  const own = Array.isArray(standard) ? standard[n] : undefined;
+  if (own === undefined) return "";
+  if (each.is !== "quantity" || typeof own !== "number") return own;
+  return `${own} ${each.example.replace(/^[-+.\deE]+\s*/, "")}`;
+}
+
+/** Names of the values of a tuple: from its symbols, else by what it says. */
+function tupleLabels(field: Field, length: number): string[] {
+  const symbols = field.symbol.split(", ");
+  if (symbols.length === length) return symbols.map((symbol) => symbol.replace("_", ""));
+  if (length === 2 && (field.name === "x" || field.name === "y")) return ["from", "to"];
+  if (length === 2 && field.hint.includes("along x, along y")) return ["x", "y"];
+  if (length === 2 && field.hint.includes("unfavourable and favourable")) return ["unfavourable", "favourable"];
+  return length === 2 ? ["x", "y"] : [];
+}
+
+/** Numbers with commas between. */
+function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
+  const write = (value: Json | undefined, typing: boolean) => {
+    const texts = typeof value === "string" || typeof value === "number" ? String(value).split(",") : [];
+    const list = texts.map((text) => parseInput(each, text)).filter((item) => item !== undefined);
+    setValue(ctx, path, list.length > 0 ? list : undefined, typing);
+  };
+  const input = textInput(ctx, path, { is: "text" }, { placeholder: "0, 0, …", write });
+  const element = input.focus as HTMLInputElement;
+  const update = () => {
+    const value = valueAt(ctx.data(), path);
+    if (document.activeElement !== element)
+      element.value = Array.isArray(value) ? value.map(inputText).join(", ") : inputText(value);
+  };
+  return { ...input, update };
+}
+
+/** The element for a node that is a single value. */
+export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
+  const { node } = field;
+  switch (node.is) {
+    case "choice":
+      return choiceInput(ctx, path, node.options, field.default);
+    case "boolean":
+      return flagInput(ctx, path, field.default);
+    case "choices":
+      return choicesInput(ctx, path, node.options, field.default);
+    case "tuple":
+      return tupleInput(ctx, path, node.each, node.length, tupleLabels(field, node.length), field.default);
+    case "values":
+      return valuesInput(ctx, path, node.each);
+    default:
+      return textInput(ctx, path, node, {
+        placeholder: defaultText(field.default) || (node.is === "quantity" ? `e.g. ${node.example}` : ""),
+      });
+  }
+}
+
+/** Return a widget of an input within an element: it shows what is wrong with the value at a path, and leads to it. */
+export function inputWidget(
+  ctx: FormContext,
+  path: Path,
+  input: Input,
+  element: HTMLElement,
+  messages: HTMLElement,
+): Widget {
+  const update = () => {
+    input.update();
+    const issues = issuesAt(ctx.issues(), path);
+    element.classList.toggle("faulty", issues.length > 0);
+    if (issues.length > 0) input.focus.setAttribute("aria-invalid", "true");
+    else input.focus.removeAttribute("aria-invalid");
+    showIssues(messages, issues);
+  };
+  const reveal = (target: Path) => {
+    if (!startsWith(target, path)) return false;
+    element.scrollIntoView({ block: "nearest" });
+    input.focus.focus();
+    return true;
+  };
+  return { element, update, reveal };
+}
+
+/** Return a widget of an input alone, for a cell of a table. */
+export function inputCell(ctx: FormContext, path: Path, input: Input): Widget {
+  const messages = h("div", { class: "messages", id: newId("issue") });
+  input.focus.setAttribute("aria-describedby", messages.id);
+  const element = h("div", { class: "cell", "data-path": pathKey(path) }, input.element, messages);
+  return inputWidget(ctx, path, input, element, messages);
+}

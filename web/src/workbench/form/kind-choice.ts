@@ -1,0 +1,62 @@
+// The choice between the kinds of a table.
+import { fill, h, newId } from "../../viewer/shared/dom";
+import { switchKind } from "../model/changes/variants";
+import { issuesAt } from "../model/issues";
+import { titleAt } from "../model/items";
+import { type Path, pathKey, startsWith, tableAt } from "../model/paths";
+import type { Part } from "../model/schema";
+import type { FormContext, Widget } from "./context";
+import { showIssues } from "./errors";
+
+/** `change` is called with the kind that is chosen; by default the table at the path becomes of that kind. */
+export function kindChoice(
+  ctx: FormContext,
+  path: Path,
+  names: readonly string[],
+  change: (from: Part | null, to: Part) => void = (from, to) => {
+    const edits = switchKind(ctx.data(), path, from, to, ctx.memory);
+    if (edits.length > 0) ctx.change({ edits, text: `change ${titleAt(ctx.data(), path)} to ${kindText(to)}` });
+  },
+): Widget {
+  const parts = names.map((name) => ctx.schema.part(name));
+  const hasKinds = parts.some((part) => part.kind);
+  const own: Path = [...path, "kind"];
+  const messages = h("div", { class: "messages", id: newId("issue") });
+  const select = h("select", { id: newId("input"), "aria-describedby": messages.id });
+  const hint = h("span", { class: "hint" });
+  const label = h("label", { class: "label needed", for: select.id }, hasKinds ? "kind" : "given by");
+  const element = h("div", { class: "field kind", "data-path": pathKey(own) }, label, select, hint, messages);
+  select.addEventListener("change", () => {
+    const to = parts.find((part) => part.name === select.value);
+    const from = ctx.schema.chooseKind(names, tableAt(ctx.data(), path));
+    if (to && to !== from) change(from, to);
+  });
+  const update = () => {
+    const table = tableAt(ctx.data(), path);
+    const chosen = ctx.schema.chooseKind(names, table);
+    const unknown = h("option", { value: "" }, typeof table.kind === "string" ? table.kind : "choose …");
+    const options = parts.map((part) => h("option", { value: part.name }, kindText(part)));
+    fill(select, chosen ? null : unknown, ...options);
+    select.value = chosen?.name ?? "";
+    hint.textContent = chosen ? kindHint(chosen) : "";
+    const issues = issuesAt(ctx.issues(), own);
+    element.classList.toggle("faulty", issues.length > 0);
+    showIssues(messages, issues);
+  };
+  const reveal = (target: Path) => {
+    if (!startsWith(target, own)) return false;
+    element.scrollIntoView({ block: "nearest" });
+    select.focus();
+    return true;
+  };
+  return { element, update, reveal };
+}
+
+/** Return what a kind is called in a choice. */
+export function kindText(part: Part): string {
+  return part.kind || part.fields.flatMap((field) => (field.needed ? [field.name] : [])).join(", ");
+}
+
+function kindHint(part: Part): string {
+  return part.fields.find((field) => field.node.is === "tag")?.hint ?? part.about;
+}

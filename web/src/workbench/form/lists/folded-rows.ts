@@ -1,0 +1,55 @@
+// The items of a list that fold, each with a summary.
+import { h, setText } from "../../../viewer/shared/dom";
+import { issueCount, issuesAt } from "../../model/issues";
+import { titleAt } from "../../model/items";
+import { listAt, type Path, pathKey, tableAt } from "../../model/paths";
+import type { Node } from "../../model/schema";
+import type { FormContext, Widget } from "../context";
+import { summaryOf } from "../labels";
+import { itemButtons } from "./item-buttons";
+
+export function foldedRows(ctx: FormContext, path: Path, of: Node, makeItem: (path: Path) => Widget): Widget {
+  const element = h("div", { class: "items" });
+  const items: Widget[] = [];
+  const update = () => {
+    const count = listAt(ctx.data(), path).length;
+    while (items.length > count) items.pop()?.element.remove();
+    while (items.length < count) {
+      const item = foldedItem(ctx, [...path, items.length], of, makeItem);
+      items.push(item);
+      element.append(item.element);
+    }
+    for (const item of items) item.update();
+  };
+  const reveal = (target: Path) => items[Number(target[path.length])]?.reveal(target) ?? false;
+  return { element, update, reveal };
+}
+
+function foldedItem(ctx: FormContext, path: Path, of: Node, makeItem: (path: Path) => Widget): Widget {
+  const title = h("span", { class: "item-title" });
+  const badge = h("span", { class: "badge" });
+  const summary = h("summary", {}, title, badge, ...itemButtons(ctx, path));
+  const element = h("details", { class: "item", "data-item": pathKey(path) }, summary);
+  let body: Widget | null = null;
+  const build = () => {
+    if (!element.open || body) return;
+    body = makeItem(path);
+    element.append(body.element);
+    body.update();
+  };
+  element.addEventListener("toggle", build);
+  const update = () => {
+    const table = tableAt(ctx.data(), path);
+    setText(title, summaryOf(table, ctx.schema.partOf(of, table)) || titleAt(ctx.data(), path));
+    const count = issuesAt(ctx.issues(), path).length;
+    setText(badge, count > 0 ? String(count) : "");
+    badge.title = issueCount(count);
+    body?.update();
+  };
+  const reveal = (target: Path) => {
+    element.open = true;
+    build();
+    return body?.reveal(target) ?? false;
+  };
+  return { element, update, reveal };
+}

@@ -1,0 +1,62 @@
+// The workbench's page: model on the left, result on the right.
+import { startTheme } from "../viewer/shared/theme";
+import "../viewer/shared/theme.css";
+import { h } from "../viewer/shared/dom";
+import { type DocState, HttpApi } from "./client/api";
+import { onTokenElsewhere, takeToken } from "./client/browser-storage";
+import { Connection } from "./client/connection";
+import { EditQueue } from "./client/edit-queue";
+import { Store } from "./client/store";
+import { isUntouched } from "./model/changes/optimistic-edits";
+import { buildPage } from "./shell/page";
+import { askOffer, askWhichText } from "./shell/unsaved-work";
+
+startTheme();
+const api = new HttpApi(takeToken());
+const store = new Store();
+const queue: EditQueue = new EditQueue(api, {
+  base: () => store.doc?.version ?? 0,
+  adopt: (state, waiting) => store.setDoc(state, waiting),
+  fits: (change, state) => isUntouched(change, store.doc?.data ?? {}, state.data ?? {}),
+  onRefused: (change, why) => store.notify({ kind: "bad", text: `“${change.text}” was not done: ${why}` }),
+  onLost: (error) => connection.handleLoss(error),
+  onChange: () => store.setWaiting(queue.waiting),
+});
+const resolveOffer = (state: DocState) => askOffer(api, state);
+const connection: Connection = new Connection(api, store, queue, {
+  resolveOffer: resolveOffer,
+  askWhichText: askWhichText,
+});
+
+// while the keyboard is used, the drawing shows that it has the focus
+const setInput = (kind: string) => {
+  document.documentElement.dataset.input = kind;
+};
+const onKey = (event: KeyboardEvent) => {
+  if (event.key === "Tab" || event.key.startsWith("Arrow")) setInput("keys");
+};
+document.addEventListener("keydown", onKey, { capture: true });
+document.addEventListener("pointerdown", () => setInput("pointer"), { capture: true });
+onTokenElsewhere((token) => {
+  api.setToken(token);
+  connection.retry(true);
+});
+addEventListener("beforeunload", (event) => {
+  // what the server has is kept; what it has not would be lost
+  if (store.waitingCount > 0) event.preventDefault();
+});
+const stop = store.on(["doc"], () => {
+  // the first text may still be being read
+  if (store.doc?.data === null && store.doc.checking) return;
+  stop();
+  buildPage(api, store, queue, connection, resolveOffer);
+});
+const cover = h("p", { class: "cover" }, "Loading …");
+document.body.replaceChildren(cover);
+store.on(["connection"], () => {
+  cover.textContent =
+    store.connection === "unauthorized"
+      ? "This address is no longer valid. Open the address that groundslab app has printed."
+      : "The server does not answer. Start it with: groundslab app";
+});
+await connection.start();

@@ -1,0 +1,152 @@
+// The changes that add what was drawn to the case file.
+import { defaultsFor } from "../defaults";
+import { isInside, type Point, type Ring } from "../geometry";
+import { footprintOf, titleAt } from "../items";
+import { freeName, namesIn } from "../names";
+import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
+import { formatLength, parseLength } from "../quantities";
+import type { Addition, Edit } from "./edits";
+
+/** What is added; slabs replace the one that is there. */
+export type NewKind =
+  | "slab"
+  | "opening"
+  | "zone"
+  | "column"
+  | "point load"
+  | "line load"
+  | "area load"
+  | "support"
+  | "wall"
+  | "borehole"
+  | "soil zone"
+  | "void"
+  | "section line";
+
+export type DrawnShape = { kind: "rectangle"; from: Point; to: Point } | { kind: "polygon"; points: Ring };
+
+const toText = (point: Point): Json[] => [formatLength(point[0]), formatLength(point[1])];
+
+/** Return a drawn shape as a table of the case file. */
+function shapeTable(shape: DrawnShape): Table {
+  if (shape.kind === "polygon") return { kind: "polygon", points: shape.points.map(toText) };
+  const { from, to } = shape;
+  const range = (n: 0 | 1) => [Math.min(from[n], to[n]), Math.max(from[n], to[n])].map((each) => formatLength(each));
+  return { kind: "rectangle", x: range(0), y: range(1) };
+}
+
+function addItem(data: Table, list: Path, value: Table, what: string): Addition {
+  const change = { edits: [{ op: "add" as const, path: list, value }], text: `add ${what}` };
+  return { change, path: [...list, listAt(data, list).length] };
+}
+
+/** Return the change that adds a drawn shape. */
+export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase: string): Addition {
+  const shape = shapeTable(drawn);
+  const { kind: _, ...sides } = shape;
+  const place: Table = drawn.kind === "rectangle" ? sides : { shape };
+  switch (kind) {
+    case "opening":
+      return addItem(data, ["plate", "openings"], shape, kind);
+    case "zone":
+      return addItem(data, ["plate", "zones"], { ...defaultsFor("Zone", data), shape }, kind);
+    case "soil zone":
+      return addItem(data, ["soil_zones"], { shape, ground: copyGround(data) }, kind);
+    case "void":
+      return addItem(data, ["contact", "voids"], { ...defaultsFor("Void", data), ...place }, kind);
+    case "area load": {
+      const load = defaultsFor(drawn.kind === "rectangle" ? "PatchLoad" : "AreaLoad", data);
+      return addItem(data, ["loads"], { ...load, ...inCase(loadCase), ...place }, kind);
+    }
+    default:
+      return { change: { edits: outlineEdits(data, shape), text: "draw the slab" }, path: ["plate", "outline"] };
+  }
+}
+
+/** Return the edits that give the slab another outline, and what else a slab needs if it is missing. */
+export function outlineEdits(data: Table, outline: Table): Edit[] {
+  const plate = tableAt(data, ["plate"]);
+  const sides = ["length_x", "length_y"].filter((key) => key in plate);
+  const missing = Object.entries(defaultsFor("Plate", data)).filter(
+    ([key]) => !(key in plate) && !key.startsWith("length"),
+  );
+  return [
+    ...sides.map((key): Edit => ({ op: "remove", path: ["plate", key] })),
+    ...missing.map(([key, value]): Edit => ({ op: "set", path: ["plate", key], value })),
+    { op: "set", path: ["plate", "outline"], value: outline },
+  ];
+}
+
+/** Return the change that adds a drawn line. */
+export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string): Addition {
+  const points = line.map(toText);
+  if (kind === "wall")
+    return addItem(data, ["supports"], { ...defaultsFor("LineSupport", data), points }, "line support");
+  if (kind === "section line") {
+    const name = freeName(namesIn(listAt(data, ["output", "lines"])), "line 1");
+    const value = { name, start: points[0] ?? [], end: points.at(-1) ?? [] };
+    return addItem(data, ["output", "lines"], value, `section ${name}`);
+  }
+  return addItem(data, ["loads"], { ...defaultsFor("LineLoad", data), ...inCase(loadCase), points }, "line load");
+}
+
+/** Return the change that adds something at a point. */
+export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string): Addition {
+  const place = { x: formatLength(at[0]), y: formatLength(at[1]) };
+  if (kind === "support")
+    return addItem(data, ["supports"], { ...defaultsFor("PointSupport", data), ...place }, "point support");
+  if (kind === "borehole") {
+    const name = freeName(namesIn(listAt(data, ["boreholes"])), "B1");
+    const layers = listAt(data, ["boreholes", 0, "layers"]);
+    const value = { ...defaultsFor("Borehole", data), ...(layers.length > 0 ? { layers } : {}) };
+    return addItem(data, ["boreholes"], { name, ...place, ...value }, `borehole ${name}`);
+  }
+  if (kind === "column") {
+    const name = freeName(namesIn(listAt(data, ["columns"])), "C1");
+    return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
+  }
+  const column = columnAt(data, at);
+  const value = { ...defaultsFor("PointLoad", data), ...inCase(loadCase), ...(column === null ? place : { column }) };
+  return addItem(data, ["loads"], value, "point load");
+}
+
+/** Return the cross-section of the last column, else a usual one. */
+function columnSize(data: Table): Table {
+  const last = listAt(data, ["columns"]).findLast(isTable) ?? {};
+  const size = Object.entries(last).filter(([key]) => ["diameter", "width_x", "width_y"].includes(key));
+  return size.length > 0 ? Object.fromEntries(size) : { width_x: "400 mm", width_y: "400 mm" };
+}
+
+/** Return the name of the column that stands at a place, null if none does. */
+function columnAt(data: Table, at: Point): string | null {
+  for (const column of listAt(data, ["columns"])) {
+    if (!isTable(column) || typeof column.name !== "string" || !column.name) continue;
+    const [x, y] = [parseLength(column.x), parseLength(column.y)];
+    if (x === null || y === null) continue;
+    const foot = footprintOf(column, { type: "point", at: [], x, y });
+    if (Math.hypot(x - at[0], y - at[1]) < 1e-9 || (foot && isInside(foot, at))) return column.name;
+  }
+  return null;
+}
+
+function inCase(loadCase: string): Table {
+  return loadCase ? { case: loadCase } : {};
+}
+
+/** Return a copy of the ground for a soil zone, which has to be of the same kind with as many layers. */
+function copyGround(data: Table): Table {
+  const ground = tableAt(data, ["ground"]);
+  return Object.keys(ground).length > 0 ? structuredClone(ground) : defaultsFor("Winkler", data);
+}
+
+/** Return the change that copies an item of a list, moved by a step; null if there is none at the path. */
+export function duplicateItem(data: Table, path: Path, by: Point = [0, 0], at?: number): Addition | null {
+  const list = path.slice(0, -1);
+  const value = structuredClone(tableAt(data, path));
+  if (typeof path.at(-1) !== "number" || Object.keys(value).length === 0) return null;
+  if (typeof value.name === "string" && value.name) value.name = freeName(namesIn(listAt(data, list)), value.name);
+  const copy = [...list, at ?? listAt(data, list).length];
+  const edits: Edit[] = [{ op: "add", path: list, value, ...(at === undefined ? {} : { at }) }];
+  if (by[0] !== 0 || by[1] !== 0) edits.push({ op: "move", path: copy, by });
+  return { change: { edits, text: `duplicate ${titleAt(data, path)}` }, path: copy };
+}

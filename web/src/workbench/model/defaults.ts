@@ -1,0 +1,50 @@
+// Values of new items, so that they can be solved at once and changed later.
+
+import { isTable, listAt, type Table, valueAt } from "./paths";
+import { formatLength, parseLength } from "./quantities";
+
+const LAYER: Table = { E: "20 MPa", nu: 0.3, thickness: "4 m" };
+
+const DEFAULTS: Record<string, Table> = {
+  Plate: { length_x: "6 m", length_y: "4 m", thickness: "300 mm", E: "30 GPa", nu: 0.2 },
+  Winkler: { kind: "winkler", k: "20 MPa/m" },
+  Pasternak: { kind: "pasternak", k0: "20 MPa/m", k1: "10 MN/m" },
+  Vlasov: { kind: "vlasov", layers: [LAYER] },
+  Layered: { kind: "layered", coupling: "consistent", layers: [LAYER] },
+  Selvadurai: { E: "20 MPa", depth: "5 m" },
+  SoilLayer: LAYER,
+  InterfaceLayer: { k0: "20 MPa/m", k1: "10 MN/m" },
+  UniformLoad: { kind: "uniform", q: "5 kPa" },
+  PatchLoad: { kind: "patch", q: "20 kPa" },
+  AreaLoad: { kind: "area", q: "20 kPa" },
+  LineLoad: { kind: "line", q: "20 kN/m" },
+  PointLoad: { kind: "point", P: "100 kN" },
+  SelfWeight: { kind: "self weight", unit_weight: "25 kN/m^3" },
+  TemperatureLoad: { kind: "temperature", difference: "10 K" },
+  SettlementLoad: { kind: "settlement", w: "5 mm" },
+  PointSupport: { kind: "point" },
+  LineSupport: { kind: "line" },
+  LoadCase: { action: "permanent" },
+  Combination: { limit_state: "ultimate" },
+  Combine: { sets: ["ultimate", "characteristic"] },
+  Reinforcement: { f_ck: "30 MPa", f_yk: "500 MPa", bottom: ["40 mm", "50 mm"], top: ["40 mm", "50 mm"] },
+  Void: { depth: "10 mm" },
+};
+
+/** What a new part of a definition starts with; an empty table where nothing can be guessed. */
+export function defaultsFor(definition: string, data: Table): Table {
+  if (definition === "Zone") return { thickness: thickenedPlate(data) };
+  if (definition === "Borehole") return { layers: layersOf(data) };
+  return structuredClone(DEFAULTS[definition] ?? {});
+}
+
+/** A thickness half as much again as the plate's, in round figures. */
+function thickenedPlate(data: Table): string {
+  const own = parseLength(valueAt(data, ["plate", "thickness"]));
+  return own === null ? "600 mm" : formatLength(Math.round(own * 1.5 * 20) / 20, "mm");
+}
+
+function layersOf(data: Table): Table[] {
+  const layers = listAt(data, ["ground", "layers"]).filter(isTable);
+  return structuredClone(layers.length > 0 ? layers : [LAYER]);
+}

@@ -1,0 +1,56 @@
+// Issues of the case file: which field they belong to, and what they say.
+import { type Path, startsWith } from "./paths";
+import type { Part } from "./schema";
+
+/** Something wrong in the case file; the names of its parts are the server's. */
+export interface Issue {
+  where: string;
+  path: Path;
+  got: string;
+  expected: string;
+  mend: string;
+  line?: number;
+}
+
+/** Return the issues of a value: at its path or below. */
+export function issuesAt(issues: readonly Issue[], path: Path): Issue[] {
+  return issues.filter((issue) => startsWith(issue.path, path));
+}
+
+/** Return the issues of a table that none of its fields shows: of the table itself, and of unknown keys. */
+export function issuesOfPart(issues: readonly Issue[], path: Path, part: Part | null): Issue[] {
+  const names = new Set<string | number>(part?.fields.map((field) => field.name) ?? ["kind"]);
+  return issuesAt(issues, path).filter((issue) => {
+    const next = issue.path[path.length];
+    return next === undefined || (typeof next === "string" && !names.has(next));
+  });
+}
+
+/** Return the issues of a list itself. */
+export function issuesOfList(issues: readonly Issue[], path: Path): Issue[] {
+  return issuesAt(issues, path).filter((issue) => typeof issue.path[path.length] !== "number");
+}
+
+/** What an issue says, without its place. */
+export type IssueText = Pick<Issue, "got" | "expected" | "mend">;
+
+/** Return what is wrong. */
+export function issueText({ got, expected, mend }: IssueText): string {
+  return `found ${got}, expected ${expected}${mend ? ` — ${mend}` : ""}`;
+}
+
+/** Return what is wrong as a sentence. */
+export function issueSentence(issue: IssueText): string {
+  const text = issueText(issue);
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.?!]$/.test(text) ? "" : "."}`;
+}
+
+/** Return where and what is wrong. */
+export function issueLine(issue: IssueText & Pick<Issue, "where">): string {
+  return `${issue.where ? `${issue.where}: ` : ""}${issueText(issue)}`;
+}
+
+/** Return how many issues there are, empty for none. */
+export function issueCount(count: number): string {
+  return count === 0 ? "" : count === 1 ? "1 error" : `${count} errors`;
+}

@@ -1,0 +1,164 @@
+// Items of the case file that have a place in plan.
+
+import type { Kind } from "../../viewer/plan/symbols";
+import {
+  boundsOf,
+  type Geometry,
+  type Point,
+  type Ring,
+  readGeometry,
+  readSides,
+  rectangleCorners,
+  ringOf,
+} from "./geometry";
+import { formatPath, isTable, type Json, listAt, type Path, type Table, tableAt, valueAt } from "./paths";
+import { parseLength } from "./quantities";
+
+export interface Item {
+  kind: Kind;
+  /** Its path in the case file: what is selected, moved, removed. */
+  path: Path;
+  /** Its title: `column A1`, `opening 2`. */
+  title: string;
+  table: Table;
+  geometry: Geometry;
+  /** A column's cross-section, a load's footprint. */
+  foot: Ring | null;
+  /** Whether it can be moved and reshaped; a load on a column goes with the column. */
+  movable: boolean;
+}
+
+interface Source {
+  kind: Kind;
+  list: Path;
+  word: string;
+  /** The key of the geometry. */
+  below?: string;
+}
+
+const SOURCES: readonly Source[] = [
+  { kind: "soil zone", list: ["soil_zones"], word: "soil zone", below: "shape" },
+  { kind: "zone", list: ["plate", "zones"], word: "zone", below: "shape" },
+  { kind: "opening", list: ["plate", "openings"], word: "opening" },
+  { kind: "void", list: ["contact", "voids"], word: "void" },
+  { kind: "gap", list: ["contact", "gaps"], word: "measured gap" },
+  { kind: "support", list: ["supports"], word: "support" },
+  { kind: "column", list: ["columns"], word: "column" },
+  { kind: "load", list: ["loads"], word: "load" },
+  { kind: "borehole", list: ["boreholes"], word: "borehole" },
+  { kind: "strip", list: ["output", "strips"], word: "strip" },
+  { kind: "section line", list: ["output", "lines"], word: "section line" },
+  { kind: "output point", list: ["output", "points"], word: "output point" },
+];
+
+/** Kinds of loads that have no place of their own in plan. */
+export const UNPLACED: ReadonlySet<string> = new Set(["uniform", "self weight", "temperature", "settlement"]);
+
+/** Everything that can be drawn, from below upwards; what cannot be read here is taken from the server's plan. */
+export function itemsOf(data: Table, plan: Table | null): Item[] {
+  return [...slabItem(data, plan), ...SOURCES.flatMap((source) => itemsFrom(source, data, plan))];
+}
+
+function slabItem(data: Table, plan: Table | null): Item[] {
+  const table = tableAt(data, ["plate"]);
+  const outlined = table.outline !== undefined;
+  const path: Path = outlined ? ["plate", "outline"] : ["plate"];
+  const geometry = (outlined ? readGeometry(data, path) : readSides(data)) ?? fixedGeometry(plan?.outline, path);
+  return geometry ? [{ kind: "slab", path, title: "slab", table, geometry, foot: null, movable: outlined }] : [];
+}
+
+function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
+  return listAt(data, source.list).flatMap((table, n): Item[] => {
+    if (!isTable(table)) return [];
+    const path = [...source.list, n];
+    const title = titleOf(source.word, table, n);
+    const host = source.kind === "load" ? columnOf(data, table) : null;
+    if (host) {
+      const geometry: Geometry = { type: "point", at: path, x: host.x, y: host.y };
+      return [{ kind: source.kind, path, title, table, geometry, foot: null, movable: false }];
+    }
+    if (source.kind === "load" && UNPLACED.has(String(table.kind))) return [];
+    const at = source.below ? [...path, source.below] : path;
+    const drawn = readGeometry(data, at) ?? (table.shape === undefined ? null : readGeometry(data, [...path, "shape"]));
+    const geometry = drawn ?? fromPlan(plan, path);
+    return geometry
+      ? [{ kind: source.kind, path, title, table, geometry, foot: footprintOf(table, geometry), movable: true }]
+      : [];
+  });
+}
+
+/** Return the title of an item: its kind and its name, else its number. */
+function titleOf(word: string, table: Table, position: number): string {
+  const kinds =
+    word === "load" || word === "support" ? `${typeof table.kind === "string" ? table.kind : ""} ${word}`.trim() : word;
+  return typeof table.name === "string" && table.name ? `${kinds} ${table.name}` : `${kinds} ${position + 1}`;
+}
+
+/** Return the title of the item at a path, also of one without a place in plan. */
+export function titleAt(data: Table, path: Path): string {
+  const source = SOURCES.find(
+    (each) => each.list.length + 1 === path.length && each.list.every((step, n) => step === path[n]),
+  );
+  const position = path.at(-1);
+  if (source && typeof position === "number") return titleOf(source.word, tableAt(data, path), position);
+  return path[0] === "plate" && path.length < 3 ? "slab" : formatPath(path);
+}
+
+/** Return where the column is that a load names, null if it names none that is known. */
+function columnOf(data: Table, load: Table): { x: number; y: number } | null {
+  if (typeof load.column !== "string" || !load.column) return null;
+  const column = listAt(data, ["columns"]).find((each) => isTable(each) && each.name === load.column);
+  const [x, y] = [parseLength(valueAt(column, ["x"])), parseLength(valueAt(column, ["y"]))];
+  return x !== null && y !== null ? { x, y } : null;
+}
+
+/** The outline of a column's cross-section or a load's footprint, null if there is none. */
+export function footprintOf(table: Table, geometry: Geometry): Ring | null {
+  if (geometry.type !== "point") return null;
+  const { x, y } = geometry;
+  const diameter = parseLength(table.diameter);
+  if (diameter !== null && diameter > 0)
+    return ringOf({ type: "circle", at: [], center: [x, y], radius: diameter / 2 });
+  const [width, depth] = [parseLength(table.width_x), parseLength(table.width_y)];
+  if (width === null || depth === null || width <= 0 || depth <= 0) return null;
+  return rectangleCorners([x - width / 2, x + width / 2], [y - depth / 2, y + depth / 2]);
+}
+
+/** Return a geometry from the server's plan, which can be moved but not reshaped. */
+function fromPlan(plan: Table | null, path: Path): Geometry | null {
+  if (!plan) return null;
+  const words = formatPath(path);
+  for (const list of Object.values(plan)) {
+    const found = Array.isArray(list) ? list.find((each) => isTable(each) && each.path === words) : undefined;
+    if (!isTable(found)) continue;
+    if (typeof found.x === "number" && typeof found.y === "number")
+      return { type: "point", at: path, x: found.x, y: found.y };
+    const line = found.points ?? (found.start && found.end ? [found.start, found.end] : undefined);
+    return fixedGeometry(found.ring ?? line, path, found.ring !== undefined);
+  }
+  return null;
+}
+
+function fixedGeometry(value: Json | undefined, at: Path, closed = true): Geometry | null {
+  if (!Array.isArray(value)) return null;
+  const points = value.flatMap((each): Point[] =>
+    Array.isArray(each) && typeof each[0] === "number" && typeof each[1] === "number" ? [[each[0], each[1]]] : [],
+  );
+  return points.length > 0 ? { type: "fixed", at, points, closed } : null;
+}
+
+/** The rectangle around everything drawn, null if there is nothing. */
+export function boundsOfItems(items: readonly Item[]): [number, number, number, number] | null {
+  return boundsOf(items.flatMap((item) => [...ringOf(item.geometry)]));
+}
+
+/** The places that others snap to: corners, centers, ends. */
+export function snapPoints(items: readonly Item[], without: Path | null): Point[] {
+  const points: Point[] = [[0, 0]];
+  for (const { geometry, path } of items) {
+    if (without && formatPath(path) === formatPath(without)) continue;
+    if (geometry.type === "circle") points.push(geometry.center);
+    else points.push(...ringOf(geometry.type === "polygon" ? { ...geometry, bulges: [] } : geometry));
+  }
+  return points;
+}

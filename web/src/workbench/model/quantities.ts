@@ -1,0 +1,72 @@
+// Lengths as the case file writes them, "200 mm", to meters and back: only what the drawing needs.
+// What is a good quantity is for the server to say.
+
+import { trimZeros } from "../../viewer/data/numbers";
+import type { Json } from "./paths";
+
+const METERS: Record<string, number> = {
+  m: 1,
+  mm: 1e-3,
+  cm: 1e-2,
+  dm: 0.1,
+  km: 1e3,
+  ft: 0.3048,
+  foot: 0.3048,
+  feet: 0.3048,
+  in: 0.0254,
+  inch: 0.0254,
+  yd: 0.9144,
+  yard: 0.9144,
+};
+const LENGTH = /^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z]+)\s*$/;
+
+/** Return a length in meters, null if the text is none that the drawing knows. */
+export function parseLength(value: Json | undefined): number | null {
+  const match = typeof value === "string" ? LENGTH.exec(value) : null;
+  const size = match ? METERS[match[2] ?? ""] : undefined;
+  if (!match || size === undefined) return null;
+  // through the decimal exponent, so that "700 mm" is 0.7 and not 0.7000000000000001
+  return size < 1 && size.toString().startsWith("0.0") && Math.log10(size) % 1 === 0
+    ? Number(`${Number(match[1])}e${Math.round(Math.log10(size))}`) || Number(match[1]) * size
+    : Number(match[1]) * size;
+}
+
+/** Return a point [x, y] in meters, null if it is none. */
+export function parsePoint(value: Json | undefined): [number, number] | null {
+  if (!Array.isArray(value) || value.length !== 2) return null;
+  const [x, y] = [parseLength(value[0]), parseLength(value[1])];
+  return x === null || y === null ? null : [x, y];
+}
+
+/** A list of places, null if any of them is none. */
+export function parsePoints(value: Json | undefined): [number, number][] | null {
+  if (!Array.isArray(value)) return null;
+  const all = value.map(parsePoint);
+  return all.every((each) => each !== null) ? (all as [number, number][]) : null;
+}
+
+/** The unit of a length's text, "m" where there is none that is known. */
+function unitOf(value: Json | undefined): string {
+  const unit = typeof value === "string" ? LENGTH.exec(value)?.[2] : undefined;
+  return unit !== undefined && unit in METERS ? unit : "m";
+}
+
+/** A number without noise and without zeros at its end. */
+export function formatDecimals(value: number, digits: number): string {
+  const text = trimZeros(value.toFixed(digits));
+  return text === "-0" ? "0" : text;
+}
+
+/** A length as text in a unit, to a tenth of a millimetre. */
+export function formatLength(value: number, unit = "m"): string {
+  const size = METERS[unit] ?? 1;
+  const digits = Math.max(0, Math.round(4 + Math.log10(size)));
+  return `${formatDecimals(value / size, digits)} ${unit}`;
+}
+
+/** A length, or nested lists of them, as texts in the units that were there. */
+export function formatLike(old: Json | undefined, value: number | readonly unknown[]): Json {
+  if (typeof value === "number") return formatLength(value, unitOf(old));
+  const before = Array.isArray(old) ? old : [];
+  return value.map((each, n) => formatLike(before[n] ?? before.at(-1), each as number | readonly unknown[]));
+}

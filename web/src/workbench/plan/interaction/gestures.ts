@@ -1,0 +1,203 @@
+// What pointers do between press and release: moving, reshaping and drawing.
+import { withMinus } from "../../../viewer/data/numbers";
+import type { Addition, Change } from "../../model/changes/edits";
+import { addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
+import {
+  editsBetween,
+  type Geometry,
+  isClosed,
+  moveGeometry,
+  nearestCorner,
+  type Point,
+  type Ring,
+  ringOf,
+} from "../../model/geometry";
+import type { Item } from "../../model/items";
+import type { Table } from "../../model/paths";
+import { formatDecimals, formatLength } from "../../model/quantities";
+import type { Tool } from "../tools";
+import { dragHandle, type Handle } from "./handles";
+import type { Snapped } from "./snapping";
+
+/** What the drawing becomes if the pointer is released now. */
+export interface Preview {
+  geometry: Geometry;
+  /** The item that it stands for; null for a new one. */
+  item: Item | null;
+  text: string;
+}
+
+/** Dragging an item. */
+export interface DragGesture {
+  readonly item: Item;
+  /** Return the place to be snapped for a place of the pointer. */
+  aim(at: Point): Point;
+  /** Move to a snapped place. */
+  moveTo(snapped: Snapped): Preview;
+  /** Return the change that was made, null for none. */
+  change(): Change | null;
+}
+
+/** Moving an item: the corner by which it is held goes to round lengths and other corners. */
+export class MoveGesture implements DragGesture {
+  private readonly held: Point;
+  private by: Point = [0, 0];
+
+  constructor(
+    readonly item: Item,
+    private readonly start: Point,
+  ) {
+    this.held = nearestCorner(ringOf(item.geometry), start);
+  }
+
+  aim(at: Point): Point {
+    return [this.held[0] + at[0] - this.start[0], this.held[1] + at[1] - this.start[1]];
+  }
+
+  moveTo({ at }: Snapped): Preview {
+    this.by = [roundOff(at[0] - this.held[0]), roundOff(at[1] - this.held[1])];
+    const text = `${formatPoint(at)}   Δ ${formatSigned(this.by[0])}, ${formatSigned(this.by[1])} m`;
+    return { geometry: moveGeometry(this.item.geometry, this.by), item: this.item, text };
+  }
+
+  change(): Change | null {
+    if (this.by[0] === 0 && this.by[1] === 0) return null;
+    return { edits: [{ op: "move", path: this.item.path, by: this.by }], text: `move ${this.item.title}` };
+  }
+}
+
+/** Dragging one handle of an item. */
+export class ReshapeGesture implements DragGesture {
+  private after: Geometry;
+
+  constructor(
+    readonly item: Item,
+    readonly handle: Handle,
+  ) {
+    this.after = item.geometry;
+  }
+
+  aim(at: Point): Point {
+    return at;
+  }
+
+  moveTo({ at }: Snapped): Preview {
+    this.after = dragHandle(this.item.geometry, this.handle, at) ?? this.after;
+    return { geometry: this.after, item: this.item, text: `${formatPoint(at)}   ${measureText(this.after)}` };
+  }
+
+  change(): Change | null {
+    const edits = editsBetween(this.item.geometry, this.after);
+    if (edits.length === 0) return null;
+    const verb = this.handle.kind === "add" ? "add a corner to" : "reshape";
+    return { edits, text: `${verb} ${this.item.title}` };
+  }
+}
+
+/** Drawing a new item: by dragging, or by clicking place after place. */
+export class DrawGesture {
+  readonly points: Point[] = [];
+  private dragging = false;
+
+  constructor(readonly tool: Tool) {}
+
+  /** The pointer goes down; returns whether the drawing is complete with it. */
+  down(at: Point, reach: number): boolean {
+    const [first] = this.points;
+    const last = this.points.at(-1);
+    if (this.tool.draws === "point") {
+      this.points.push(at);
+      return true;
+    }
+    const closes = this.tool.draws === "shape" && first && this.points.length >= 3 && isNear(first, at, reach);
+    const ends = this.tool.draws === "line" && last && this.points.length >= 2 && isNear(last, at, reach);
+    if (closes || ends) return true;
+    if (!last || !isNear(last, at, 1e-9)) this.points.push(at);
+    this.dragging = this.points.length === 1;
+    return this.tool.draws === "segment" && this.points.length === 2;
+  }
+
+  /** The pointer goes up; returns whether the drawing is complete with it. */
+  up(at: Point, reach: number): boolean {
+    const [first] = this.points;
+    const far = this.dragging && first && !isNear(first, at, reach);
+    this.dragging = false;
+    if (!far) return false;
+    this.points.push(at);
+    return true;
+  }
+
+  /** Return what is drawn if the pointer is released at a place. */
+  preview({ at }: Snapped): Preview {
+    const [first] = this.points;
+    if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, text: formatPoint(at) };
+    if (this.tool.draws === "shape" && this.dragging) {
+      const geometry: Geometry = { type: "box", at: [], x: [first[0], at[0]], y: [first[1], at[1]] };
+      const text = sizeText(Math.abs(at[0] - first[0]), Math.abs(at[1] - first[1]));
+      return { geometry, item: null, text: `${formatPoint(at)}   ${text}` };
+    }
+    const last = this.points.at(-1) ?? first;
+    const length = formatDecimals(Math.hypot(at[0] - last[0], at[1] - last[1]), 3);
+    const angle = formatDecimals((Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI, 1);
+    const geometry: Geometry = { type: "line", at: [], points: [...this.points, at], bulges: [] };
+    return { geometry, item: null, text: `${formatPoint(at)}   ${length} m at ${angle}°` };
+  }
+
+  /** Return the change that adds what has been drawn, null if it is not enough. */
+  finish(data: Table, loadCase: string): Addition | null {
+    const { tool, points } = this;
+    const [first, second] = points;
+    if (!first || tool.name === "select") return null;
+    if (tool.draws === "point") return addPoint(tool.name, data, first, loadCase);
+    if (!second) return null;
+    if (tool.draws !== "shape") return addLine(tool.name, data, points, loadCase);
+    const isBox = points.length === 2;
+    if (isBox && (first[0] === second[0] || first[1] === second[1])) return null;
+    const shape: DrawnShape = isBox ? { kind: "rectangle", from: first, to: second } : { kind: "polygon", points };
+    return addShape(tool.name, data, shape, loadCase);
+  }
+}
+
+function sizeText(x: number, y: number): string {
+  return `${formatDecimals(x, 3)} × ${formatDecimals(y, 3)} m`;
+}
+
+/** Return the measures of a geometry as text. */
+function measureText(geometry: Geometry): string {
+  switch (geometry.type) {
+    case "sides":
+      return sizeText(geometry.x, geometry.y);
+    case "box":
+      return sizeText(geometry.x[1] - geometry.x[0], geometry.y[1] - geometry.y[0]);
+    case "circle":
+      return `r = ${formatDecimals(geometry.radius, 3)} m`;
+    case "point":
+      return formatPoint([geometry.x, geometry.y]);
+    default: {
+      const ring: Ring = ringOf(geometry);
+      if (isClosed(geometry)) return `${ring.length} corners`;
+      const lengths = ring.slice(1).map(([x, y], n) => Math.hypot(x - ring[n]![0], y - ring[n]![1]));
+      return `${formatDecimals(
+        lengths.reduce((sum, length) => sum + length, 0),
+        3,
+      )} m long`;
+    }
+  }
+}
+
+function isNear(a: Point, b: Point, reach: number): boolean {
+  return Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
+}
+
+/** Return x and y to a millimeter as text. */
+function formatPoint([x, y]: Point): string {
+  return withMinus(`x ${formatLength(x)}, y ${formatLength(y)}`);
+}
+
+function formatSigned(value: number): string {
+  return `${value < 0 ? "−" : "+"}${formatDecimals(Math.abs(value), 3)}`;
+}
+
+function roundOff(value: number): number {
+  return Number(value.toFixed(6)) + 0;
+}

@@ -1,0 +1,217 @@
+// The pointer over the drawing: selecting, moving, reshaping, drawing, moving and zooming the view.
+import { isFar, pixelOf, Touches, zoomByWheel } from "../../../viewer/plan/navigation";
+import type { Store } from "../../client/store";
+import type { Addition, Change } from "../../model/changes/edits";
+import type { Point } from "../../model/geometry";
+import type { Item } from "../../model/items";
+import { samePath } from "../../model/paths";
+import type { Canvas } from "../canvas";
+import type { Tool } from "../tools";
+import { type DragGesture, DrawGesture, MoveGesture, ReshapeGesture } from "./gestures";
+
+export interface PointerHooks {
+  push(change: Change): void;
+  tool(): Tool;
+  /** Something was drawn. */
+  onDrawn(addition: Addition): void;
+  showHint(text: string): void;
+}
+
+/** What goes on while the pointer is down. */
+type Press =
+  | { kind: "pan" }
+  | { kind: "item"; item: Item; start: Point; wasSelected: boolean }
+  | { kind: "drag"; gesture: DragGesture }
+  | { kind: "empty"; start: Point };
+
+export class Pointer {
+  private drawing: DrawGesture | null = null;
+  private press: Press | null = null;
+  private space = false;
+  private lastClick: Point | null = null; // another click at the same place selects what lies below
+  private readonly touches = new Touches();
+
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly store: Store,
+    private readonly hooks: PointerHooks,
+  ) {
+    const { element } = canvas;
+    element.addEventListener("pointerdown", (event) => this.down(event));
+    element.addEventListener("pointermove", (event) => this.move(event));
+    element.addEventListener("pointerup", (event) => this.up(event));
+    element.addEventListener("pointercancel", () => this.cancel());
+    element.addEventListener("pointerleave", () => this.leave());
+    element.addEventListener("contextmenu", (event) => event.preventDefault());
+    element.addEventListener("dblclick", () => this.finish());
+    const zoom = (event: WheelEvent) => {
+      zoomByWheel(canvas.camera, event, pixelOf(element, event));
+      canvas.moved();
+    };
+    element.addEventListener("wheel", zoom, { passive: false });
+    for (const type of ["keydown", "keyup"] as const)
+      element.addEventListener(type, (event) => {
+        if (event.key === " ") this.space = type === "keydown";
+      });
+  }
+
+  /** End a drawing of several clicks with what there is. */
+  finish(): void {
+    if (this.drawing && this.drawing.points.length >= 2) this.complete();
+  }
+
+  /** Abandon what is being done; returns whether there was anything. */
+  cancel(): boolean {
+    const isBusy = this.press !== null || this.drawing !== null;
+    this.touches.clear();
+    this.press = this.drawing = this.canvas.preview = this.canvas.guides = null;
+    this.canvas.redraw();
+    return isBusy;
+  }
+
+  private down(event: PointerEvent): void {
+    const { canvas } = this;
+    canvas.element.focus({ preventScroll: true });
+    canvas.element.setPointerCapture(event.pointerId);
+    const pixel = pixelOf(canvas.element, event);
+    this.touches.set(event.pointerId, pixel);
+    if (this.touches.size > 1 || event.button > 0 || this.space) {
+      this.press = { kind: "pan" };
+      return;
+    }
+    const tool = this.hooks.tool();
+    if (tool.draws === "nothing") this.press = this.pressAt(pixel);
+    else if (!this.store.broken) {
+      this.drawing ??= new DrawGesture(tool);
+      if (this.drawing.down(this.snapDrawing(this.drawing, pixel, event).at, canvas.reach)) this.complete();
+    }
+  }
+
+  /** Return what a press on a pixel begins. */
+  private pressAt(pixel: Point): Press {
+    const { canvas, store } = this;
+    const handle = canvas.handleAt(pixel);
+    const { selected } = canvas;
+    if (handle && selected && !store.broken) {
+      canvas.corner = handle.kind === "corner" ? handle.index : null;
+      canvas.redraw();
+      return { kind: "drag", gesture: new ReshapeGesture(selected, handle) };
+    }
+    const items = canvas.itemsAt(pixel);
+    const isRepeated = this.lastClick !== null && !isFar(this.lastClick, pixel);
+    const own = isRepeated ? items.find((item) => samePath(item.path, store.selection)) : undefined;
+    const item = own ?? items[0];
+    return item
+      ? { kind: "item", item, start: pixel, wasSelected: own !== undefined }
+      : { kind: "empty", start: pixel };
+  }
+
+  private move(event: PointerEvent): void {
+    const { canvas, press, touches } = this;
+    const pixel = pixelOf(canvas.element, event);
+    const before = touches.get(event.pointerId) ?? pixel;
+    if (touches.pinch(canvas.camera, event.pointerId, pixel)) {
+      this.press = { kind: "pan" };
+      canvas.moved();
+    } else if (press?.kind === "pan") {
+      canvas.camera.pan(pixel[0] - before[0], pixel[1] - before[1]);
+      canvas.moved();
+    } else if (press?.kind === "item" || press?.kind === "empty") {
+      if (isFar(press.start, pixel)) this.startDrag(press, pixel);
+    } else if (press) {
+      const { gesture } = press;
+      canvas.guides = canvas.snap(gesture.aim(canvas.camera.toPlan(pixel)), event.altKey, gesture.item.path);
+      canvas.preview = gesture.moveTo(canvas.guides);
+      canvas.redraw();
+    } else if (this.hooks.tool().draws !== "nothing") {
+      const drawing = this.drawing ?? new DrawGesture(this.hooks.tool());
+      canvas.guides = this.snapDrawing(drawing, pixel, event);
+      canvas.preview = drawing.preview(canvas.guides);
+      canvas.redraw();
+    } else this.hover(pixel);
+  }
+
+  private snapDrawing(drawing: DrawGesture, pixel: Point, event: PointerEvent) {
+    return this.canvas.snap(this.canvas.camera.toPlan(pixel), event.altKey, null, drawing.points);
+  }
+
+  private startDrag(press: Extract<Press, { start: Point }>, pixel: Point): void {
+    const { canvas, store } = this;
+    const { start } = press;
+    // the slab fills the view: it is dragged only if it is selected
+    const isHeld = press.kind === "item" && (press.item.kind !== "slab" || samePath(press.item.path, store.selection));
+    if (press.kind === "empty" || !isHeld) {
+      this.press = { kind: "pan" };
+      canvas.camera.pan(pixel[0] - start[0], pixel[1] - start[1]);
+      canvas.moved();
+      return;
+    }
+    const { item } = press;
+    store.select(item.path);
+    if (item.movable && !store.broken)
+      this.press = { kind: "drag", gesture: new MoveGesture(item, canvas.camera.toPlan(start)) };
+    else {
+      this.hooks.showHint(whyFixed(item));
+      this.press = null;
+    }
+  }
+
+  private hover(pixel: Point): void {
+    const { canvas } = this;
+    const handle = canvas.handleAt(pixel);
+    const item = handle ? null : (canvas.itemsAt(pixel)[0] ?? null);
+    const overItem = item && item.kind !== "slab" ? "item" : "";
+    canvas.element.dataset.cursor = handle ? (handle.along ?? handle.kind) : overItem;
+    if (samePath(canvas.hovered, item?.path ?? null)) return;
+    canvas.hovered = item?.path ?? null;
+    canvas.redraw();
+  }
+
+  private leave(): void {
+    if (this.press) return;
+    this.canvas.hovered = null;
+    this.canvas.guides = null;
+    if (!this.drawing) this.canvas.preview = null;
+    this.canvas.redraw();
+  }
+
+  private up(event: PointerEvent): void {
+    const { canvas, press } = this;
+    const pixel = pixelOf(canvas.element, event);
+    this.touches.delete(event.pointerId);
+    this.press = null;
+    if (this.drawing?.up(this.snapDrawing(this.drawing, pixel, event).at, canvas.reach)) this.complete();
+    if (press?.kind === "drag") {
+      const change = press.gesture.change();
+      canvas.preview = null;
+      canvas.guides = null;
+      if (change) this.hooks.push(change);
+      canvas.redraw();
+    } else if (press?.kind === "item") this.click(press.item, press.wasSelected, pixel);
+    else if (press?.kind === "empty") this.store.select(null);
+  }
+
+  /** A click selects; another one at the same place selects what lies below. */
+  private click(item: Item, wasSelected: boolean, pixel: Point): void {
+    this.canvas.corner = null;
+    this.lastClick = pixel;
+    if (!wasSelected) return this.store.select(item.path);
+    const items = this.canvas.itemsAt(pixel);
+    const next = items[(items.findIndex((each) => samePath(each.path, item.path)) + 1) % items.length];
+    this.store.select(next?.path ?? item.path);
+  }
+
+  private complete(): void {
+    const addition = this.drawing?.finish(this.store.data, this.canvas.loadCase);
+    this.cancel();
+    if (addition) this.hooks.onDrawn(addition);
+  }
+}
+
+/** Return why an item cannot be moved. */
+export function whyFixed(item: Item): string {
+  if (item.kind === "slab")
+    return "A rectangle given by its sides is centered on the origin: drag its edges, or convert it to a polygon to move it.";
+  if (item.kind === "load") return `It stands on column ${String(item.table.column)} and moves with it.`;
+  return "It cannot be moved at present.";
+}

@@ -1,0 +1,143 @@
+// The drawing of the case file's items, and the marks around the selected one.
+import { withMinus } from "../../viewer/data/numbers";
+import type { Camera } from "../../viewer/plan/camera";
+import { drawSymbol, drawText, type PlanSymbol } from "../../viewer/plan/symbols";
+import { svg } from "../../viewer/shared/dom";
+import { isClosed, type Ring, readGeometry, ringOf } from "../model/geometry";
+import type { Item } from "../model/items";
+import { listAt, type Path, pathKey, samePath, startsWith } from "../model/paths";
+import { formatDecimals, parseLength } from "../model/quantities";
+
+/** Which items are drawn how. */
+export interface Highlights {
+  selected: Path | null;
+  /** The item under the pointer. */
+  hovered: Path | null;
+  /** Paths with issues. */
+  faulty: readonly Path[];
+  /** The load case whose loads stand out; empty for all. */
+  loadCase: string;
+}
+
+/** Draw all items of a model, from below upwards. */
+export function drawItems(camera: Camera, items: readonly Item[], highlights: Highlights): SVGElement[] {
+  const loadsAt = new Map<string, Item[]>();
+  for (const item of items.filter((each) => each.kind === "load"))
+    loadsAt.set(placeKey(item), [...(loadsAt.get(placeKey(item)) ?? []), item]);
+  return items.map((item) => {
+    const attributes = { class: classesOf(item, highlights), "data-path": pathKey(item.path), "data-kind": item.kind };
+    return svg("g", attributes, ...drawSymbol(camera, symbolOf(item, loadsAt.get(placeKey(item)) ?? [], highlights)));
+  });
+}
+
+/** Return a key that loads at the same place share. */
+function placeKey({ geometry }: Item): string {
+  return geometry.type === "point" ? `${geometry.x} ${geometry.y}` : JSON.stringify({ ...geometry, at: 0 });
+}
+
+function classesOf(item: Item, { selected, hovered, faulty, loadCase }: Highlights): string {
+  const isFaulty = item.kind !== "slab" && faulty.some((path) => startsWith(path, item.path));
+  const marks = {
+    selected: samePath(selected, item.path),
+    hovered: samePath(hovered, item.path),
+    faulty: isFaulty,
+    faint: item.kind === "load" && loadCase !== "" && item.table.case !== loadCase,
+  };
+  const names = Object.entries(marks).flatMap(([name, on]) => (on ? [name] : []));
+  return ["symbol", item.kind.replaceAll(" ", "-"), ...names].join(" ");
+}
+
+/** Return the symbol of an item; `loads` are those at its place. */
+function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): PlanSymbol {
+  const { kind, table, geometry, foot } = item;
+  const ring = ringOf(geometry);
+  const closed = isClosed(geometry);
+  const isWall = kind === "load" && table.kind === "line";
+  const texts = kind === "load" ? loadTexts(item, loads, highlights) : textsOf(item);
+  return {
+    kind,
+    shape: geometry.type === "point" ? "point" : closed && !isWall ? "area" : "line",
+    points: closed && isWall ? [...ring, ...ring.slice(0, 1)] : ring,
+    texts: texts ?? [],
+    foot,
+    holes: kind === "load" ? holesOf(item) : [],
+    hidden: texts === null,
+    upward: String(table.P ?? "")
+      .trim()
+      .startsWith("-"),
+    elastic: table.stiffness !== undefined,
+    width: parseLength(table.width) ?? 0,
+  };
+}
+
+function nameOf(item: Item): string {
+  return typeof item.table.name === "string" ? item.table.name : "";
+}
+
+function textsOf(item: Item): string[] {
+  switch (item.kind) {
+    case "zone":
+      return item.table.thickness === undefined ? [] : [`t = ${String(item.table.thickness)}`];
+    case "soil zone":
+    case "void":
+      return [item.title];
+    case "output point":
+    case "gap":
+      return [nameOf(item) || item.title];
+    default:
+      return [nameOf(item)];
+  }
+}
+
+/** Return the texts of a load; null if another load at the same place shows them. */
+function loadTexts(item: Item, here: readonly Item[], { selected, hovered, loadCase }: Highlights): string[] | null {
+  const strong = here.filter((each) => !loadCase || each.table.case === loadCase);
+  const marked = here.find((each) => samePath(selected, each.path) || samePath(hovered, each.path));
+  if (item !== (marked ?? strong[0] ?? here[0])) return null;
+  const named = marked && strong.length === 0 ? [marked] : strong;
+  return marked || strong.length < 2 ? named.map(loadText) : [`${strong.length} loads`];
+}
+
+/** Return a load's name and size. */
+function loadText(item: Item): string {
+  const { table } = item;
+  if (table.kind !== "point") return withMinus([nameOf(item), String(table.q ?? "")].filter(Boolean).join("  "));
+  const moments = ["M_x", "M_y"].flatMap((key) =>
+    table[key] === undefined ? [] : [`, ${key.replace("_", "")} ${String(table[key])}`],
+  );
+  return withMinus(`${String(table.P ?? "")}${moments.join("")}`);
+}
+
+/** Return the edges of the parts of an area that are not loaded. */
+function holesOf({ table }: Item): Ring[] {
+  return listAt(table, ["holes"]).flatMap((_, n) => {
+    const hole = readGeometry(table, ["holes", n]);
+    return hole ? [ringOf(hole)] : [];
+  });
+}
+
+/** Draw lengths of a shape's edges, or of a line, beside them. */
+export function drawDimensions(camera: Camera, ring: Ring, closed: boolean): SVGElement[] {
+  // opposite sides of a rectangle are equal
+  const count = !closed ? ring.length - 1 : isBox(ring) ? 2 : ring.length;
+  if (count > 24) return [];
+  const center = ring.reduce((sum, point) => sum + camera.toPixel(point)[0], 0) / Math.max(1, ring.length);
+  return ring.slice(0, Math.max(count, 0)).flatMap((a, n) => {
+    const b = ring[(n + 1) % ring.length] ?? a;
+    const [p, q] = [camera.toPixel(a), camera.toPixel(b)];
+    if (Math.hypot(q[0] - p[0], q[1] - p[1]) < 34) return [];
+    const isSteep = Math.abs(q[1] - p[1]) > Math.abs(q[0] - p[0]);
+    const x = (p[0] + q[0]) / 2;
+    const side = x > center ? -8 : 8;
+    const align = !isSteep ? "dimension middle" : x > center ? "dimension end" : "dimension";
+    const text = `${formatDecimals(Math.hypot(b[0] - a[0], b[1] - a[1]), 3)} m`;
+    return [drawText([x, (p[1] + q[1]) / 2], text, [isSteep ? side : 0, -8], align)];
+  });
+}
+
+/** Whether a ring is a rectangle along x and y. */
+function isBox(ring: Ring): boolean {
+  const [a, b, c, d] = ring;
+  if (ring.length !== 4 || !a || !b || !c || !d) return false;
+  return a[1] === b[1] && b[0] === c[0] && c[1] === d[1] && d[0] === a[0];
+}

@@ -1,0 +1,60 @@
+// The tools beside the drawing, with names and keys.
+import { h } from "../../viewer/shared/dom";
+import { toolIcon } from "./tool-icons";
+import { type Tool, type ToolName, toolOf } from "./tools";
+
+export interface ToolBar {
+  readonly element: HTMLElement;
+  current(): Tool;
+  choose(name: ToolName): void;
+}
+
+const GROUPS: readonly (readonly ToolName[])[] = [
+  ["select"],
+  ["slab", "opening", "zone", "column"],
+  ["point load", "line load", "area load"],
+  ["support", "wall"],
+  ["borehole", "soil zone", "void"],
+  ["section line"],
+];
+
+/** Make the tool bar; `onChange` is called with every tool that is chosen. */
+export function toolBar(onChange: (tool: Tool) => void): ToolBar {
+  let current = toolOf("select");
+  const makeButton = ({ name, label, key, hint }: Tool) => {
+    const attributes = {
+      type: "button",
+      class: "tool",
+      title: `${label} (${key}). ${hint}`,
+      "aria-keyshortcuts": key,
+      "data-tool": name,
+      onclick: () => choose(name),
+    };
+    return h("button", attributes, toolIcon(name), h("span", {}, label), h("kbd", {}, key));
+  };
+  const groups = GROUPS.map((names) => names.map((name) => makeButton(toolOf(name))));
+  const buttons = groups.flat();
+  const mark = () => {
+    for (const each of buttons) {
+      const isCurrent = each.dataset.tool === current.name;
+      each.setAttribute("aria-pressed", String(isCurrent));
+      each.tabIndex = isCurrent ? 0 : -1;
+    }
+  };
+  const choose = (name: ToolName) => {
+    current = toolOf(name);
+    mark();
+    onChange(current);
+  };
+  mark();
+  const attributes = { class: "tools", role: "toolbar", "aria-label": "drawing tools", "aria-orientation": "vertical" };
+  const element = h("div", attributes, ...groups.map((group) => h("div", { class: "tool-group" }, ...group)));
+  element.addEventListener("keydown", (event) => {
+    const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
+    if (by === 0) return;
+    event.preventDefault();
+    const now = buttons.indexOf(document.activeElement as HTMLButtonElement);
+    buttons[(now + by + buttons.length) % buttons.length]?.focus();
+  });
+  return { element, current: () => current, choose };
+}

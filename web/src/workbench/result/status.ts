@@ -1,0 +1,87 @@
+// The line above the result: what it is of, whether it is up to date, what the solver is doing.
+
+import { type Child, fill, h, setText } from "../../viewer/shared/dom";
+import type { Run, Solved, Store } from "../client/store";
+import { issueLine } from "../model/issues";
+
+/** How the shown result stands to the model. */
+export type Freshness = "none" | "fresh" | "stale";
+
+/** Whether the shown result is of the present model. */
+export function freshness(solved: Solved | null, version: number | undefined, waiting: number): Freshness {
+  if (!solved) return "none";
+  return solved.version === version && waiting === 0 ? "fresh" : "stale";
+}
+
+/** What the line says. */
+export function statusText(
+  fresh: Freshness,
+  run: Run,
+  solved: Solved | null,
+  autosolve: boolean,
+  faults: number,
+): string {
+  const old = fresh === "stale" ? "These results are of an earlier state of the model. " : "";
+  switch (run.kind) {
+    case "solving":
+      return `${old}Solving${run.text ? `: ${run.text}` : " …"}`;
+    case "refused":
+      return `${old}Not solved: ${run.message || "the model has errors"}`;
+    case "cancelled":
+      return `${old}Solving was cancelled.`;
+    default:
+      if (fresh === "none") return "Not solved yet.";
+      if (fresh === "stale" && faults > 0) return `${old}Fix the ${faults === 1 ? "error" : "errors"} to update them.`;
+      if (fresh === "stale") return autosolve ? old : `${old}Solve to update them.`;
+      return [solved?.design ?? "", `Solved in ${formatSeconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
+  }
+}
+
+function formatSeconds(value: number): string {
+  return value < 10 ? `${value.toFixed(1)} s` : `${Math.round(value)} s`;
+}
+
+/** The line, with the progress of the solver below it. */
+export function statusLine(store: Store): HTMLElement {
+  const words = h("span", { class: "status-words" });
+  const bar = h("progress", { max: 1, "aria-label": "progress of the solver" });
+  const element = h("div", { class: "result-status", role: "status" }, words, bar);
+  const update = () => {
+    const { run, solved, doc } = store;
+    const fresh = freshness(solved, doc?.version, store.waitingCount);
+    setText(words, statusText(fresh, run, solved, store.autosolve, doc?.faults.length ?? 0));
+    words.title = words.textContent ?? "";
+    const failing = fresh === "fresh" && Boolean(solved?.design);
+    element.dataset.state =
+      run.kind === "solving" ? "solving" : run.kind === "refused" ? "refused" : failing ? "failing" : fresh;
+    bar.hidden = run.kind !== "solving";
+    if (run.kind === "solving" && run.share !== null) bar.value = run.share;
+    else bar.removeAttribute("value");
+  };
+  store.on(["run", "solved", "doc", "waiting", "autosolve"], update);
+  update();
+  return element;
+}
+
+/** What is shown in place of a result while there is none. */
+export function emptyResult(store: Store, solve: () => void): { element: HTMLElement; update(): void } {
+  const element = h("div", { class: "empty-result" });
+  const show = (title: string, text: string, ...more: Child[]) =>
+    fill(element, h("h3", {}, title), h("p", {}, text), ...more);
+  const update = () => {
+    const { run, doc } = store;
+    const count = doc?.faults.length ?? 0;
+    if (run.kind === "solving") return show("Solving …", "The first result appears here.");
+    if (run.kind === "refused")
+      return show("Not solved", run.message, ...run.faults.map((each) => h("p", { class: "quiet" }, issueLine(each))));
+    if (count > 0)
+      return show(
+        "No result yet",
+        `Fix the ${count === 1 ? "error" : `${count} errors`} listed below the model first.`,
+      );
+    const how = "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve.";
+    show("No result yet", how, h("button", { type: "button", class: "main", onclick: solve }, "Solve"));
+  };
+  store.on(["run", "doc", "solved"], update);
+  return { element, update };
+}

@@ -1,0 +1,168 @@
+// The figures of a combination that a reader wants first, and the certificates of all.
+
+import { formatNumber } from "../../viewer/data/numbers";
+import { fill, h } from "../../viewer/shared/dom";
+import { symbolElement } from "../../viewer/shared/symbols";
+import type { CombinationSummary, Summary } from "../client/api";
+import type { Json } from "../model/paths";
+
+/** What can be judged of the design: what fails or needs attention comes in words. */
+function designOf(summary: Summary | null): HTMLElement[] {
+  const design = summary?.design;
+  if (!design) return [];
+  const open = design.checks.filter((check) => check.status === "fails" || check.status === "attention");
+  if (open.length === 0) return [h("p", { class: "quiet" }, design.headline)];
+  return [
+    h("p", { class: "verdict bad" }, design.headline),
+    h("ul", {}, ...open.map((check) => h("li", {}, `${check.name}: ${check.words}`))),
+  ];
+}
+
+/** Show what fails in the design, and the figures of one combination; null: none is chosen. */
+export function showSummary(
+  element: HTMLElement,
+  one: CombinationSummary | null,
+  summary: Summary | null = null,
+): void {
+  const design = designOf(summary);
+  if (!one) return fill(element, ...design, h("p", { class: "empty" }, "Choose a combination to see its figures."));
+  if (one.refused !== null)
+    return fill(element, ...design, h("p", { class: "verdict bad" }, `${one.name} has no solution: ${one.refused}`));
+  fill(
+    element,
+    ...design,
+    h(
+      "div",
+      { class: "summary-sections" },
+      ...one.sections.map((section) =>
+        h(
+          "section",
+          {},
+          h("h3", {}, section.title),
+          h(
+            "table",
+            { class: "figures" },
+            h(
+              "tbody",
+              {},
+              ...section.rows.map((row) =>
+                h(
+                  "tr",
+                  {},
+                  h(
+                    "th",
+                    { scope: "row" },
+                    row.label,
+                    row.symbol ? " " : "",
+                    row.symbol ? symbolElement(row.symbol) : null,
+                  ),
+                  h("td", {}, typeof row.value === "number" ? formatNumber(row.value) : (row.value ?? "")),
+                  h("td", { class: "unit" }, row.unit),
+                  h("td", { class: "note" }, row.note),
+                ),
+              ),
+            ),
+          ),
+          ...section.notes.map((note) => h("p", { class: "quiet" }, note)),
+        ),
+      ),
+    ),
+  );
+}
+
+/** What a certificate holds beside the ratios that measure how well the equations are satisfied. */
+const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "too_large", "load", "reaction"]);
+
+/** Whether a ratio is above its limit. */
+function isTooLarge(one: CombinationSummary, key: string): boolean {
+  const tooLarge = one.certificate?.too_large;
+  return Array.isArray(tooLarge) && tooLarge.includes(key);
+}
+
+/** The verdict on a combination. */
+export type Verdict = "certified" | "not certified" | "refused";
+
+export function verdictOf(one: CombinationSummary): Verdict {
+  if (one.refused !== null || one.certificate === null) return "refused";
+  return one.certificate.holds === true ? "certified" : "not certified";
+}
+
+const TEXTS: Record<Verdict, string> = { certified: "holds", "not certified": "does not hold", refused: "no solution" };
+
+/** Show the certificates of all combinations; `choose` is called with the position of one that was clicked. */
+export function showCertificates(element: HTMLElement, summary: Summary | null, choose: (n: number) => void): void {
+  if (!summary)
+    return fill(
+      element,
+      h("p", { class: "empty" }, "Each solved combination is checked against the equations; the verdicts stand here."),
+    );
+  const keys = [...new Set(summary.combinations.flatMap((one) => Object.keys(one.certificate ?? {})))].filter(
+    (key) => !NO_RATIOS.has(key),
+  );
+  const bad = summary.combinations.filter((one) => verdictOf(one) !== "certified").length;
+  const total = summary.combinations.length;
+  const verdict =
+    bad === 0
+      ? h(
+          "p",
+          { class: "verdict good" },
+          `${total === 1 ? "The result is" : `The results of all ${total} combinations are`} certified: equilibrium and contact conditions are satisfied on this mesh. This is no approval of the design.`,
+        )
+      : h(
+          "p",
+          { class: "verdict bad" },
+          total === 1
+            ? "This result must not be used."
+            : `${bad} of ${total} combinations have no result that may be used.`,
+        );
+  const head = h(
+    "tr",
+    {},
+    h("th", { scope: "col" }, "combination"),
+    h("th", { scope: "col" }, "certificate"),
+    ...keys.map((key) => h("th", { scope: "col" }, key.replaceAll("_", " "))),
+  );
+  const rows = summary.combinations.map((one, n) => {
+    const own = verdictOf(one);
+    const name = h(
+      "button",
+      { type: "button", class: "link", onclick: () => choose(n) },
+      one.name || `combination ${n + 1}`,
+    );
+    const figures =
+      own === "refused"
+        ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
+        : keys.map((key) =>
+            h(
+              "td",
+              { class: isTooLarge(one, key) ? "figure too-large" : "figure" },
+              formatFigure(one.certificate?.[key]),
+            ),
+          );
+    return h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, name),
+      h("td", {}, h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, TEXTS[own])),
+      ...figures,
+    );
+  });
+  fill(
+    element,
+    verdict,
+    h("div", { class: "wide" }, h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows))),
+  );
+}
+
+/** A number with a power of ten: 2.7·10⁻¹³. */
+function formatPower(value: number): string {
+  const [digits = "", power = ""] = value.toExponential(1).split("e");
+  return `${digits.replace("-", "−")}·10${[...power.replace("+", "")].map((sign) => (sign === "-" ? "⁻" : ("⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)] ?? ""))).join("")}`;
+}
+
+function formatFigure(value: Json | undefined): string {
+  if (typeof value === "number")
+    return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4) ? formatNumber(value) : formatPower(value);
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  return typeof value === "string" ? value : "";
+}

@@ -1,0 +1,159 @@
+// Commands on the document.
+
+import { type Api, type DocState, Refused, Unauthorized, Unreachable } from "../client/api";
+import type { EditQueue } from "../client/edit-queue";
+import type { Store } from "../client/store";
+import { ask } from "./dialogs";
+import { chooseFile } from "./file-dialog";
+
+export class Commands {
+  constructor(
+    private readonly api: Api,
+    private readonly store: Store,
+    private readonly queue: EditQueue,
+    private readonly onLost: (error: Unreachable | Unauthorized) => void,
+    /** Send what is being typed. */
+    private readonly flush: () => void,
+    private readonly openIssues: () => void,
+    /** Ask what to do with unsaved work that was found, and return the state after the answer. */
+    private readonly resolveOffer: (state: DocState) => Promise<DocState>,
+  ) {}
+
+  undo = () => this.change(() => this.api.undo());
+  redo = () => this.change(() => this.api.redo());
+
+  /** Save to the present file; under a name if there is none. */
+  save = async (): Promise<boolean> => {
+    const file = this.store.doc?.file ?? null;
+    if (file === null) return this.saveAs();
+    return this.saveTo(null, false);
+  };
+
+  /** Save under a name that the user chooses. */
+  saveAs = async (): Promise<boolean> => {
+    const chosen = await chooseFile(this.api, "save", this.store.doc?.file ?? null);
+    if (!chosen) return false;
+    return this.saveTo(chosen.file, chosen.over);
+  };
+
+  /** Save; ask first where something else would be overwritten. */
+  private async saveTo(file: string | null, over: boolean): Promise<boolean> {
+    const inTheWay = (error: Refused) => !over && (error.kind === "changed" || error.kind === "exists");
+    let why = "";
+    const done = await this.change(
+      () => this.api.save(file, over),
+      "saved",
+      (error) => {
+        if (inTheWay(error)) why = error.kind;
+        return why !== "";
+      },
+    );
+    if (done || why === "") return done;
+    const words =
+      why === "exists"
+        ? "A file of this name already exists."
+        : "Another program has changed the file since it was read here. Saving replaces what it has written.";
+    const answers = [
+      { label: "Don't save", value: "no" as const, main: true },
+      { label: "Save as …", value: "as" as const },
+      { label: "Replace it", value: "over" as const },
+    ];
+    const answer = await ask("Replace the file?", [words], answers, "no");
+    return answer === "over" ? this.saveTo(file, true) : answer === "as" ? this.saveAs() : false;
+  }
+
+  open = async (): Promise<void> => {
+    const chosen = await chooseFile(this.api, "open", this.store.doc?.file ?? null);
+    if (chosen) await this.openFile(chosen.file);
+  };
+
+  /** Open a file in place of the present one. */
+  openFile = async (file: string): Promise<void> => {
+    if (!(await this.confirmLeaving())) return;
+    if (await this.change(() => this.api.open(file))) this.resetResult();
+  };
+
+  createCase = async (): Promise<void> => {
+    if (!(await this.confirmLeaving())) return;
+    if (await this.change(() => this.api.createCase())) this.resetResult();
+  };
+
+  solve = async (): Promise<void> => {
+    if ((this.store.doc?.faults.length ?? 0) > 0) return this.openIssues();
+    await this.run(async () => void (await this.api.solve()));
+  };
+
+  cancel = () => this.run(() => this.api.cancel());
+
+  autosolve = (on: boolean) =>
+    this.run(async () => {
+      await this.api.autosolve(on);
+      this.store.autosolve = on;
+      this.store.emit("autosolve");
+    });
+
+  /** Forget results and selection of the document before. */
+  private resetResult(): void {
+    this.store.setSolved(null);
+    this.store.setRun({ kind: "idle" });
+    this.store.select(null);
+  }
+
+  /** Ask what to do with unsaved work before another document is opened. */
+  private async confirmLeaving(): Promise<boolean> {
+    this.flush();
+    await this.queue.run();
+    if (this.store.doc?.dirty !== true) return true;
+    const answer = await ask(
+      "Save the changes first?",
+      ["The present case has unsaved changes. If you leave it, they are kept and offered when it is opened again."],
+      [
+        { label: "Stay", value: "stay" },
+        { label: "Leave", value: "leave" },
+        { label: "Save", value: "save", main: true },
+      ],
+      "stay",
+    );
+    return answer === "leave" || (answer === "save" && (await this.save()));
+  }
+
+  /** Change the document after all edits have been sent; returns whether it went well. `known` handles a refusal itself. */
+  private async change(
+    make: () => Promise<DocState>,
+    done?: string,
+    known: (error: Refused) => boolean = () => false,
+  ): Promise<boolean> {
+    return this.run(async () => {
+      const state = await make();
+      this.store.setDoc(state.offer ? await this.resolveOffer(state) : state);
+      if (done) this.store.notify({ kind: "info", text: `${this.store.doc?.file ?? "The case"} is ${done}.` });
+    }, known);
+  }
+
+  private async run(run: () => Promise<void>, known: (error: Refused) => boolean = () => false): Promise<boolean> {
+    this.flush();
+    await this.queue.run();
+    try {
+      await run();
+      return true;
+    } catch (error) {
+      if (error instanceof Unreachable || error instanceof Unauthorized) this.onLost(error);
+      else if (error instanceof Refused && known(error)) return false;
+      else
+        this.store.notify({
+          kind: "bad",
+          text: error instanceof Refused ? error.message : String(error),
+          ...(error instanceof Refused ? otherWorkbench(error) : {}),
+        });
+      return false;
+    }
+  }
+}
+
+/** Return the action that leads to the workbench that has a file open. */
+function otherWorkbench(error: Refused): { action?: { label: string; run: () => void } } {
+  const { url } = error;
+  // only to a workbench on this machine
+  if (!/^http:\/\/(127\.0\.0\.1|localhost):\d+\//.test(url)) return {};
+  return { action: { label: "Go there", run: () => void window.open(url, "_blank", "noopener") } };
+}

@@ -1,0 +1,185 @@
+// Choosing a case file on the server's machine: to open, or to save under a name.
+
+import { fill, h, newId } from "../../viewer/shared/dom";
+import { type Api, type Folder, Refused } from "../client/api";
+import { ask } from "./dialogs";
+
+export interface ChosenFile {
+  file: string;
+  /** Whether a file of that name exists and may be replaced. */
+  over: boolean;
+}
+
+/** Ask for a file; null if the user cancels. `present` is the file that is open. */
+export function chooseFile(
+  api: Pick<Api, "files">,
+  purpose: "open" | "save",
+  present: string | null,
+): Promise<ChosenFile | null> {
+  return new Promise((resolve) => new FileDialog(api, purpose, present, resolve).start());
+}
+
+class FileDialog {
+  private readonly place = h("input", { type: "text", class: "path", "aria-label": "folder", spellcheck: "false" });
+  private readonly list = h("div", {
+    class: "files",
+    role: "listbox",
+    "aria-label": "folders and case files",
+    tabindex: 0,
+  });
+  private readonly name = h("input", {
+    type: "text",
+    id: newId("name"),
+    spellcheck: "false",
+    placeholder: "slab.toml",
+  });
+  private readonly message = h("p", { class: "messages", role: "alert" });
+  private readonly dialog: HTMLDialogElement;
+  private folder: Folder | null = null;
+  private turn = 0; // the latest request; late answers are not shown
+
+  constructor(
+    private readonly api: Pick<Api, "files">,
+    private readonly purpose: "open" | "save",
+    private readonly present: string | null,
+    private readonly resolve: (chosen: ChosenFile | null) => void,
+  ) {
+    const words = purpose === "open" ? "Open" : "Save";
+    const title = purpose === "open" ? "Open a case file" : "Save the case file as";
+    const up = h(
+      "button",
+      {
+        type: "button",
+        class: "small",
+        title: "Folder above",
+        onclick: () => this.folder?.parent && void this.show(this.folder.parent),
+      },
+      "↑ Up",
+    );
+    const form = h(
+      "form",
+      { method: "dialog", class: "file-form" },
+      h("h2", {}, title),
+      h("div", { class: "file-place" }, up, this.place),
+      this.list,
+      h("div", { class: "file-name" }, h("label", { for: this.name.id }, "Name"), this.name),
+      this.message,
+      h(
+        "div",
+        { class: "answers" },
+        h("button", { type: "button", onclick: () => this.close(null) }, "Cancel"),
+        h("button", { type: "submit", class: "main" }, words),
+      ),
+    );
+    this.dialog = h("dialog", { class: "file-dialog", "aria-label": title }, form);
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.accept();
+    });
+    this.dialog.addEventListener("cancel", (event) => {
+      event.preventDefault();
+      this.close(null);
+    });
+    this.place.addEventListener("input", () => (this.turn += 1));
+    this.place.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      void this.show(this.place.value);
+    });
+    this.list.addEventListener("keydown", (event) => this.walk(event));
+  }
+
+  start(): void {
+    document.body.append(this.dialog);
+    this.dialog.showModal();
+    const { present } = this;
+    this.name.value = present === null ? "" : (present.split(/[\\/]/).at(-1) ?? "");
+    const folder =
+      present === null ? null : present.slice(0, Math.max(present.lastIndexOf("/"), present.lastIndexOf("\\")));
+    this.name.focus();
+    void this.show(folder || null);
+  }
+
+  private close(chosen: ChosenFile | null): void {
+    this.dialog.close();
+    this.dialog.remove();
+    this.resolve(chosen);
+  }
+
+  private async show(folder: string | null): Promise<void> {
+    this.turn += 1;
+    const { turn } = this;
+    try {
+      const found = await this.api.files(folder);
+      if (turn !== this.turn) return;
+      this.folder = found;
+    } catch (error) {
+      this.message.textContent = error instanceof Refused ? error.message : "The server does not answer.";
+      return;
+    }
+    this.message.textContent = "";
+    this.place.value = this.folder.folder;
+    const { folders, files } = this.folder;
+    fill(
+      this.list,
+      ...folders.map((name) => this.entry(name, true)),
+      ...files.map((name) => this.entry(name, false)),
+      folders.length + files.length === 0 ? h("p", { class: "empty" }, "No case files (*.toml) in this folder.") : null,
+    );
+  }
+
+  private entry(name: string, isFolder: boolean): HTMLElement {
+    const open = () => (isFolder ? void this.show(this.path(name)) : void this.accept());
+    const button = h(
+      "button",
+      { type: "button", class: isFolder ? "entry folder" : "entry", role: "option", tabindex: -1, ondblclick: open },
+      isFolder ? `${name}/` : name,
+    );
+    button.addEventListener("click", () => {
+      if (isFolder) return open();
+      this.name.value = name;
+      for (const each of this.list.children) each.setAttribute("aria-selected", String(each === button));
+    });
+    return button;
+  }
+
+  /** Arrow keys walk through the list. */
+  private walk(event: KeyboardEvent): void {
+    if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
+    event.preventDefault();
+    const all = [...this.list.querySelectorAll("button")];
+    const now = all.indexOf(document.activeElement as HTMLButtonElement);
+    all[Math.min(all.length - 1, Math.max(0, now + (event.key === "ArrowDown" ? 1 : -1)))]?.focus();
+  }
+
+  private path(name: string): string {
+    const folder = this.folder?.folder ?? "";
+    const separator = folder.includes("\\") ? "\\" : "/";
+    return folder.endsWith(separator) ? folder + name : folder + separator + name;
+  }
+
+  private async accept(): Promise<void> {
+    let name = this.name.value.trim();
+    if (!name) {
+      this.message.textContent = "Choose a file, or write a name.";
+      return;
+    }
+    if (this.purpose === "save" && !/\.[A-Za-z0-9]+$/.test(name)) name += ".toml";
+    const file = /^([A-Za-z]:)?[\\/]/.test(name) ? name : this.path(name);
+    const there = this.folder?.files.includes(name) === true;
+    if (this.purpose === "save" && there && file !== this.present) {
+      const over = await ask(
+        "Replace the file?",
+        [`${name} already exists.`],
+        [
+          { label: "Keep it", value: false, main: true },
+          { label: "Replace it", value: true },
+        ],
+        false,
+      );
+      if (!over) return;
+      return this.close({ file, over: true });
+    }
+    this.close({ file, over: false });
+  }
+}

@@ -1,0 +1,131 @@
+// The page, made once schema and document are there.
+import { h } from "../../viewer/shared/dom";
+import type { DocState, HttpApi } from "../client/api";
+import { openSections } from "../client/browser-storage";
+import type { Connection } from "../client/connection";
+import type { EditQueue } from "../client/edit-queue";
+import { type Store, TOPICS } from "../client/store";
+import type { FormContext } from "../form/context";
+import { formPanel } from "../form/form-panel";
+import type { Change } from "../model/changes/edits";
+import type { Issue } from "../model/issues";
+import { Schema } from "../model/schema";
+import { planEditor } from "../plan/plan-editor";
+import { ResultPanel } from "../result/result-panel";
+import { TextPanel } from "../text/text-panel";
+import { banner, notices } from "./banner";
+import { Commands } from "./commands";
+import { issueList } from "./diagnostics";
+import { splitter } from "./splitter";
+import { tabs } from "./tabs";
+import { topBar } from "./top-bar";
+import { showWarnings } from "./unsaved-work";
+import "./page.css";
+
+const BROKEN =
+  "The text cannot be read at present; fix it under Text, or undo. Form and drawing show what was there before.";
+
+export function buildPage(
+  api: HttpApi,
+  store: Store,
+  queue: EditQueue,
+  connection: Connection,
+  resolveOffer: (state: DocState) => Promise<DocState>,
+): void {
+  if (!store.schema || !store.doc) return;
+  const model = modelPanel(store, new Schema(store.schema), (change) => queue.push(change));
+  const lost = connection.handleLoss.bind(connection);
+  const commands = new Commands(api, store, queue, lost, model.flush, model.openIssues, resolveOffer);
+  showWarnings(store, commands);
+  const result = new ResultPanel(store, api, () => void commands.solve(), lost);
+  const page = h("main", { class: "page" });
+  page.append(
+    model.element,
+    splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "width of the model"),
+    result.element,
+  );
+  const top = topBar(store, api, commands);
+  document.body.replaceChildren(
+    top,
+    banner(store, () => connection.retry()),
+    page,
+    notices(store),
+  );
+  document.addEventListener("keydown", (event) => handleKey(event, commands));
+  for (const topic of TOPICS) store.emit(topic);
+}
+
+/** The left half: plan, form and text of the model, and its issues. */
+function modelPanel(store: Store, schema: Schema, push: (change: Change) => void) {
+  const ctx: FormContext = {
+    schema,
+    memory: new Map(),
+    data: () => store.data,
+    issues: () => store.doc?.faults ?? [],
+    change: push,
+  };
+  const form = formPanel(ctx, openSections);
+  const plan = planEditor(store, ctx, push);
+  const text = new TextPanel(store, (value, continued) => {
+    const change: Change = { edits: [{ op: "text", value }], text: "edit the text" };
+    push(continued ? { ...change, merge: true } : change);
+  });
+  const broken = h("p", { class: "broken", role: "alert", hidden: true }, BROKEN);
+  const planTab = h("div", { class: "panel" }, plan.element);
+  const formTab = h("div", { class: "panel scrolls" }, form.element);
+  const textTab = h("div", { class: "panel" }, text.element);
+  const views = tabs(
+    [
+      { name: "plan", label: "Plan", panel: planTab },
+      { name: "form", label: "Form", panel: formTab },
+      { name: "text", label: "Text", panel: textTab },
+    ],
+    "model",
+    (name) => {
+      if (name === "form") form.update();
+      if (name === "text") text.draw();
+    },
+  );
+  const reveal = (issue: Issue) => {
+    if (issue.path.length === 0 || views.current() === "text") {
+      views.show("text");
+      text.reveal(issue.line ?? 1);
+    } else if (views.current() !== "plan" || !plan.reveal(issue.path)) {
+      views.show("form");
+      form.reveal(issue.path);
+    }
+  };
+  const issues = issueList(store, reveal);
+  store.on(["data", "doc"], () => {
+    // what is hidden is updated when it is shown
+    if (views.current() === "form") form.update();
+    broken.hidden = !store.broken;
+    formTab.toggleAttribute("inert", store.broken);
+  });
+  const title = h("h2", { class: "unseen" }, "Model");
+  const children = [title, views.bar, broken, planTab, formTab, textTab, issues.element];
+  const flush = () => {
+    const { activeElement } = document;
+    if (activeElement instanceof HTMLInputElement) activeElement.dispatchEvent(new Event("change"));
+    text.flush();
+  };
+  const element = h("section", { class: "model", "aria-label": "model" }, ...children);
+  return { element, flush, openIssues: issues.open };
+}
+
+/** Handle keys that hold everywhere. */
+function handleKey(event: KeyboardEvent, commands: Commands): void {
+  const isCommand = event.ctrlKey || event.metaKey;
+  const key = event.key.toLowerCase();
+  const inText = event.target instanceof HTMLTextAreaElement;
+  const run = (command: () => Promise<unknown>) => {
+    event.preventDefault();
+    void command();
+  };
+  if (document.querySelector("dialog[open]")) return;
+  if (isCommand && key === "s") run(event.shiftKey ? commands.saveAs : commands.save);
+  else if (isCommand && key === "o") run(commands.open);
+  else if (event.key === "F9" || (isCommand && event.key === "Enter")) run(commands.solve);
+  else if (isCommand && key === "z" && !inText) run(event.shiftKey ? commands.redo : commands.undo);
+  else if (isCommand && key === "y" && !inText) run(commands.redo);
+}

@@ -1,0 +1,63 @@
+// Tabs: one panel of several is shown.
+
+import { h, newId } from "../../viewer/shared/dom";
+
+export interface Tab {
+  name: string;
+  label: string;
+  panel: HTMLElement;
+  /** Whether it scrolls and holds nothing that takes the focus. */
+  scrolls?: boolean;
+}
+
+export interface Tabs {
+  readonly bar: HTMLElement;
+  readonly current: () => string;
+  show(name: string): void;
+  /** Put a badge on a tab, such as a number; empty for none. */
+  mark(name: string, text: string, bad?: boolean): void;
+}
+
+/** A bar of tabs over panels that are in the page already; `onChange` is called with another one. */
+export function tabs(all: readonly Tab[], label: string, onChange: (name: string) => void = () => undefined): Tabs {
+  let current = all[0]?.name ?? "";
+  const buttons = all.map((tab) => {
+    tab.panel.id ||= newId("panel");
+    tab.panel.setAttribute("role", "tabpanel");
+    if (tab.scrolls) tab.panel.tabIndex = 0; // so that keys can scroll it
+    const button = h(
+      "button",
+      { type: "button", role: "tab", "aria-controls": tab.panel.id, id: newId("tab"), onclick: () => show(tab.name) },
+      tab.label,
+      h("span", { class: "badge" }),
+    );
+    tab.panel.setAttribute("aria-labelledby", button.id);
+    return button;
+  });
+  const show = (name: string) => {
+    current = name;
+    all.forEach((tab, n) => {
+      const on = tab.name === name;
+      tab.panel.hidden = !on;
+      buttons[n]?.setAttribute("aria-selected", String(on));
+      buttons[n]?.setAttribute("tabindex", on ? "0" : "-1");
+    });
+    onChange(name);
+  };
+  const bar = h("div", { class: "tabs", role: "tablist", "aria-label": label }, ...buttons);
+  bar.addEventListener("keydown", (event) => {
+    const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (step === 0) return;
+    const next = (all.findIndex((tab) => tab.name === current) + step + all.length) % all.length;
+    show(all[next]?.name ?? current);
+    buttons[next]?.focus();
+  });
+  const mark = (name: string, text: string, bad = false) => {
+    const badge = buttons[all.findIndex((tab) => tab.name === name)]?.querySelector(".badge");
+    if (!badge) return;
+    badge.textContent = text;
+    badge.classList.toggle("bad", bad);
+  };
+  show(current);
+  return { bar, current: () => current, show, mark };
+}

@@ -1,0 +1,96 @@
+// The bar across the top: the file, undo and redo, solving, the report, light and dark.
+import { button, h, setText } from "../../viewer/shared/dom";
+import { switchTheme } from "../../viewer/shared/theme";
+import type { Api } from "../client/api";
+import type { Store } from "../client/store";
+import type { Commands } from "./commands";
+import { icon } from "./icons";
+
+export function topBar(store: Store, api: Pick<Api, "reportAddress">, commands: Commands): HTMLElement {
+  const theme = makeIconButton("theme", "light or dark", switchTheme);
+  theme.title = "Light or dark";
+  const file = [
+    button("New", "Start a new case", () => void commands.createCase()),
+    button("Open …", "Open a case file (Ctrl+O)", () => void commands.open()),
+    button("Save", "Save the case file (Ctrl+S)", () => void commands.save()),
+    button("Save as …", "Save under another name (Ctrl+Shift+S)", () => void commands.saveAs()),
+  ];
+  return h(
+    "header",
+    { class: "top" },
+    h("h1", { class: "brand" }, "groundslab"),
+    h("div", { class: "gs-group", role: "group", "aria-label": "file" }, ...file),
+    ...historyButtons(store, commands),
+    fileTitle(store),
+    ...solveControls(store, commands),
+    reportLink(store, api),
+    theme,
+  );
+}
+
+function makeIconButton(name: "undo" | "redo" | "theme", label: string, onclick: () => void): HTMLButtonElement {
+  return h("button", { type: "button", class: "with-icon", "aria-label": label, onclick }, icon(name));
+}
+
+/** Undo and redo, and what would be undone. */
+function historyButtons(store: Store, commands: Commands): HTMLElement[] {
+  const undo = makeIconButton("undo", "undo", () => void commands.undo());
+  const redo = makeIconButton("redo", "redo", () => void commands.redo());
+  const last = h("span", { class: "last-edit", "aria-hidden": "true" });
+  store.on(["doc"], () => {
+    const { doc } = store;
+    undo.disabled = doc?.can_undo !== true;
+    redo.disabled = doc?.can_redo !== true;
+    undo.title = doc?.can_undo ? `Undo: ${doc.undo_text} (Ctrl+Z)` : "Nothing to undo";
+    redo.title = doc?.can_redo ? `Redo: ${doc.redo_text} (Ctrl+Y)` : "Nothing to redo";
+    setText(last, doc?.can_undo ? doc.undo_text : "");
+  });
+  return [h("div", { class: "gs-group", role: "group", "aria-label": "edits" }, undo, redo), last];
+}
+
+function fileTitle(store: Store): HTMLElement {
+  const name = h("span", { class: "file-title" });
+  const mark = h("span", { class: "unsaved" });
+  store.on(["doc", "waiting"], () => {
+    const { doc } = store;
+    const file = doc?.file ?? null;
+    const title = file === null ? "untitled" : (file.split(/[\\/]/).at(-1) ?? file);
+    const isDirty = doc !== null && (doc.dirty || store.waitingCount > 0);
+    setText(name, title);
+    name.title = file ?? "not saved yet";
+    setText(mark, isDirty ? "● unsaved" : "");
+    document.title = `${isDirty ? "● " : ""}${title} – groundslab`;
+  });
+  return h("div", { class: "file" }, name, mark);
+}
+
+/** The switch of autosolve, and the button that solves or cancels. */
+function solveControls(store: Store, commands: Commands): HTMLElement[] {
+  const onchange = () => void commands.autosolve(auto.checked);
+  const auto: HTMLInputElement = h("input", { type: "checkbox", role: "switch", id: "autosolve", onchange });
+  const onclick = () => void (store.run.kind === "solving" ? commands.cancel() : commands.solve());
+  const solve = h("button", { type: "button", class: "main solve", onclick });
+  store.on(["doc", "run", "autosolve"], () => {
+    const isSolving = store.run.kind === "solving";
+    const isFaulty = (store.doc?.faults.length ?? 0) > 0;
+    setText(solve, isSolving ? "Cancel" : "Solve");
+    solve.classList.toggle("solving", isSolving);
+    solve.title = isSolving ? "Stop solving" : isFaulty ? "Fix the errors first" : "Solve all combinations (F9)";
+    solve.setAttribute("aria-disabled", String(!isSolving && isFaulty));
+    auto.checked = store.autosolve;
+  });
+  const attributes = { class: "switch", for: "autosolve", title: "Solve automatically after every edit" };
+  return [h("label", attributes, auto, h("span", { class: "knob" }), "Autosolve"), solve];
+}
+
+function reportLink(store: Store, api: Pick<Api, "reportAddress">): HTMLElement {
+  const title = "Save the report of the last result as one HTML file";
+  const report = h("a", { class: "button", role: "button", title, download: "" }, "Report");
+  store.on(["solved"], () => {
+    const { solved } = store;
+    if (solved) report.href = api.reportAddress(solved.run);
+    else report.removeAttribute("href");
+    report.setAttribute("aria-disabled", String(solved === null));
+  });
+  return report;
+}

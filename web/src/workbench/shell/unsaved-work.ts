@@ -1,0 +1,61 @@
+// Questions about unsaved work and texts that differ.
+import type { Api, DocState } from "../client/api";
+import type { Store } from "../client/store";
+import type { Commands } from "./commands";
+import { ask } from "./dialogs";
+
+/** Ask what to do with unsaved work that the server has found; returns the state after the answer. */
+export async function askOffer(api: Pick<Api, "restore">, state: DocState): Promise<DocState> {
+  const { offer } = state;
+  if (!offer) return state;
+  const date = new Date(offer.when);
+  const isDate = !Number.isNaN(date.getTime());
+  const when = isDate ? date.toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" }) : offer.when;
+  const file = offer.file ?? "a case that was never saved";
+  const changed = "The file itself has been changed since by another program; saving asks before it replaces that.";
+  const take = await ask(
+    "Unsaved work was found",
+    [
+      `An earlier run ended with changes that were not saved: ${file}, last changed ${when}.`,
+      "Restoring them is a step that can be undone; the file on the disk stays as it is until you save.",
+      ...(offer.changed === true ? [changed] : []),
+    ],
+    [
+      { label: "Set aside", value: false },
+      { label: "Restore", value: true, main: true },
+    ],
+    null,
+  );
+  // there may be more, of still earlier runs
+  return askOffer(api, await api.restore(take));
+}
+
+/** Ask whether the page's text or the server's is to be kept. */
+export function askWhichText(server: DocState): Promise<"page" | "server"> {
+  const file = server.file ?? "not saved yet";
+  return ask(
+    "Keep which text?",
+    [`The server now holds another text (${file}) than this page, which has unsaved changes.`],
+    [
+      { label: "Use the server's", value: "server" as const },
+      { label: "Keep the page's", value: "page" as const, main: true },
+    ],
+    null,
+  );
+}
+
+/** Warn of unsaved work that cannot be kept, and of a file that another program has changed. */
+export function showWarnings(store: Store, commands: Commands): void {
+  let shown = "";
+  store.on(["doc"], () => {
+    const { unkept = "", outside = false, file = null } = store.doc ?? {};
+    const text = unkept || (outside ? "Another program has changed the file since it was read." : "");
+    if (text === shown) return;
+    shown = text;
+    if (unkept) store.notify({ kind: "bad", text: `${unkept}. Save soon.` });
+    else if (text && file) {
+      const action = { label: "Read it again", run: () => void commands.openFile(file) };
+      store.notify({ kind: "bad", text, action });
+    }
+  });
+}

@@ -1,0 +1,58 @@
+// @vitest-environment happy-dom
+// Names that other parts of the file refer to.
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";
+import { removeItem, renameReferences } from "../../../../src/workbench/model/changes/references";
+import { type Table, valueAt } from "../../../../src/workbench/model/paths";
+import { Page } from "../../form-page";
+
+beforeEach(() => void vi.useFakeTimers());
+
+describe("names that others call", () => {
+  const data: Table = {
+    columns: [{ name: "A1", x: "0 m", y: "0 m" }],
+    cases: [{ name: "dead" }],
+    loads: [
+      { kind: "point", column: "A1", case: "dead" },
+      { kind: "uniform", case: "dead" },
+      { kind: "point", column: "A1" },
+    ],
+    combinations: [{ name: "ULS", factors: { dead: 1.35, live: 1.5 } }],
+  };
+
+  it("are changed with those who call them, in one edit", () => {
+    expect(renameReferences(data, ["columns", 0, "name"], "B2")).toEqual([
+      { op: "set", path: ["loads", 0, "column"], value: "B2" },
+      { op: "set", path: ["loads", 2, "column"], value: "B2" },
+    ]);
+    expect(renameReferences(data, ["cases", 0, "name"], "permanent")).toContainEqual({
+      op: "set",
+      path: ["combinations", 0, "factors"],
+      value: { permanent: 1.35, live: 1.5 },
+    });
+  });
+
+  it("are not joined with a name that is taken", () => {
+    expect(
+      renameReferences({ ...data, columns: [{ name: "A1" }, { name: "A" }] }, ["columns", 0, "name"], "A"),
+    ).toEqual([]);
+  });
+
+  it("are sent when they are complete, not while they are typed", () => {
+    const page = new Page(data);
+    page.show(["columns", 0]);
+    page.type(["columns", 0, "name"], "A");
+    vi.advanceTimersByTime(5000);
+    expect(page.changes).toEqual([]);
+    page.input(["columns", 0, "name"]).value = "A2";
+    page.input(["columns", 0, "name"]).dispatchEvent(new Event("change"));
+    expect(page.changes).toHaveLength(1);
+    expect(valueAt(page.data, ["loads", 2, "column"])).toBe("A2");
+  });
+
+  it("go with their loads when the column is removed", () => {
+    const change = removeItem(data, ["columns", 0]);
+    expect(change.text).toBe("remove column A1 and its 2 loads");
+    expect(change.edits.reduce(applyOptimistic, data).loads).toEqual([{ kind: "uniform", case: "dead" }]);
+  });
+});

@@ -1,0 +1,70 @@
+// @vitest-environment happy-dom
+// How items are drawn.
+import { describe, expect, it } from "vitest";
+import { Camera } from "../../../src/viewer/plan/camera";
+import { readGeometry, ringOf } from "../../../src/workbench/model/geometry";
+import { itemsOf } from "../../../src/workbench/model/items";
+import type { Table } from "../../../src/workbench/model/paths";
+import { drawItems } from "../../../src/workbench/plan/rendering";
+
+describe("the drawing", () => {
+  const camera = new Camera();
+  const drawn = (data: Table, kind: string) =>
+    drawItems(
+      camera,
+      itemsOf(data, null).filter((item) => item.kind === kind),
+      { selected: null, hovered: null, faulty: [], loadCase: "" },
+    );
+  const square = [
+    ["0 m", "0 m"],
+    ["1 m", "0 m"],
+    ["1 m", "1 m"],
+    ["0 m", "0 m"],
+  ];
+
+  it("fills areas, but no line that is closed", () => {
+    const loads = drawn(
+      {
+        loads: [
+          { kind: "line", q: "1 kN/m", points: square },
+          { kind: "area", q: "1 kPa", shape: { kind: "polygon", points: square.slice(1) } },
+        ],
+      },
+      "load",
+    );
+    expect(loads.map((group) => group.querySelectorAll(".area").length)).toEqual([0, 1]);
+    const supports = drawn(
+      {
+        supports: [
+          { kind: "line", name: "W", points: square },
+          { kind: "point", name: "P", x: "0 m", y: "0 m" },
+        ],
+      },
+      "support",
+    );
+    expect(supports.map((group) => group.querySelectorAll(".area").length)).toEqual([0, 1]);
+  });
+
+  it("has circles and arcs whose chords turn by two degrees at most", () => {
+    const circle = ringOf(readGeometry({ o: { kind: "circle", radius: "1 mm" } }, ["o"])!);
+    expect(circle.length).toBe(180);
+    const half = ringOf(
+      readGeometry(
+        {
+          o: {
+            kind: "polygon",
+            points: [
+              ["0 m", "0 m"],
+              ["2 m", "0 m"],
+            ],
+            bulges: [1],
+          },
+        },
+        ["o"],
+      )!,
+    );
+    expect(half.length).toBe(91);
+    // on a half circle about (1, 0)
+    for (const [x, y] of half) expect(Math.hypot(x - 1, y)).toBeCloseTo(1, 12);
+  });
+});
