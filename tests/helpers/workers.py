@@ -11,7 +11,7 @@ from typing import Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.workbench.checking import parsing
-from groundslab.workbench.checking.parsing import Reading
+from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.solver.process import Answer, Progress
 
@@ -105,8 +105,8 @@ def unusual() -> None:
     raise Local("local")
 
 
-def read_slowly(document: Document) -> Reading:
+def check_slowly(document: Document) -> CheckResult:
     """Return what a text means; one with "# slow" takes for ever."""
     while "# slow" in document.text:
         time.sleep(0.005)
-    return parsing.understand(document)
+    return parsing.check(document)

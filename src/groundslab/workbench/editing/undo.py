@@ -1,41 +1,41 @@
-"""What the user did, to be undone and done again: texts of the document, each with the words for the step to it."""
+"""Undo history: earlier texts of the document, each with a label for the step."""
 
 from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
 
-#: So many steps can be undone, at most ...
-STEPS = 500
-#: ... as long as their texts are no longer than this together [characters].
-LENGTH = 50_000_000
+#: Most steps that can be undone.
+MAX_STEPS = 500
+#: Largest total length of their texts [characters].
+MAX_LENGTH = 50_000_000
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A step: the text on its other side, and what the user did."""
+    """A step: the text on its other side and a label."""
 
     text: str
-    words: str
+    label: str
 
 
 class History:
-    """The steps done and undone, the latest one last; the oldest are forgotten where there are too many."""
+    """Steps done and undone, the latest last; beyond the limits the oldest are dropped."""
 
     def __init__(self) -> None:
         self._done: deque[Step] = deque()
         self._undone: list[Step] = []
-        self._open = False  # whether more of the same may join the latest step
+        self._open = False  # whether the latest step can absorb another one
 
-    def record(self, before: str, words: str, merges: bool = False) -> None:
-        """Note that a text was left; a step that merges joins the one before, if that is open and of the same words."""
+    def record(self, before: str, label: str, merges: bool = False) -> None:
+        """Record a change of a text; one that merges joins the latest step if that is open and has the same label."""
         self._undone.clear()
-        if merges and self._open and self._done and self._done[-1].words == words:
+        if merges and self._open and self._done and self._done[-1].label == label:
             return
-        self._done.append(Step(before, words))
+        self._done.append(Step(before, label))
         self._open = True
         length = sum(len(step.text) for step in self._done)
-        while len(self._done) > STEPS or (length > LENGTH and len(self._done) > 1):
+        while len(self._done) > MAX_STEPS or (length > MAX_LENGTH and len(self._done) > 1):
             length -= len(self._done.popleft().text)
 
     def undo(self, present: str) -> str | None:
@@ -44,7 +44,7 @@ class History:
             return None
         self._open = False
         step = self._done.pop()
-        self._undone.append(Step(present, step.words))
+        self._undone.append(Step(present, step.label))
         return step.text
 
     def redo(self, present: str) -> str | None:
@@ -53,22 +53,22 @@ class History:
             return None
         self._open = False
         step = self._undone.pop()
-        self._done.append(Step(present, step.words))
+        self._done.append(Step(present, step.label))
         return step.text
 
-    def settle(self) -> None:
-        """Let nothing join the latest step any more."""
+    def close_step(self) -> None:
+        """Let no change join the latest step any more."""
         self._open = False
 
     @property
-    def undo_words(self) -> str:
-        """What undo would take back, empty if there is nothing."""
-        return self._done[-1].words if self._done else ""
+    def undo_label(self) -> str:
+        """Label of the step that undo takes back, empty if there is none."""
+        return self._done[-1].label if self._done else ""
 
     @property
-    def redo_words(self) -> str:
-        """What redo would do again, empty if there is nothing."""
-        return self._undone[-1].words if self._undone else ""
+    def redo_label(self) -> str:
+        """Label of the step that redo repeats, empty if there is none."""
+        return self._undone[-1].label if self._undone else ""
 
     @property
     def can_undo(self) -> bool:

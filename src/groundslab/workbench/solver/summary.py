@@ -1,4 +1,4 @@
-"""The summary of solved combinations as the page shows it: words, figures in units of display, notes."""
+"""The summary of solved combinations as the page shows it: texts, figures in display units, notes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def summary_of(combined: Combined) -> dict[str, Any]:
-    """Return the design and what is told of each combination; raises GroundslabError if a number is not finite."""
+    """Return the design and a summary of each combination; raises GroundslabError if a number is not finite."""
     combinations.require_finite(combined)
     return single.json_design(combined) | {
         "combinations": [_combination(entry) for entry in combinations.entries(combined)]
@@ -34,10 +34,10 @@ def _combination(entry: Entry) -> dict[str, Any]:
         return about | {"certificate": None, "sections": []}
     certificate = entry.results.certificate
     figures = {name: value for name, value in asdict(certificate).items() if value is not None}
-    told = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
+    shown = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
     sections = [*single.figures(entry.results), single.certificate_section(certificate)]
     sections += single.description(entry.results)
-    return about | {"certificate": told, "sections": [_section(section) for section in sections]}
+    return about | {"certificate": shown, "sections": [_section(section) for section in sections]}
 
 
 def _section(section: SummarySection) -> dict[str, Any]:
@@ -47,7 +47,7 @@ def _section(section: SummarySection) -> dict[str, Any]:
 
 
 def _row(row: Row) -> dict[str, Any]:
-    """Return a line of the summary: its value as words, numbers with five digits; ok says whether it is in order."""
+    """Return a row of the summary, its value as text, numbers with five digits; ok only for checks."""
     unit = "" if row.unit is None else row.unit.shown
     if row.ok is not None:
         assert not isinstance(row.value, str)

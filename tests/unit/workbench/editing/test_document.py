@@ -12,8 +12,8 @@ from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.editing import diagnostics, lengths
 from groundslab.workbench.editing.document import Document
-from groundslab.workbench.editing.toml_positions import statements
-from groundslab.workbench.editing.undo import LENGTH, STEPS, History
+from groundslab.workbench.editing.toml_positions import read_statements
+from groundslab.workbench.editing.undo import MAX_LENGTH, MAX_STEPS, History
 from helpers.paths import EXAMPLES
 
 RAFT = (EXAMPLES / "l_raft.toml").read_text(encoding="utf-8")
@@ -22,7 +22,7 @@ RAFT = (EXAMPLES / "l_raft.toml").read_text(encoding="utf-8")
 def edited(text: str, op: str, path: list[str | int], value: Any = None, **more: Any) -> str:
     """Return a text after one edit."""
     given = {} if value is None else {"value": value}
-    return Document(text).edited([{"op": op, "path": path, **given, **more}]).text
+    return Document(text).apply([{"op": op, "path": path, **given, **more}]).text
 
 
 def changes(before: str, after: str) -> list[str]:
@@ -59,7 +59,7 @@ k = 0x_1
 def test_every_statement_is_found_with_its_path_and_value() -> None:
     """The places of all values, cut out and read by tomllib, give the data that tomllib reads from the whole."""
     data = tomllib.loads(STRANGE)
-    found = [each for each in statements(STRANGE) if each.value is not None]
+    found = [each for each in read_statements(STRANGE) if each.value is not None]
     assert len(found) == 10
     for each in found:
         assert each.value is not None
@@ -67,7 +67,7 @@ def test_every_statement_is_found_with_its_path_and_value() -> None:
         for step in each.path:
             value = value[step]
         assert repr(tomllib.loads(f"k = {STRANGE[each.value.start : each.value.end]}")["k"]) == repr(value)
-    headers = [each.path for each in statements(STRANGE) if each.value is None]
+    headers = [each.path for each in read_statements(STRANGE) if each.value is None]
     assert headers == [
         ("list", 0), ("list", 0, "in ner"), ("list", 1), ("list", 1, "inner", "deep"),
         ("list", 1, "more", 0), ("list", 1, "more", 1),
@@ -194,14 +194,14 @@ def test_ground_of_another_kind() -> None:
 )
 def test_lengths_keep_their_units(old: Any, new: Any, expected: Any) -> None:
     """Metres are written in the unit that stood there, to the millimetre; what did not move keeps its digits."""
-    assert lengths.written(old, new, 1e-3) == expected
+    assert lengths.format_lengths(old, new, 1e-3) == expected
 
 
 def test_steps_suit_the_plate() -> None:
     """A drag means millimetres on a raft, less on a small plate."""
-    assert lengths.step_of(tomllib.loads(RAFT)) == 1e-3
-    assert lengths.step_of({"plate": {"length_x": "50 cm", "length_y": "40 cm"}}) == pytest.approx(1e-4)
-    assert lengths.step_of({"plate": 1}) == 1e-3
+    assert lengths.choose_resolution(tomllib.loads(RAFT)) == 1e-3
+    assert lengths.choose_resolution({"plate": {"length_x": "50 cm", "length_y": "40 cm"}}) == pytest.approx(1e-4)
+    assert lengths.choose_resolution({"plate": 1}) == 1e-3
 
 
 def test_lengths_in_the_file() -> None:
@@ -236,8 +236,8 @@ def test_lengths_in_the_file() -> None:
 )  # fmt: skip
 def test_things_move_as_a_whole(thing: dict[str, Any], expected: dict[str, Any]) -> None:
     """All coordinates of a thing move by the same way and keep unit and digits; sizes stay."""
-    assert lengths.moved(thing, (0.5, -0.25), 1e-3, "loads[1]") == expected
-    back = lengths.moved(expected, (-0.5, 0.25), 1e-3, "loads[1]")
+    assert lengths.translate(thing, (0.5, -0.25), 1e-3, "loads[1]") == expected
+    back = lengths.translate(expected, (-0.5, 0.25), 1e-3, "loads[1]")
     assert all(back[name] == value or name == "x" for name, value in thing.items() if name != "shape")
 
 
@@ -245,7 +245,7 @@ def test_what_cannot_be_moved_says_why() -> None:
     """A load on a column, a load everywhere, a coordinate that is no length: told, and nothing changes."""
     for thing in ({"column": "A1", "P": "1 kN"}, {"kind": "uniform", "q": "1 kPa"}, {"x": "1 kN", "y": "1 m"}):
         with pytest.raises(InputError):
-            lengths.moved(thing, (1.0, 0.0), 1e-3, "loads[1]")
+            lengths.translate(thing, (1.0, 0.0), 1e-3, "loads[1]")
     with pytest.raises(InputError, match='move the column "A1"'):
         edited(RAFT, "move", ["loads", 4], by=[1, 1])
 
@@ -277,7 +277,7 @@ def test_what_cannot_be_moved_says_why() -> None:
 def test_wrong_edits_are_refused(edit: dict[str, Any]) -> None:
     """Edits that make no sense are faults, whatever comes over the wire."""
     with pytest.raises(InputError):
-        Document(RAFT).edited([edit])
+        Document(RAFT).apply([edit])
 
 
 def test_endless_nesting_is_refused() -> None:
@@ -286,7 +286,7 @@ def test_endless_nesting_is_refused() -> None:
     for _ in range(5000):
         value = [value]
     with pytest.raises(InputError, match="nested too deeply"):
-        Document(RAFT).edited([{"op": "set", "path": ["x"], "value": value}])
+        Document(RAFT).apply([{"op": "set", "path": ["x"], "value": value}])
     document = Document("a = " + "[" * 5000 + "]" * 5000)
     assert (document.data, document.layout) == (None, None)
 
@@ -295,36 +295,36 @@ def test_all_edits_or_none() -> None:
     """A list of edits of which the last is wrong gives no document at all."""
     document = Document(RAFT)
     with pytest.raises(InputError):
-        document.edited([{"op": "set", "path": ["title"], "value": "x"}, {"op": "jump"}])
+        document.apply([{"op": "set", "path": ["title"], "value": "x"}, {"op": "jump"}])
     assert document.text == RAFT
 
 
 def test_text_that_is_not_toml_can_only_be_mended_as_text() -> None:
     """Broken text is kept as it is and says so; a text edit mends it."""
-    broken = Document(RAFT).edited([{"op": "text", "value": RAFT + "\nx = = 1"}])
+    broken = Document(RAFT).apply([{"op": "text", "value": RAFT + "\nx = = 1"}])
     assert broken.data is None
     assert broken.layout is None
     with pytest.raises(InputError, match="not TOML"):
-        broken.edited([{"op": "set", "path": ["title"], "value": "x"}])
-    assert broken.edited([{"op": "text", "value": RAFT}]).text == RAFT
+        broken.apply([{"op": "set", "path": ["title"], "value": "x"}])
+    assert broken.apply([{"op": "text", "value": RAFT}]).text == RAFT
 
 
 @pytest.mark.parametrize("content", [b"\xef\xbb\xbf# x\r\na = 1\r\n", b"a = 1\r\nb = 2\nc = 3", b"", b"\n# only\n"])
 def test_bytes_come_back(content: bytes) -> None:
     """Line ends of Windows, mixed ones, a mark at the start: a file that is read and written has the same bytes."""
-    document = Document.read(content, "x")
-    assert document.content() == content
+    document = Document.from_bytes(content, "x")
+    assert document.to_bytes() == content
     if document.newline == "\r\n":
-        added = document.edited([{"op": "set", "path": ["b"], "value": 2}])
-        assert added.content() == content + b"b = 2\r\n"
+        added = document.apply([{"op": "set", "path": ["b"], "value": 2}])
+        assert added.to_bytes() == content + b"b = 2\r\n"
 
 
 def test_files_that_are_no_text() -> None:
     """Bytes that are not UTF-8, and files that are too large, are faults."""
     with pytest.raises(InputError, match="line 2"):
-        Document.read(b"a = 1\nb = \xff", "x")
+        Document.from_bytes(b"a = 1\nb = \xff", "x")
     with pytest.raises(InputError, match="larger"):
-        Document.read(b" " * (casefile.LARGEST + 1), "x")
+        Document.from_bytes(b" " * (casefile.LARGEST + 1), "x")
 
 
 @pytest.mark.parametrize(
@@ -340,9 +340,9 @@ def test_files_that_are_no_text() -> None:
 )
 def test_paths_of_faults(where: str, path: tuple[str | int, ...]) -> None:
     """Where a fault is becomes the path of keys and positions from 0, and back."""
-    assert diagnostics.path_of(where) == path
+    assert diagnostics.parse_path(where) == path
     if path:
-        assert diagnostics.where_of(path) == where
+        assert diagnostics.format_path(path) == where
 
 
 def test_every_fault_of_a_wrong_case_leads_to_its_place() -> None:
@@ -377,10 +377,10 @@ def test_history_merges_what_belongs_together() -> None:
     history.record("0", "thickness")
     history.record("1", "thickness", merges=True)
     history.record("2", "title", merges=True)
-    history.settle()
+    history.close_step()
     history.record("3", "title", merges=True)
     assert history.undo("4") == "3"
-    assert (history.undo_words, history.redo_words) == ("title", "title")
+    assert (history.undo_label, history.redo_label) == ("title", "title")
     assert history.undo("3") == "2"
     assert history.redo("2") == "3"
     history.record("3", "title", merges=True)
@@ -392,16 +392,16 @@ def test_history_merges_what_belongs_together() -> None:
 def test_history_is_bounded() -> None:
     """Neither many steps nor long texts fill the memory; the latest ones are kept."""
     history = History()
-    for number in range(STEPS + 10):
+    for number in range(MAX_STEPS + 10):
         history.record(str(number), "edit")
     undone = 0
     while history.undo("x") is not None:
         undone += 1
-    assert undone == STEPS
+    assert undone == MAX_STEPS
     history = History()
     for number in range(5):
-        history.record(str(number) * (LENGTH // 3), "edit")
-    assert history.undo("") == "4" * (LENGTH // 3)
+        history.record(str(number) * (MAX_LENGTH // 3), "edit")
+    assert history.undo("") == "4" * (MAX_LENGTH // 3)
     history.undo("")
     history.undo("")
     assert not history.can_undo

@@ -20,14 +20,14 @@ from groundslab.storage import atomic
 from groundslab.workbench import events
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.persistence import files
-from groundslab.workbench.server.security import HEADERS, LARGEST, refusal
 from helpers import asgi, workers
 from helpers.asgi import Answer, Headers
 
 pytest.importorskip("fastapi")
 from groundslab.workbench.checking import parsing
-from groundslab.workbench.server import session as sessions
-from groundslab.workbench.server.routes import Tickets, application
+from groundslab.workbench.server import case_file as locks
+from groundslab.workbench.server.routes import Tickets, create_app
+from groundslab.workbench.server.security import HEADERS, MAX_BODY, check_request
 from groundslab.workbench.server.session import Session
 from groundslab.workbench.solver.thread import Solver
 
@@ -67,12 +67,12 @@ class Ear(Hub):
         self.events: list[Event] = []
         self.more = threading.Condition()
 
-    def tell(self, name: str, about: dict[str, Any]) -> None:
+    def publish(self, name: str, about: dict[str, Any]) -> None:
         """Remember and hand on."""
         with self.more:
             self.events.append((name, dict(about)))
             self.more.notify_all()
-        super().tell(name, about)
+        super().publish(name, about)
 
     def wait(self, name: str, **wanted: Any) -> dict[str, Any]:
         """Return the first event of that name with these values."""
@@ -90,10 +90,10 @@ class Bench:
 
     def __init__(self, state: Path, static: Path, case: Path | None = None) -> None:
         self.hub = Ear()
-        self.solver = Solver(self.hub.tell, workers.obey, None)
+        self.solver = Solver(self.hub.publish, workers.obey, None)
         self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}", workers.Inline())
         self.tickets = Tickets()
-        self.app = application(self.session, self.tickets, PORT, TOKEN, static)
+        self.app = create_app(self.session, self.tickets, PORT, TOKEN, static)
         if case is not None:
             self.session.open(str(case))
 
@@ -183,13 +183,12 @@ def test_strangers_are_refused(
     bench: Bench, method: str, path: str, query: str, headers: list[tuple[str, str]]
 ) -> None:
     """Wrong tokens, names, origins, sites, all of them twice: 403, and nothing has changed."""
-    try:
-        assert refusal(method, path, query, headers, PORT, TOKEN) is not None
-    except ValueError:
-        assert query.startswith("token=&a")
+    refused = check_request(asgi.scope_of(method, f"{path}?{query}", headers), PORT, TOKEN)
+    assert refused is not None
+    assert refused[0] == 403
     answer = bench.ask(method, f"{path}?{query}", [*headers, *of_json(b"{}")], b"{}")
     assert answer.status == 403
-    assert bench.session.state()["version"] == 2
+    assert bench.session.get_state()["version"] == 2
 
 
 @pytest.mark.parametrize(
@@ -199,9 +198,12 @@ def test_strangers_are_refused(
 )  # fmt: skip
 def test_its_own_page_is_not_refused(headers: list[tuple[str, str]]) -> None:
     """The page itself, under both names of this machine, by header or address."""
-    assert refusal("POST", "/api/edits", "", headers, PORT, TOKEN) is None
-    assert refusal("GET", "/api/events", f"token={TOKEN}", [headers[0]], PORT, TOKEN) is None
-    assert refusal("GET", "/", "", [headers[0]], PORT, TOKEN) is None
+    for method, address, given in (
+        ("POST", "/api/edits", [*headers, *of_json(b"{}")]),
+        ("GET", f"/api/events?token={TOKEN}", [headers[0]]),
+        ("GET", "/", [headers[0]]),
+    ):
+        assert check_request(asgi.scope_of(method, address, given), PORT, TOKEN) is None
 
 
 def test_a_ticket_lets_in_once(bench: Bench) -> None:
@@ -225,7 +227,7 @@ def test_bodies_that_are_not_taken(bench: Bench) -> None:
         ([length], 415),
         ([kind], 411),
         ([kind, ("content-length", "-1")], 411),
-        ([kind, ("content-length", str(LARGEST + 1))], 413),
+        ([kind, ("content-length", str(MAX_BODY + 1))], 413),
         ([kind, ("content-length", "9" * 5000)], 413),
     ):
         assert bench.ask("POST", "/api/undo", [*GOOD, *headers], b"{}").status == status
@@ -312,7 +314,7 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     assert (state["faults"][0]["path"], state["faults"][0]["line"]) == ([], 1)
     assert bench.ask("GET", f"/api/results/{run}/scene").status == 200
     assert bench.post("/api/solve", status=422)["error"]["faults"][0]["where"].startswith("the text, line 1")
-    assert [name for name, _ in bench.session.present()] == ["state", "solved"]
+    assert [name for name, _ in bench.session.current_events()] == ["state", "solved"]
     bench.post("/api/undo")
     assert bench.post("/api/undo")["text"] == CASE
 
@@ -334,7 +336,7 @@ def test_solving_only_when_asked_to(bench: Bench) -> None:
     bench.post("/api/autosolve", {"on": False})
     assert bench.get("/api/state")["autosolve"] is False
     version = bench.set(["plate", "nu"], 0.1)["version"]
-    assert bench.session.solver.running is None
+    assert bench.session.solver.current is None
     run = bench.post("/api/solve")["run"]
     assert bench.hub.wait("solved", run=run)["version"] == version
     version = bench.set(["plate", "nu"], 0.15)["version"]
@@ -559,12 +561,12 @@ def test_folders_that_cannot_be_used(bench: Bench, case: Path, monkeypatch: pyte
     def denied(*_: object, **__: object) -> None:
         raise PermissionError(13, "Permission denied", str(case))
 
-    for place, name in ((os, "scandir"), (files, "listing"), (Path, "is_dir")):
+    for place, name in ((os, "scandir"), (files, "list_folder"), (Path, "is_dir")):
         with monkeypatch.context() as patch:
             patch.setattr(place, name, denied)
             assert bench.ask("GET", "/api/files").status == (200 if place is Path else 422)
     with monkeypatch.context() as patch:
-        patch.setattr(sessions.Lock, "take", denied)
+        patch.setattr(locks.Lock, "acquire", denied)
         assert "permission denied" in bench.post("/api/save", {"file": "other.toml"}, 422)["error"]["got"]
 
 
@@ -617,7 +619,7 @@ def test_events_are_told_to_all_in_order() -> None:
 
         async def page() -> list[bytes]:
             heard = []
-            async for piece in hub.listen(lambda: [("state", {"version": 1})], pulse=0.01):
+            async for piece in hub.listen(lambda: [("state", {"version": 1})], keep_alive=0.01):
                 heard.append(piece)
                 if piece.startswith(b":"):
                     told.set()
@@ -626,7 +628,7 @@ def test_events_are_told_to_all_in_order() -> None:
         told = asyncio.Event()
         pages = [asyncio.create_task(page()) for _ in range(2)]
         await told.wait()
-        await asyncio.to_thread(hub.tell, "progress", {"run": 1, "text": "a\nb"})
+        await asyncio.to_thread(hub.publish, "progress", {"run": 1, "text": "a\nb"})
         await asyncio.to_thread(hub.close)
         first, second = await asyncio.gather(*pages)
         assert [piece async for piece in hub.listen(list)] == []
@@ -640,14 +642,14 @@ def test_events_are_told_to_all_in_order() -> None:
 
 def test_a_page_that_falls_behind_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
     """Too many events waiting end the stream; nothing piles up."""
-    monkeypatch.setattr(events, "MOST_WAITING", 3)
+    monkeypatch.setattr(events, "MAX_QUEUE", 3)
 
     async def run() -> int:
         hub = Hub()
         stream = hub.listen(lambda: [("state", {})])
         await anext(stream)
         for number in range(10):
-            hub.tell("progress", {"run": number})
+            hub.publish("progress", {"run": number})
         return len([piece async for piece in stream])
 
     assert asgi.run(run()) == 3
