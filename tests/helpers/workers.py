@@ -31,7 +31,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
         os.kill(os.getpid(), signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
     elif word == "leave":
         os._exit(3)
-    elif word == "fault":
+    elif word == "issue":
         raise InputError([Issue("mesh.size", '"1 mm"', "a larger size")])
     elif word == "refuse":
         raise GroundslabError("no")

@@ -179,7 +179,7 @@ def test_an_edit_changes_what_it_says_and_undo_brings_every_byte_back(data: st.D
         history.record(document.text, "edit")
         document = after
     text: str | None = document.text
-    while history.can_undo:
+    while history.done:
         assert text is not None
         text = history.undo(text)
     assert text == original
@@ -221,12 +221,12 @@ def test_comments_of_the_examples_survive(name: str, data: st.DataObject) -> Non
         history.record(document.text, "edit")
         document = after
     text = document.text
-    while history.can_undo:
+    while history.done:
         before = history.undo(text)
         assert before is not None
         text = before
     assert text.encode() == original.encode()
-    while history.can_redo:
+    while history.undone:
         again = history.redo(text)
         assert again is not None
         text = again

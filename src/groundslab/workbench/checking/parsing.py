@@ -6,9 +6,9 @@ These functions may take long, so ``Checker`` calls them in a child process, whi
 from __future__ import annotations
 
 import hashlib
-import math
+import json
 import traceback
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -82,10 +82,4 @@ def _cache(document: Document) -> Document:
 
 def to_json_data(data: Any) -> Any:
     """Return the data of a file as JSON supports it: dates and numbers that are not finite become texts."""
-    if isinstance(data, Mapping):
-        return {name: to_json_data(each) for name, each in data.items()}
-    if isinstance(data, list):
-        return [to_json_data(each) for each in data]
-    if isinstance(data, float) and not math.isfinite(data):
-        return str(data)
-    return data if data is None or isinstance(data, str | bool | int | float) else str(data)
+    return json.loads(json.dumps(data, default=str), parse_constant=lambda name: str(float(name)))

@@ -70,23 +70,23 @@ def read_statements(text: str) -> list[Statement]:
     statements: list[Statement] = []
     section: Path = ()
     counts: dict[Path, int] = {}  # lengths of the lists of tables so far
-    position = _skip_blanks(text, 0)
+    position = _skip(_BLANK, text, 0)
     while position < len(text):
         start = text.rfind("\n", 0, position) + 1
         if text[position] == "[":
             double = text.startswith("[[", position)
-            key = _read_key(text, _skip_spaces(text, position + 1 + double))
+            key = _read_key(text, _skip(_SPACE, text, position + 1 + double))
             section = _find_section(key.names, double, counts)
-            position = _skip_spaces(text, key.end) + 1 + double
+            position = _skip(_SPACE, text, key.end) + 1 + double
             path, value = section, None
         else:
             key = _read_key(text, position)
-            value = _read_value(text, _skip_spaces(text, _skip_spaces(text, key.end) + 1))
+            value = _read_value(text, _skip(_SPACE, text, _skip(_SPACE, text, key.end) + 1))
             path, position = (*section, *key.names), value.end
         end = text.find("\n", position)
         end = len(text) if end < 0 else end + 1
         statements.append(Statement(start, end, path, section, value, key))
-        position = _skip_blanks(text, end)
+        position = _skip(_BLANK, text, end)
     return statements
 
 
@@ -104,16 +104,9 @@ def _find_section(names: tuple[str, ...], double: bool, counts: dict[Path, int])
     return (*path, counts[path] - 1)
 
 
-def _skip_spaces(text: str, position: int) -> int:
-    """Return the position after spaces and tabs."""
-    match = _SPACE.match(text, position)
-    assert match
-    return match.end()
-
-
-def _skip_blanks(text: str, position: int) -> int:
-    """Return the position after blanks, line ends and comments."""
-    match = _BLANK.match(text, position)
+def _skip(pattern: re.Pattern[str], text: str, position: int) -> int:
+    """Return the end of a match that may be empty."""
+    match = pattern.match(text, position)
     assert match
     return match.end()
 
@@ -128,17 +121,17 @@ def _read_key(text: str, start: int) -> Key:
         word = match.group()
         names.append(tomllib.loads(f"word = {word}")["word"] if word[0] in "\"'" else word)
         end = match.end()
-        dot = _skip_spaces(text, end)
+        dot = _skip(_SPACE, text, end)
         if not text.startswith(".", dot):
             return Key(start, end, tuple(names))
-        position = _skip_spaces(text, dot + 1)
+        position = _skip(_SPACE, text, dot + 1)
 
 
 def _read_value(text: str, start: int) -> Value:
     """Return the value at a position."""
     if text[start] == "[":
         parts: list[Value] = []
-        position = _skip_blanks(text, start + 1)
+        position = _skip(_BLANK, text, start + 1)
         while text[position] != "]":
             parts.append(_read_value(text, position))
             position = _skip_separator(text, parts[-1].end)
@@ -146,10 +139,10 @@ def _read_value(text: str, start: int) -> Value:
     if text[start] == "{":
         keys: list[Key] = []
         parts = []
-        position = _skip_blanks(text, start + 1)
+        position = _skip(_BLANK, text, start + 1)
         while text[position] != "}":
             keys.append(_read_key(text, position))
-            parts.append(_read_value(text, _skip_blanks(text, _skip_blanks(text, keys[-1].end) + 1)))
+            parts.append(_read_value(text, _skip(_BLANK, text, _skip(_BLANK, text, keys[-1].end) + 1)))
             position = _skip_separator(text, parts[-1].end)
         return Value(start, position + 1, "table", tuple(parts), tuple(keys))
     match = _LONG.match(text, start) or _QUOTED.match(text, start)
@@ -162,5 +155,5 @@ def _read_value(text: str, start: int) -> Value:
 
 def _skip_separator(text: str, position: int) -> int:
     """Return the start of the next part, or the end of the list or table."""
-    position = _skip_blanks(text, position)
-    return _skip_blanks(text, position + 1) if text[position] == "," else position
+    position = _skip(_BLANK, text, position)
+    return _skip(_BLANK, text, position + 1) if text[position] == "," else position

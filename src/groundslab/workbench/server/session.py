@@ -39,11 +39,9 @@ DATA_WAIT = 2.0
 class Session:
     """The document, its undo history, its file, and the solver that follows it."""
 
-    _document: Document
     _history: History
     _case_file: CaseFile
     _autosave: Autosave
-    _autosave_error: str
 
     def __init__(self, hub: Hub, solver: Solver, state: Path, url: str, caller: Caller | None = None) -> None:
         """Begin with a new document; state is the user's folder for unsaved work and locks; caller checks texts."""
@@ -74,9 +72,9 @@ class Session:
                 "faults": [] if result is None else result.issues_json,
                 "plan": self._plan,
                 "file": None if path is None else str(path),
-                "dirty": self._is_dirty,
-                "can_undo": history.can_undo,
-                "can_redo": history.can_redo,
+                "dirty": document.to_bytes() != self._case_file.content,
+                "can_undo": bool(history.done),
+                "can_redo": bool(history.undone),
                 "undo_text": history.undo_label,
                 "redo_text": history.redo_label,
                 "offer": self._offers[0].to_json(self._case_file.base) if self._offers else None,
@@ -254,13 +252,13 @@ class Session:
         self._data = self._check_result = None
         self._checker.submit(self._version, document)
         self._autosave_error = ""
-        if self._is_dirty:
+        if document.to_bytes() == self._case_file.content:
+            self._autosave.discard()
+        else:
             try:
                 self._autosave.write(document, self._case_file.base)
             except OSError as error:
                 self._autosave_error = f"unsaved work cannot be written to the disk: {files.describe_error(error)}"
-        else:
-            self._autosave.discard()
         self._publish_state()
 
     def _set_text(self, text: str | None) -> None:
@@ -287,8 +285,3 @@ class Session:
 
     def _publish_state(self) -> None:
         self.hub.publish("state", {"version": self._version})
-
-    @property
-    def _is_dirty(self) -> bool:
-        """Whether the document differs from its file, or from a new document."""
-        return self._document.to_bytes() != self._case_file.content

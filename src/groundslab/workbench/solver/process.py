@@ -1,8 +1,8 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives messages of ``Solver`` through a pipe, ("solve", run, text) and ("report", run, file), and sends ("ready",)
-when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run, answer) followed by
-the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("report", run, error) followed by the
+It receives ("solve", run, text) and ("report", run, file) from ``Solver`` through a pipe. It sends ("ready",) when it
+can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run, answer) followed by the
+bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("report", run, error) followed by the
 bytes of the report if the error is empty.
 """
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+pytest.importorskip("filelock")
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.workbench.checking import parsing
@@ -65,13 +66,13 @@ def test_a_call_returns_or_raises_what_the_function_does(process: BoundedProcess
     """Values and errors come back; an error that cannot be pickled comes as its words."""
     assert process.call(max, 1, 2, seconds=PATIENCE) == 2
     with pytest.raises(InputError, match=r"mesh\.size"):
-        process.call(workers.obey, "fault", print, seconds=PATIENCE)
+        process.call(workers.obey, "issue", print, seconds=PATIENCE)
     with pytest.raises(RuntimeError, match="local"):
         process.call(workers.unusual, seconds=PATIENCE)
 
 
 def test_a_call_has_limits(process: BoundedProcess, tmp_path: Path) -> None:
-    """Too long, too much memory, too large an answer, an end: each is told, and the next call has a new process."""
+    """Too long, too much memory, too large an answer, an end: each is an error, and the next call has a new process."""
     with pytest.raises(TimeLimit, match=r"longer than 0\.1 s"):
         process.call(workers.slow, str(tmp_path / "never"), seconds=0.1)
     assert process.call(max, 1, 2, seconds=PATIENCE) == 2
@@ -116,7 +117,7 @@ def test_a_call_that_is_not_wanted_is_ended(process: BoundedProcess, tmp_path: P
 
 
 def test_what_a_text_means(checks: Checks) -> None:
-    """The plan of one that describes a model; equal meaning for equal models; faults with lines for others."""
+    """The plan of one that describes a model; equal fingerprints for equal models; issues with lines for others."""
     first = checks.check(1, casefile.starter())
     assert (first.issues, first.issues_json) == ((), [])
     assert first.plan is not None

@@ -48,7 +48,7 @@ def test_kept_work_is_never_overwritten(case: Path, tmp_path: Path) -> None:
     """A saver writes beside what earlier runs have kept, not over it; all of it is offered, the latest first."""
     for number in range(3):
         Autosave(case, tmp_path / "state").write(Document(f"n = {number}\n"), None)
-    texts = {kept.document.text for kept in Autosave(case, tmp_path / "state").find_earlier()}
+    texts = {work.document.text for work in Autosave(case, tmp_path / "state").find_earlier()}
     assert texts == {"n = 0\n", "n = 1\n", "n = 2\n"}
 
 
@@ -78,7 +78,7 @@ def test_a_folder_that_cannot_be_written_to(case: Path, tmp_path: Path, monkeypa
 
 
 def test_no_place_at_all(case: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where no place takes the work, that is told."""
+    """Where no place takes the work, an error is raised."""
 
     def refusing(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
@@ -100,7 +100,7 @@ def test_documents_without_a_file(tmp_path: Path) -> None:
     other.write(Document("n = 2\n"), None)
     assert offer.path.exists()
     autosave.decline(offer)
-    assert [kept.document.text for kept in Autosave(None, tmp_path).find_earlier()] == []
+    assert [work.document.text for work in Autosave(None, tmp_path).find_earlier()] == []
     other.discard()
     assert [path.name for path in (tmp_path / "unsaved").iterdir()] == ["untitled.unsaved-declined"]
 
@@ -163,14 +163,14 @@ def test_a_lock_ends_with_its_process(tmp_path: Path) -> None:
 
 
 def test_listing_of_a_folder(tmp_path: Path) -> None:
-    """Folders and case files, sorted as people do; nothing hidden; a folder that is none is a fault."""
+    """Folders and case files, sorted as people do; nothing hidden; a folder that does not exist is an error."""
     for name in ("b.toml", "A.TOML", ".hidden.toml", "c.txt"):
         (tmp_path / name).write_text("", encoding="utf-8")
     for name in ("z", "Y", ".git"):
         (tmp_path / name).mkdir()
-    told = files.list_folder(tmp_path)
-    assert (told["folders"], told["files"]) == (["Y", "z"], ["A.TOML", "b.toml"])
-    assert told["parent"] == str(tmp_path.parent)
+    listing = files.list_folder(tmp_path)
+    assert (listing["folders"], listing["files"]) == (["Y", "z"], ["A.TOML", "b.toml"])
+    assert listing["parent"] == str(tmp_path.parent)
     assert files.list_folder(Path(tmp_path.anchor))["parent"] is None
     with pytest.raises(InputError):
         files.list_folder(tmp_path / "none")

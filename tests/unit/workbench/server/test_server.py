@@ -59,8 +59,8 @@ def of_json(content: bytes) -> Headers:
     return [("content-type", "application/json"), ("content-length", str(len(content)))]
 
 
-class Ear(Hub):
-    """A hub that remembers what it was told."""
+class RecordingHub(Hub):
+    """A hub that records its events."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -89,7 +89,7 @@ class Bench:
     """A session, its hub, and a client that has the token."""
 
     def __init__(self, state: Path, static: Path, case: Path | None = None) -> None:
-        self.hub = Ear()
+        self.hub = RecordingHub()
         self.solver = Solver(self.hub.publish, workers.obey, None)
         self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}", workers.Inline())
         self.tickets = Tickets()
@@ -179,7 +179,7 @@ def bench(tmp_path: Path, static: Path, case: Path) -> Iterator[Bench]:
         ("GET", "/api/state", "token=" + "&a=" * 30, [("host", HOST)]),
     ],
 )
-def test_strangers_are_refused(
+def test_requests_of_others_are_refused(
     bench: Bench, method: str, path: str, query: str, headers: list[tuple[str, str]]
 ) -> None:
     """Wrong tokens, names, origins, sites, all of them twice: 403, and nothing has changed."""
@@ -220,7 +220,7 @@ def test_a_ticket_lets_in_once(bench: Bench) -> None:
 
 
 def test_bodies_that_are_not_taken(bench: Bench) -> None:
-    """Only JSON of a told and bounded length is read, so that no form of another page counts."""
+    """Only JSON of a stated and bounded length is read, so that no form of another page counts."""
     kind, length = of_json(b"{}")
     for headers, status in (
         ([length, ("content-type", "text/plain")], 415),
@@ -280,7 +280,7 @@ def test_editing_undoing_and_doing_again(bench: Bench) -> None:
 
 
 def test_an_edit_of_an_old_version_is_refused(bench: Bench) -> None:
-    """Two pages: the second one's edit meets a newer version, changes nothing and is told the present state."""
+    """Two pages: the second one's edit meets a newer version, changes nothing and gets the present state."""
     old = bench.get("/api/state")["version"]
     bench.set(["plate", "nu"], 0.3, base=old)
     body = {"edits": [{"op": "set", "path": ["plate", "nu"], "value": 0.1}], "base": old}
@@ -288,8 +288,8 @@ def test_an_edit_of_an_old_version_is_refused(bench: Bench) -> None:
     assert (state["version"], state["data"]["plate"]["nu"]) == (old + 1, 0.3)
 
 
-def test_wrong_edits_are_told(bench: Bench) -> None:
-    """An edit that cannot be is a fault in words; the document stays as it was."""
+def test_wrong_edits_are_reported(bench: Bench) -> None:
+    """An invalid edit is reported as an issue; the document stays as it was."""
     body = {
         "edits": [
             {"op": "set", "path": ["plate", "nu"], "value": 0.1},
@@ -303,7 +303,7 @@ def test_wrong_edits_are_told(bench: Bench) -> None:
 
 
 def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
-    """A wrong value, then broken TOML: faults with paths or lines, no plan; the result of before stays."""
+    """A wrong value, then broken TOML: issues with paths or lines, no plan; the previous result stays."""
     run = bench.hub.wait("solved")["run"]
     state = bench.set(["plate", "thickness"], "25")
     (issue,) = state["faults"]
@@ -346,7 +346,7 @@ def test_solving_only_when_asked_to(bench: Bench) -> None:
 
 
 def test_saving(bench: Bench, case: Path) -> None:
-    """A save writes the text as it is, tells it, and removes the kept work."""
+    """A save writes the text as it is, announces it, and removes the unsaved work."""
     bench.set(["plate", "thickness"], "300 mm")
     kept = case.with_name(".raft.toml.unsaved")
     assert kept.read_text(encoding="utf-8").endswith(CASE.replace("250 mm", "300 mm"))
@@ -361,7 +361,7 @@ def test_saving(bench: Bench, case: Path) -> None:
 
 
 def test_a_file_changed_by_others_is_not_overwritten(bench: Bench, case: Path) -> None:
-    """Another program's change is noticed, told, and overwritten only if the user says so."""
+    """Another program's change is noticed, reported, and overwritten only if the user says so."""
     bench.set(["plate", "thickness"], "300 mm")
     case.write_text(CASE + "# by others\n", encoding="utf-8")
     assert bench.get("/api/state")["outside"] is True
@@ -407,7 +407,7 @@ def test_saving_elsewhere(bench: Bench, case: Path) -> None:
 
 
 def test_a_full_disk(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where nothing can be written the edit still counts, and the page is told that it is not kept, nor saved."""
+    """Where nothing can be written the edit still counts, and the page learns that it is neither kept nor saved."""
 
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
@@ -498,7 +498,7 @@ def test_work_that_was_saved_in_the_end_is_not_offered(bench: Bench, case: Path)
 
 
 def test_a_file_that_is_open_elsewhere(bench: Bench, case: Path, static: Path, tmp_path: Path) -> None:
-    """A second workbench is told the address of the first, for opening as for saving; the first one's end frees it."""
+    """A second workbench gets the address of the first, for opening as for saving; the first one's end frees it."""
     other = Bench(tmp_path / "state", static)
     error = other.post("/api/open", {"file": str(case)}, 409)["error"]
     assert (error["kind"], error["url"]) == ("open", f"http://{HOST}/?token={TOKEN}")
@@ -511,7 +511,7 @@ def test_a_file_that_is_open_elsewhere(bench: Bench, case: Path, static: Path, t
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no named pipes")
 def test_only_regular_files_are_read(bench: Bench, case: Path, tmp_path: Path) -> None:
-    """A pipe without a writer, a socket, a device, links to nowhere and in a circle: told at once, never waited for."""
+    """A pipe without a writer, a socket, a device, links to nowhere, in a circle: refused at once, never waited for."""
     folder = case.parent
     os.mkfifo(folder / "pipe.toml")
     (folder / "link.toml").symlink_to(folder / "pipe.toml")
@@ -552,7 +552,7 @@ def test_names_that_no_file_can_have(bench: Bench, name: str) -> None:
 
 
 def test_folders_that_cannot_be_used(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A folder that cannot be read or locked in is told; a name that is no text is left out of a list."""
+    """A folder that cannot be read or locked in is reported; a name that is not text is left out of a list."""
     odd = os.fsencode(case.parent) + b"/\xff.toml"
     with suppress(OSError):  # of a system whose names are all text
         os.close(os.open(odd, os.O_CREAT | os.O_WRONLY))
@@ -571,14 +571,14 @@ def test_folders_that_cannot_be_used(bench: Bench, case: Path, monkeypatch: pyte
 
 
 def test_listing(bench: Bench, case: Path) -> None:
-    """By default the folder of the case; others relative to it; one that is none is a fault."""
+    """By default the folder of the case; others relative to it; one that does not exist is an error."""
     assert bench.get("/api/files")["files"] == ["raft.toml"]
     assert bench.get("/api/files?folder=..")["folder"] == str(case.parent.parent)
     bench.get("/api/files?folder=none", 422)
 
 
-def test_an_error_of_ours_is_a_fault(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A bug in reading the model does not end the session: it is told, the text can be edited and saved."""
+def test_an_error_of_the_program_is_an_issue(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bug in reading the model does not end the session: it is reported, the text can be edited and saved."""
 
     def broken(*_: object) -> None:
         raise ZeroDivisionError("by zero")
@@ -599,8 +599,8 @@ def test_data_that_json_lacks(bench: Bench) -> None:
     assert state["data"]["plate"] | {"nu": "nan", "when": "1979-05-27", "infinite": ["inf"]} == state["data"]["plate"]
 
 
-def test_closing_tells_where_the_work_is(tmp_path: Path, static: Path, case: Path) -> None:
-    """At the end unsaved work stays on the disk, its place is told, and the case is free again."""
+def test_closing_returns_where_the_work_is(tmp_path: Path, static: Path, case: Path) -> None:
+    """At the end unsaved work stays on the disk, its path is returned, and the case is free again."""
     bench = Bench(tmp_path / "state", static, case)
     bench.set(["plate", "nu"], 0.3)
     assert bench.close() == str(case.with_name(".raft.toml.unsaved"))
@@ -611,36 +611,36 @@ def test_closing_tells_where_the_work_is(tmp_path: Path, static: Path, case: Pat
     assert again.close() == ""
 
 
-def test_events_are_told_to_all_in_order() -> None:
-    """Each page hears how things stand first, then every event, a sign of life in silence, and the end."""
+def test_events_are_sent_to_all_in_order() -> None:
+    """Each page gets the present state first, then every event, comments in between, and the end."""
 
     async def run() -> tuple[list[bytes], list[bytes]]:
         hub = Hub()
 
         async def page() -> list[bytes]:
-            heard = []
+            received = []
             async for piece in hub.listen(lambda: [("state", {"version": 1})], keep_alive=0.01):
-                heard.append(piece)
+                received.append(piece)
                 if piece.startswith(b":"):
-                    told.set()
-            return heard
+                    waiting.set()
+            return received
 
-        told = asyncio.Event()
+        waiting = asyncio.Event()
         pages = [asyncio.create_task(page()) for _ in range(2)]
-        await told.wait()
+        await waiting.wait()
         await asyncio.to_thread(hub.publish, "progress", {"run": 1, "text": "a\nb"})
         await asyncio.to_thread(hub.close)
         first, second = await asyncio.gather(*pages)
         assert [piece async for piece in hub.listen(list)] == []
         return first, second
 
-    for heard in asgi.run(run()):
-        assert heard[0] == b'event: state\ndata: {"version": 1}\n\n'
-        assert b": here\n\n" in heard or len(heard) == 2
-        assert heard[-1] == b'event: progress\ndata: {"run": 1, "text": "a\\nb"}\n\n'
+    for received in asgi.run(run()):
+        assert received[0] == b'event: state\ndata: {"version": 1}\n\n'
+        assert b": here\n\n" in received or len(received) == 2
+        assert received[-1] == b'event: progress\ndata: {"run": 1, "text": "a\\nb"}\n\n'
 
 
-def test_a_page_that_falls_behind_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_page_that_falls_behind_is_disconnected(monkeypatch: pytest.MonkeyPatch) -> None:
     """Too many events waiting end the stream; nothing piles up."""
     monkeypatch.setattr(events, "MAX_QUEUE", 3)
 
@@ -656,7 +656,7 @@ def test_a_page_that_falls_behind_is_let_go(monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def test_a_case_that_is_none(tmp_path: Path, static: Path) -> None:
-    """A file that is not there is a fault, and the session goes on without it."""
+    """A file that does not exist is an error, and the session goes on without it."""
     bench = Bench(tmp_path / "state", static)
     with pytest.raises(InputError, match="no file of that name"):
         bench.session.open(str(tmp_path / "none.toml"))
