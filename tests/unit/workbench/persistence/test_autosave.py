@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import subprocess
 import sys
 from pathlib import Path
@@ -129,11 +130,28 @@ def test_a_lock_is_held_once_and_tells_by_whom(tmp_path: Path) -> None:
     lock, _ = Lock.acquire(path, {"pid": 1, "url": "here"})
     assert lock is not None
     assert Lock.acquire(path, {}) == (None, {"pid": 1, "url": "here"})
+    if sys.platform != "win32":  # the URL contains a secret
+        assert path.with_suffix(".json").stat().st_mode & 0o777 == 0o600
     lock.release()
     again, _ = Lock.acquire(path, {"pid": 2})
     assert again is not None
     again.release()
     assert not path.exists()
+
+
+def test_a_file_system_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the system has no locks everybody gets one; other errors are raised."""
+    number = errno.ENOLCK
+
+    def fail(*_: object, **__: object) -> None:
+        raise OSError(number, "failed")
+
+    monkeypatch.setattr("filelock.FileLock.acquire", fail)
+    for _ in range(2):
+        assert Lock.acquire(tmp_path / "a.lock", {})[0] is not None
+    number = errno.EROFS
+    with pytest.raises(OSError, match="failed"):
+        Lock.acquire(tmp_path / "a.lock", {})
 
 
 HOLD = """
