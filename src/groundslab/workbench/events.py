@@ -49,7 +49,7 @@ class Hub:
         queue.put_nowait(event)
 
     async def listen(
-        self, current_events: Callable[[], Sequence[Event]], keep_alive: float = KEEP_ALIVE
+        self, get_current_events: Callable[[], Sequence[Event]], keep_alive: float = KEEP_ALIVE
     ) -> AsyncIterator[bytes]:
         """Yield the stream for one page: the present state, then every event until the page is disconnected."""
         queue: asyncio.Queue[Event | None] = asyncio.Queue()
@@ -59,7 +59,7 @@ class Hub:
             self._listeners[queue] = asyncio.get_running_loop()
         try:
             # events since the registration may be sent twice, which does no harm
-            for event in await asyncio.to_thread(current_events):
+            for event in await asyncio.to_thread(get_current_events):
                 yield encode_event(event)
             while True:
                 try:

@@ -85,7 +85,7 @@ class Document:
         return document
 
     def _apply(self, edit: Edit) -> Document:
-        op, path = edit.get("op"), _path_of(edit)
+        op, path = edit.get("op"), _get_path(edit)
         if op == "text":
             return self._with_text(edit.get("value"))
         if self.layout is None:
@@ -93,16 +93,16 @@ class Document:
             raise InputError([Issue("the text", "text that is not TOML", "TOML, so that parts can be edited", hint)])
         editor = TomlEditor(self.layout, _ORDER)
         if op == "set":
-            return self._set(editor, path, _value_of(edit))
+            return self._set(editor, path, _get_value(edit))
         if op in ("length", "move"):
             old, resolution = get_value(editor.data, path, MISSING), lengths.choose_resolution(editor.data)
             if op == "length":
-                return self._set(editor, path, lengths.format_lengths(old, _value_of(edit), resolution))
+                return self._set(editor, path, lengths.format_lengths(old, _get_value(edit), resolution))
             if old is MISSING:
                 raise InputError([Issue(format_path(path), "nothing", "an item to move")])
-            return self._set(editor, path, lengths.translate(old, _distances_of(edit), resolution, format_path(path)))
+            return self._set(editor, path, lengths.translate(old, _get_distances(edit), resolution, format_path(path)))
         if op == "add":
-            return self._add(editor, path, _value_of(edit), edit.get("at"))
+            return self._add(editor, path, _get_value(edit), edit.get("at"))
         if op == "remove":
             return self._remove(editor, path)
         raise InputError([Issue("the edit", describe(op), "one of set, length, add, remove, move, text")])
@@ -164,7 +164,7 @@ class Document:
         return document
 
 
-def _path_of(edit: Edit) -> Path:
+def _get_path(edit: Edit) -> Path:
     """Return the path of an edit; raises InputError if it is not valid."""
     path = edit.get("path", [])
     fits = isinstance(path, list) and all(
@@ -175,7 +175,7 @@ def _path_of(edit: Edit) -> Path:
     return tuple(path)
 
 
-def _value_of(edit: Edit) -> Any:
+def _get_value(edit: Edit) -> Any:
     """Return the value of an edit, without keys whose value is None."""
     if "value" not in edit:
         raise InputError([Issue("the edit", "no value", f"a value for {describe(edit.get('op'))}")])
@@ -188,7 +188,7 @@ def _drop_none(value: Any) -> Any:
     return [_drop_none(each) for each in value] if isinstance(value, list) else value
 
 
-def _distances_of(edit: Edit) -> tuple[float, float]:
+def _get_distances(edit: Edit) -> tuple[float, float]:
     """Return the translation of an edit [m]."""
     match edit.get("by"):
         case [int() | float() as x, int() | float() as y] if math.isfinite(x) and math.isfinite(y):

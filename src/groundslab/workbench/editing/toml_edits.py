@@ -47,7 +47,7 @@ class TomlEditor:
         old = get_value(self.data, path)
         found = self.layout.find_value(path)
         if found is None:
-            return [self._insert_table(path, index, toml_writer.section(_names(path), [new]))]
+            return [self._insert_table(path, index, toml_writer.section(_select_keys(path), [new]))]
         items = [*old[:index], new, *old[index:]]
         sources = [*range(index), None, *range(index, len(old))]
         return [Replacement(found.start, found.end, rewrite_list(self.text, found, old, items, sources))]
@@ -105,7 +105,7 @@ class TomlEditor:
             replacements += self._remove_statements((*path, index))
         for each in after[len(before) :]:
             replacements.append(
-                self._insert_table(path, first + len(before), toml_writer.section(_names(path), [each]))
+                self._insert_table(path, first + len(before), toml_writer.section(_select_keys(path), [each]))
             )
         return replacements
 
@@ -141,7 +141,7 @@ class TomlEditor:
         # the heading of a list now belongs to the next table of the list
         following = statements[last + 1 : last + 2]
         heads = path[-1] == 0 and any(each.path[: len(path) - 1] == path[:-1] for each in following)
-        blank_above = layout.is_blank_line(layout.previous_line(start), start)
+        blank_above = layout.is_blank_line(layout.find_previous_line(start), start)
         if start == 0 or after_blank == len(self.text) or heads or blank_above:
             end = after_blank
         if end == len(self.text):
@@ -150,7 +150,7 @@ class TomlEditor:
 
     def _add_keys(self, path: Path, missing: Mapping[str, Any]) -> list[Replacement]:
         """Add keys to a table, which may have a header, dotted keys, or no statement of its own yet."""
-        names = _names(path)
+        names = _select_keys(path)
         sections = {name: each for name, each in missing.items() if toml_writer.is_section((*names, name), each)}
         pairs = {name: each for name, each in missing.items() if name not in sections}
         replacements = [self._add_pairs(path, names, pairs)] if pairs else []
@@ -168,20 +168,20 @@ class TomlEditor:
         dotted = [each for each in own if len(each.section) < len(path)]
         if direct or headers or dotted:
             previous = (direct or headers or dotted)[-1]
-            outside = names if direct or headers else _names(previous.section)
+            outside = names if direct or headers else _select_keys(previous.section)
             prefix = "".join(f"{toml_writer.key(name)}." for name in names[len(outside) :])
             indent = self.text[previous.start : previous.key.start] if direct or dotted else ""
             lines = "".join(
                 indent + toml_writer.pair(prefix + toml_writer.key(name), each) for name, each in pairs.items()
             )
             end = previous.end
-            return Replacement(end, end, self.layout.missing_newline(end) + lines)
+            return Replacement(end, end, self.layout.complete_line(end) + lines)
         lines = "".join(toml_writer.pair(toml_writer.key(name), each) for name, each in pairs.items())
         if path:
             lines = f"[{'.'.join(map(toml_writer.key, names))}]\n{lines}"
         if not inside:
             end = len(self.text)
-            return Replacement(end, end, self.layout.missing_newline(end) + lines)
+            return Replacement(end, end, self.layout.complete_line(end) + lines)
         start = self.layout.skip_comments_up(inside[0].start) or inside[0].start
         return Replacement(start, start, lines + "\n")
 
@@ -210,12 +210,12 @@ class TomlEditor:
 
     def _place_section(self, position: int, section: str) -> Replacement:
         """Place a table at the start of a line, with blank lines around it."""
-        above = self.text[self.layout.previous_line(position) : position]
-        before = self.layout.missing_newline(position) + ("\n" if above.strip() else "")
+        above = self.text[self.layout.find_previous_line(position) : position]
+        before = self.layout.complete_line(position) + ("\n" if above.strip() else "")
         after = "\n" if position < len(self.text) and not self.layout.is_blank_line(position) else ""
         return Replacement(position, position, before + section + after)
 
 
-def _names(path: Path) -> tuple[str, ...]:
+def _select_keys(path: Path) -> tuple[str, ...]:
     """Return the keys of a path, without indices."""
     return tuple(step for step in path if isinstance(step, str))

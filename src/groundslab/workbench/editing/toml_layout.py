@@ -45,11 +45,11 @@ class TomlLayout:
                 return self.text.count("\n", 0, found.start) + 1
         return None
 
-    def missing_newline(self, position: int) -> str:
+    def complete_line(self, position: int) -> str:
         """Return the line end that is missing before a position at the end of an unfinished line, else nothing."""
         return "\n" if position > 0 and self.text[position - 1] != "\n" else ""
 
-    def previous_line(self, start: int) -> int:
+    def find_previous_line(self, start: int) -> int:
         """Return the start of the line above the one that starts at a position."""
         return self.text.rfind("\n", 0, start - 1) + 1 if start > 0 else 0
 
@@ -60,14 +60,14 @@ class TomlLayout:
 
     def skip_comments_up(self, start: int) -> int:
         """Return the start of the comments right above a line."""
-        while start > 0 and _COMMENT.fullmatch(self.text, self.previous_line(start), start):
-            start = self.previous_line(start)
+        while start > 0 and _COMMENT.fullmatch(self.text, self.find_previous_line(start), start):
+            start = self.find_previous_line(start)
         return start
 
     def skip_blank_lines_up(self, start: int) -> int:
         """Return the start of the blank lines right above a line."""
-        while start > 0 and self.is_blank_line(self.previous_line(start), start):
-            start = self.previous_line(start)
+        while start > 0 and self.is_blank_line(self.find_previous_line(start), start):
+            start = self.find_previous_line(start)
         return start
 
     def skip_comments_down(self, end: int) -> int:

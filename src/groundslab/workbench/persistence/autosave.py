@@ -84,7 +84,7 @@ class Autosave:
         failure: OSError | None = None
         if self.path is not None:
             atomic.sweep(self.path, STALE)
-        for path in chain([] if self.path is None else [self.path], self._free_paths()):
+        for path in chain([] if self.path is None else [self.path], self._generate_free_paths()):
             try:
                 if path.parent == self.folder:
                     self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
@@ -112,11 +112,11 @@ class Autosave:
 
     def find_earlier(self) -> list[UnsavedWork]:
         """Return the unsaved work of earlier runs on the document, the latest first."""
-        found = [work for path in self._earlier_paths() if path != self.path and (work := read_unsaved(path))]
+        found = [work for path in self._find_earlier_paths() if path != self.path and (work := read_unsaved(path))]
         own = str(self.file) if self.file is not None else None
         return sorted((work for work in found if work.file == own), key=lambda work: work.when, reverse=True)
 
-    def _free_paths(self) -> Iterator[Path]:
+    def _generate_free_paths(self) -> Iterator[Path]:
         """Yield unused paths for the work, the preferred one first."""
         if self.file is None:
             name = f"untitled-{secrets.token_hex(4)}"
@@ -124,20 +124,20 @@ class Autosave:
             self._lock = Lock.acquire(self.folder / f"{name}.lock", {})[0]
             yield self.folder / f"{name}.unsaved"
             return
-        for folder, stem in self._locations():
+        for folder, stem in self._list_locations():
             for number in range(1, 1000):
                 path = atomic.helper(folder / stem, "unsaved" if number == 1 else f"unsaved-{number}")
                 if not os.path.lexists(path):
                     yield path
                     break
 
-    def _locations(self) -> list[tuple[Path, str]]:
+    def _list_locations(self) -> list[tuple[Path, str]]:
         """Return the folders for work on the file, each with the file's name there."""
         assert self.file is not None
         aside = f"{self.file.name}-{files.compute_digest(os.fsencode(self.file))[:12]}"
         return [(self.file.parent, self.file.name), (self.folder, aside)]
 
-    def _earlier_paths(self) -> Iterator[Path]:
+    def _find_earlier_paths(self) -> Iterator[Path]:
         """Yield the possible files of earlier runs, without those of runs that go on."""
         if self.file is None:
             with suppress(OSError):
@@ -147,7 +147,7 @@ class Autosave:
                         lock.release()
                         yield path
             return
-        for folder, stem in self._locations():
+        for folder, stem in self._list_locations():
             pattern = re.compile(re.escape(atomic.helper(folder / stem, "unsaved").name) + r"(-[0-9]+)?")
             with suppress(OSError):
                 yield from [path for path in folder.iterdir() if pattern.fullmatch(path.name)]

@@ -38,7 +38,7 @@ def _require_regular(about: os.stat_result) -> None:
         raise OSError(errno.EINVAL, "a pipe, a device or the like")
 
 
-def state_folder() -> Path:
+def create_state_folder() -> Path:
     """Return the user's folder for the state of this program, created if it is missing."""
     import platformdirs
 

@@ -37,7 +37,7 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
     from groundslab.workbench.server.session import Session
     from groundslab.workbench.solver.thread import Solver
 
-    state = _state_folder()
+    state = _create_state_folder()
     with _bind(port) as listener:
         port = listener.getsockname()[1]
         token = secrets.token_urlsafe(32)
@@ -98,9 +98,9 @@ def _require_packages() -> None:
         raise InputError([issue]) from None
 
 
-def _state_folder() -> Path:
+def _create_state_folder() -> Path:
     try:
-        return files.state_folder()
+        return files.create_state_folder()
     except (OSError, RuntimeError) as error:
         found = files.describe_error(error) if isinstance(error, OSError) else str(error)
         location = str(getattr(error, "filename", None) or "home")

@@ -196,17 +196,17 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
 
     @app.get("/api/events")
     async def stream_events() -> StreamingResponse:
-        return StreamingResponse(session.hub.listen(session.current_events), media_type="text/event-stream")
+        return StreamingResponse(session.hub.listen(session.get_current_events), media_type="text/event-stream")
 
     @app.get("/api/results/{run}/scene")
     def get_scene(run: int) -> Response:
         result = session.solver.get_result(run)
-        return _not_kept() if result is None else Response(result.scene, media_type="application/octet-stream")
+        return _respond_not_kept() if result is None else Response(result.scene, media_type="application/octet-stream")
 
     @app.get("/api/results/{run}/summary")
     def get_summary(run: int) -> Response:
         result = session.solver.get_result(run)
-        return _not_kept() if result is None else JSONResponse(result.answer.summary)
+        return _respond_not_kept() if result is None else JSONResponse(result.answer.summary)
 
     @app.get("/api/results/{run}/report")
     def get_report(run: int) -> Response:
@@ -215,5 +215,5 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
         return Response(content, media_type="text/html; charset=utf-8", headers=headers)
 
 
-def _not_kept() -> JSONResponse:
+def _respond_not_kept() -> JSONResponse:
     return JSONResponse({"error": {"message": "the results of that run are not kept any more"}}, 404)

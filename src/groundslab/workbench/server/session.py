@@ -84,10 +84,10 @@ class Session:
                 "outside": self._case_file.has_changed(),
             }
 
-    def current_events(self) -> list[Event]:
+    def get_current_events(self) -> list[Event]:
         """Return the events that describe the present state."""
         with self._lock:
-            return [("state", {"version": self._version}), *self.solver.current_events()]
+            return [("state", {"version": self._version}), *self.solver.get_current_events()]
 
     def edit(self, edits: Sequence[Edit], label: str, base: int | None, merges: bool = False) -> State:
         """Apply all edits or none; raises Conflict if base is an old version, InputError for invalid edits."""

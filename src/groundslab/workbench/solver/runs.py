@@ -74,7 +74,7 @@ class ReportRequests:
         self._sent.discard(run)
         for future in self._waiting.pop(run, []):
             if error:
-                future.set_exception(report_error(error))
+                future.set_exception(make_report_error(error))
             else:
                 future.set_result(content)
 
@@ -84,6 +84,6 @@ class ReportRequests:
             self.finish(run, error)
 
 
-def report_error(reason: str) -> InputError:
+def make_report_error(reason: str) -> InputError:
     """Return the error for a report that cannot be written."""
     return InputError([Issue("the report", reason, "results that are kept")])

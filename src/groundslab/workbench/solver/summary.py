@@ -18,11 +18,11 @@ def summary_of(combined: Combined) -> dict[str, Any]:
     """Return the design and a summary of each combination; raises GroundslabError if a number is not finite."""
     combinations.require_finite(combined)
     return single.json_design(combined) | {
-        "combinations": [_combination(entry) for entry in combinations.entries(combined)]
+        "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)]
     }
 
 
-def _combination(entry: Entry) -> dict[str, Any]:
+def _combination_to_json(entry: Entry) -> dict[str, Any]:
     """Return one combination: why it is refused, its certificate, its sections."""
     about: dict[str, Any] = {
         "name": entry.combination.name,
@@ -37,16 +37,16 @@ def _combination(entry: Entry) -> dict[str, Any]:
     shown = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
     sections = [*single.figures(entry.results), single.certificate_section(certificate)]
     sections += single.description(entry.results)
-    return about | {"certificate": shown, "sections": [_section(section) for section in sections]}
+    return about | {"certificate": shown, "sections": [_section_to_json(section) for section in sections]}
 
 
-def _section(section: SummarySection) -> dict[str, Any]:
+def _section_to_json(section: SummarySection) -> dict[str, Any]:
     """Return a section of the summary."""
-    rows = [_row(row) for row in section.rows]
+    rows = [_row_to_json(row) for row in section.rows]
     return {"key": section.key, "title": section.title, "rows": rows, "notes": list(section.notes)}
 
 
-def _row(row: Row) -> dict[str, Any]:
+def _row_to_json(row: Row) -> dict[str, Any]:
     """Return a row of the summary, its value as text, numbers with five digits; ok only for checks."""
     unit = "" if row.unit is None else row.unit.shown
     if row.ok is not None:

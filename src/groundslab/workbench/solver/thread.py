@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab.workbench.child_process import CONTEXT, ChildProcess
 from groundslab.workbench.editing.diagnostics import issues_to_json
 from groundslab.workbench.solver import process as worker
-from groundslab.workbench.solver.runs import Job, ReportRequests, Result, report_error
+from groundslab.workbench.solver.runs import Job, ReportRequests, Result, make_report_error
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event
@@ -138,7 +138,7 @@ class Solver:
         with self._lock:
             return self._running if self._running is not None and self._kill_at is None else self._requests.job
 
-    def current_events(self) -> list[Event]:
+    def get_current_events(self) -> list[Event]:
         """Return the events that describe the present state."""
         with self._lock:
             events: list[Event] = []
@@ -154,13 +154,13 @@ class Solver:
         """Wait for the report on a run and return it; file is the name of the case. Raises InputError on failure."""
         with self._lock:
             if self._requests.close:
-                raise report_error(CLOSING)
+                raise make_report_error(CLOSING)
             future = self._requests.reports.add(run, file)
         self._wake()
         try:
             return future.result(timeout)
         except TimeoutError:
-            raise report_error("it takes too long") from None
+            raise make_report_error("it takes too long") from None
 
     def close(self) -> None:
         """End the process and the thread."""
@@ -177,7 +177,7 @@ class Solver:
         while not self._requests.close:
             with self._lock:
                 self._handle_requests()
-                timeout = self._time_to_next_action()
+                timeout = self._compute_wait()
                 process = self._process
             sources: list[Any] = [self._wake_receiver]
             if process is not None:
@@ -233,7 +233,7 @@ class Solver:
         if again and self.latest is not None:
             self._notify("solved", self.latest.to_json())
 
-    def _time_to_next_action(self) -> float | None:
+    def _compute_wait(self) -> float | None:
         """Return the time until the next action is due [s], None if there is none."""
         times = [] if self._kill_at is None else [self._kill_at]
         if self._requests.job is not None and self._running is None:

@@ -213,8 +213,8 @@ def test_the_state_folder_is_the_users(name: str, place: str, tmp_path: Path, mo
         monkeypatch.setenv(variable, str(tmp_path))
     monkeypatch.setattr("platformdirs.windows.get_win_folder", lambda _: str(tmp_path / "AppData" / "Local"))
     monkeypatch.setattr("platformdirs.PlatformDirs", system)
-    assert files.state_folder() == tmp_path / place
-    assert files.state_folder().is_dir()
+    assert files.create_state_folder() == tmp_path / place
+    assert files.create_state_folder().is_dir()
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     if kind == "Unix":
-        assert files.state_folder() == tmp_path / "state" / "groundslab"
+        assert files.create_state_folder() == tmp_path / "state" / "groundslab"

@@ -314,7 +314,7 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     assert (state["faults"][0]["path"], state["faults"][0]["line"]) == ([], 1)
     assert bench.ask("GET", f"/api/results/{run}/scene").status == 200
     assert bench.post("/api/solve", status=422)["error"]["faults"][0]["where"].startswith("the text, line 1")
-    assert [name for name, _ in bench.session.current_events()] == ["state", "solved"]
+    assert [name for name, _ in bench.session.get_current_events()] == ["state", "solved"]
     bench.post("/api/undo")
     assert bench.post("/api/undo")["text"] == CASE
 

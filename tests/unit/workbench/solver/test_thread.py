@@ -100,7 +100,7 @@ def test_a_run_is_reported_from_beginning_to_end(make: Make, events: Events) -> 
         runs.append(submit(solver, text))
         events.wait("solved", runs[-1])
     assert [solver.get_result(run) is not None for run in runs] == [False, True, True]
-    assert solver.current_events() == [("solved", events.wait("solved", runs[-1]))]
+    assert solver.get_current_events() == [("solved", events.wait("solved", runs[-1]))]
     assert solver.current is None
 
 
@@ -151,7 +151,7 @@ def test_cancelling_is_reported_at_once(
     solver.cancel()
     events.wait("cancelled", run)
     assert time.monotonic() - start < PATIENCE / 2
-    assert (solver.current, solver.current_events()) == (None, [])
+    assert (solver.current, solver.get_current_events()) == (None, [])
     release_file.touch()  # the run ends with results, which nobody wants any more
     events.wait("solved", submit(solver, "go 2", 2))
     assert events.names(run) == ["solving", "cancelled"]
@@ -166,7 +166,7 @@ def test_cancelling(make: Make, events: Events, tmp_path: Path) -> None:
     events.wait("progress", running)
     assert solver.current is not None
     assert (solver.current.run, solver.current.version) == (running, 1)
-    assert [name for name, _ in solver.current_events()] == ["solved", "solving", "progress"]
+    assert [name for name, _ in solver.get_current_events()] == ["solved", "solving", "progress"]
     solver.cancel()
     events.wait("cancelled", running)
     waiting = submit(solver, "go 2", delay=60.0)
