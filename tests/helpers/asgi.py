@@ -34,8 +34,13 @@ class Answer:
 
 def ask(app: Any, method: str, address: str, headers: Headers = (), content: bytes = b"") -> Answer:
     """Send one request and return the answer."""
+    return run(_asked(app, scope_of(method, address, headers), content))
+
+
+def scope_of(method: str, address: str, headers: Headers = ()) -> dict[str, Any]:
+    """Return the scope of a request."""
     path, _, query = address.partition("?")
-    scope = {
+    return {
         "type": "http",
         "asgi": {"version": "3.0", "spec_version": "2.4"},
         "http_version": "1.1",
@@ -49,7 +54,6 @@ def ask(app: Any, method: str, address: str, headers: Headers = (), content: byt
         "client": ("127.0.0.1", 1),
         "server": ("127.0.0.1", 2),
     }
-    return run(_asked(app, scope, content))
 
 
 def run(work: Coroutine[Any, Any, T]) -> T:

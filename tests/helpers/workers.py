@@ -11,7 +11,7 @@ from typing import Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.workbench.checking import parsing
-from groundslab.workbench.checking.parsing import Reading
+from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.solver.process import Answer, Progress
 
@@ -31,7 +31,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
         os.kill(os.getpid(), signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
     elif word == "leave":
         os._exit(3)
-    elif word == "fault":
+    elif word == "issue":
         raise InputError([Issue("mesh.size", '"1 mm"', "a larger size")])
     elif word == "refuse":
         raise GroundslabError("no")
@@ -105,8 +105,8 @@ def unusual() -> None:
     raise Local("local")
 
 
-def read_slowly(document: Document) -> Reading:
+def check_slowly(document: Document) -> CheckResult:
     """Return what a text means; one with "# slow" takes for ever."""
     while "# slow" in document.text:
         time.sleep(0.005)
-    return parsing.understand(document)
+    return parsing.check(document)

@@ -172,7 +172,7 @@ def test_an_edit_changes_what_it_says_and_undo_brings_every_byte_back(data: st.D
         if not document.data:
             break
         edit = data.draw(edits(document.data), label="edit")
-        after = document.edited([edit])
+        after = document.apply([edit])
         assert full(after.data) == full(naively(document.data, edit))
         if edit["op"] == "add" or (edit["op"] == "set" and isinstance(edit["value"], str | int | float)):
             old = at(document.data, tuple(edit["path"])) if tuple(edit["path"]) in paths(document.data) else ""
@@ -181,7 +181,7 @@ def test_an_edit_changes_what_it_says_and_undo_brings_every_byte_back(data: st.D
         history.record(document.text, "edit")
         document = after
     text: str | None = document.text
-    while history.can_undo:
+    while history.done:
         assert text is not None
         text = history.undo(text)
     assert text == original
@@ -217,18 +217,18 @@ def test_comments_of_the_examples_survive(name: str, data: st.DataObject) -> Non
         else:
             edit = {"op": "set", "path": data.draw(st.sampled_from([("mesh", "size"), ("plate", "edges", "left")]))}
             edit["value"] = "w"
-        after = document.edited([{**edit, "path": list(edit["path"])}])
+        after = document.apply([{**edit, "path": list(edit["path"])}])
         assert comments(after.text) == comments(original)
         tomllib.loads(after.text)
         history.record(document.text, "edit")
         document = after
     text = document.text
-    while history.can_undo:
+    while history.done:
         before = history.undo(text)
         assert before is not None
         text = before
     assert text.encode() == original.encode()
-    while history.can_redo:
+    while history.undone:
         again = history.redo(text)
         assert again is not None
         text = again

@@ -1,4 +1,4 @@
-"""What pages are told as it happens: server-sent events, the same for every page that listens."""
+"""Server-sent events, the same for every page that listens."""
 
 from __future__ import annotations
 
@@ -9,28 +9,28 @@ from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
-#: A line to show that the server is there, after so long a silence [s].
-PULSE = 15.0
-#: A page that is so many events behind is let go; it connects again and is told how things stand.
-MOST_WAITING = 1000
+#: A comment shows that the server is alive after so long without an event [s].
+KEEP_ALIVE = 15.0
+#: A page that is so many events behind is disconnected; it connects again and receives the present state.
+MAX_QUEUE = 1000
 
 Event = tuple[str, dict[str, Any]]
 
 
 class Hub:
-    """Hands events on to all that listen; may be told of them on any thread."""
+    """Sends events from any thread to all pages that listen."""
 
     def __init__(self) -> None:
-        self._lock = threading.RLock()  # a signal may close the hub while the same thread is at it
+        self._lock = threading.RLock()  # a signal handler may close the hub while its thread holds the lock
         self._listeners: dict[asyncio.Queue[Event | None], asyncio.AbstractEventLoop] = {}
         self._closed = False
 
-    def tell(self, name: str, about: dict[str, Any]) -> None:
-        """Hand an event on."""
-        self._send((name, about))
+    def publish(self, name: str, data: dict[str, Any]) -> None:
+        """Send an event to all pages."""
+        self._send((name, data))
 
     def close(self) -> None:
-        """Let all go that listen, and whoever comes later."""
+        """Disconnect all pages, and those that connect later."""
         with self._lock:
             self._closed = True
         self._send(None)
@@ -42,38 +42,40 @@ class Hub:
                     loop.call_soon_threadsafe(self._put, queue, event)
 
     def _put(self, queue: asyncio.Queue[Event | None], event: Event | None) -> None:
-        if queue.qsize() >= MOST_WAITING and event is not None:
+        if queue.qsize() >= MAX_QUEUE and event is not None:
             with self._lock:
                 self._listeners.pop(queue, None)
             event = None
         queue.put_nowait(event)
 
-    async def listen(self, present: Callable[[], Sequence[Event]], pulse: float = PULSE) -> AsyncIterator[bytes]:
-        """Yield the stream for one page: how things stand, then every event, until all are let go."""
+    async def listen(
+        self, get_current_events: Callable[[], Sequence[Event]], keep_alive: float = KEEP_ALIVE
+    ) -> AsyncIterator[bytes]:
+        """Yield the stream for one page: the present state, then every event until the page is disconnected."""
         queue: asyncio.Queue[Event | None] = asyncio.Queue()
         with self._lock:
             if self._closed:
                 return
             self._listeners[queue] = asyncio.get_running_loop()
         try:
-            # listening has begun, so that nothing is missed; what is told twice does no harm
-            for event in await asyncio.to_thread(present):
-                yield written(event)
+            # events since the registration may be sent twice, which does no harm
+            for event in await asyncio.to_thread(get_current_events):
+                yield encode_event(event)
             while True:
                 try:
-                    told = await asyncio.wait_for(queue.get(), pulse)
+                    received = await asyncio.wait_for(queue.get(), keep_alive)
                 except TimeoutError:
                     yield b": here\n\n"
                     continue
-                if told is None:
+                if received is None:
                     return
-                yield written(told)
+                yield encode_event(received)
         finally:
             with self._lock:
                 self._listeners.pop(queue, None)
 
 
-def written(event: Event) -> bytes:
-    """Return an event as it is sent."""
-    name, about = event
-    return f"event: {name}\ndata: {json.dumps(about)}\n\n".encode()
+def encode_event(event: Event) -> bytes:
+    """Return an event in the format of server-sent events."""
+    name, data = event
+    return f"event: {name}\ndata: {json.dumps(data)}\n\n".encode()

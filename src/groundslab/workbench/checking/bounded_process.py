@@ -1,60 +1,56 @@
-"""Functions called in a process of their own, within limits of time and memory; one that breaks them is replaced.
+"""Function calls in a child process with limits of time and memory.
 
-What comes from a file or a page may take any time and any memory to read. Here that ends in an error of the one who
-asked, while everything else goes on.
+Input from a file or a page may take any time and memory to process. A call that exceeds the limits raises an error, and
+the process is replaced.
 """
 
 from __future__ import annotations
 
-import multiprocessing
-import signal
 import threading
 import time
 import traceback
 from collections.abc import Callable
-from contextlib import suppress
-from dataclasses import dataclass
 from multiprocessing import connection
 from multiprocessing.connection import Connection
 from multiprocessing.reduction import ForkingPickler
 from pathlib import Path
 from typing import Any, Protocol
 
-from groundslab.workbench.solver.process import end_with_parent
+from groundslab.workbench.child_process import ChildProcess, set_up_child
 
-#: Memory that a function may take beyond what the process has when it is ready [bytes].
+#: Memory that a function may use beyond what the process uses when it is ready [bytes].
 MEMORY = 2_000_000_000
-#: Length of the largest answer [bytes].
-LARGEST = 100_000_000
-#: A process that is not ready after so long counts as failed [s].
-START = 60.0
-#: A call that is not wanted any more is left to itself for so long before its process is ended [s].
+#: Size of the largest result [bytes].
+MAX_RESULT = 100_000_000
+#: Time in which a process must be ready [s].
+START_LIMIT = 60.0
+#: Time that a call that is no longer needed has to end before its process is ended [s].
 GRACE = 0.5
-#: How often a call that lasts is asked whether it is still wanted [s].
-PULSE = 0.05
+#: Interval at which a running call is checked for whether it is still needed [s].
+POLL_INTERVAL = 0.05
 
 
 class TimeLimit(Exception):
-    """The function took longer than it may."""
+    """The function takes too long."""
 
 
 class MemoryLimit(Exception):
-    """The function took more memory than it may, or its answer is too large."""
+    """The function needs too much memory, or its result is too large."""
 
 
 class Interrupted(Exception):
-    """The call was not wanted any more."""
+    """The call is no longer needed."""
 
 
 class ProcessEnded(Exception):
-    """The process ended by itself, or could not be started."""
+    """The process ended by itself, or cannot be started."""
 
 
 class Caller(Protocol):
     """Calls functions within limits."""
 
     def call(
-        self, function: Callable[..., Any], *arguments: Any, seconds: float, wanted: Callable[[], bool] = ...
+        self, function: Callable[..., Any], *arguments: Any, seconds: float, needed: Callable[[], bool] = ...
     ) -> Any:
         """Return what the function returns; raises what it raises, and the errors above."""
 
@@ -62,22 +58,15 @@ class Caller(Protocol):
         """End."""
 
 
-@dataclass(slots=True)
-class _Process:
-    process: Any
-    pipe: Connection
-
-
 class BoundedProcess:
-    """A process that calls one function at a time; started when it is first needed, and after each end."""
+    """A process that calls one function at a time; it starts when first needed, and again after each end."""
 
     def __init__(self, prepare: Callable[[], object] | None = None, memory: int = MEMORY) -> None:
-        """`prepare` is called when a process starts, before time and memory count."""
+        """``prepare`` is called when a process starts, before the limits of time and memory apply."""
         self._prepare = prepare
         self._memory = memory
-        self._context = multiprocessing.get_context("spawn")
-        self._turn = threading.Lock()
-        self._process: _Process | None = None
+        self._call_lock = threading.Lock()
+        self._process: ChildProcess | None = None
         self._closed = False
 
     def call(
@@ -85,82 +74,72 @@ class BoundedProcess:
         function: Callable[..., Any],
         *arguments: Any,
         seconds: float,
-        wanted: Callable[[], bool] = lambda: True,
+        needed: Callable[[], bool] = lambda: True,
     ) -> Any:
-        """Return what a function returns, or raise what it raises; both must be possible to pickle.
+        """Return what a function returns, or raise what it raises; both must be picklable.
 
-        Raises TimeLimit after so many seconds, MemoryLimit, Interrupted soon after `wanted` returns False, and
+        Raises TimeLimit after so many seconds, MemoryLimit, Interrupted soon after ``needed`` returns False, and
         ProcessEnded.
         """
-        with self._turn:
+        with self._call_lock:
             try:
-                pipe = self._started()
+                pipe = self._start()
                 pipe.send((function, arguments))
-                self._wait(seconds, wanted, TimeLimit(f"longer than {seconds:g} s"))
-                returned, outcome = pipe.recv()
+                self._wait(seconds, needed, TimeLimit(f"longer than {seconds:g} s"))
+                succeeded, outcome = pipe.recv()
             except (EOFError, OSError) as error:
                 self._end()
                 raise ProcessEnded(str(error) or "the process ended") from None
-            if not returned and isinstance(outcome, MemoryError | MemoryLimit):
-                self._end()  # what is left of the memory is not known
+            if not succeeded and isinstance(outcome, MemoryError | MemoryLimit):
+                self._end()  # the memory that is left is not known
                 raise MemoryLimit(str(outcome) or "more memory than there is") from None
-        if not returned:
+        if not succeeded:
             raise outcome
         return outcome
 
     def close(self) -> None:
-        """End the process and whatever it does."""
+        """End the process and the call that it is executing."""
         self._closed = True
         process = self._process
         if process is not None:
-            with suppress(ValueError):  # ended by the call that it was at
-                process.process.kill()
-        with self._turn:
+            process.kill()
+        with self._call_lock:
             self._end()
 
-    def _started(self) -> Connection:
-        """Return the pipe to a process that is ready."""
+    def _start(self) -> Connection:
+        """Start the process unless it is running, and return the pipe to it."""
         if self._closed:
             raise ProcessEnded("the server ends")
-        if self._process is not None and not self._process.process.is_alive():
+        if self._process is not None and not self._process.is_alive():
             self._end()
         if self._process is None:
-            here, there = self._context.Pipe()
-            arguments = (there, self._prepare, self._memory)
-            process = self._context.Process(target=_main, args=arguments, name="groundslab reader", daemon=True)
-            process.start()
-            there.close()  # so that the end of the process is the end of the pipe
-            self._process = _Process(process, here)
-            self._wait(START, lambda: not self._closed, ProcessEnded("it cannot be started"))
-            here.recv()
+            self._process = ChildProcess("groundslab reader", _main, self._prepare, self._memory)
+            self._wait(START_LIMIT, lambda: not self._closed, ProcessEnded("it cannot be started"))
+            self._process.pipe.recv()
         return self._process.pipe
 
-    def _wait(self, seconds: float, wanted: Callable[[], bool], late: Exception) -> None:
-        """Wait until the process says something or ends; ends it when it is late or not wanted."""
+    def _wait(self, seconds: float, needed: Callable[[], bool], timeout: Exception) -> None:
+        """Wait for a message or the end of the process; end it after the time, or when the call is not needed."""
         assert self._process is not None
-        sources = [self._process.pipe, self._process.process.sentinel]
+        sources: list[Any] = [self._process.pipe, self._process.sentinel]
         deadline, interrupted = time.monotonic() + seconds, False
-        while not connection.wait(sources, PULSE):
-            if not interrupted and not wanted():
+        while not connection.wait(sources, POLL_INTERVAL):
+            if not interrupted and not needed():
                 interrupted, deadline = True, min(deadline, time.monotonic() + GRACE)
             if time.monotonic() > deadline:
                 self._end()
-                raise Interrupted if interrupted else late
+                raise Interrupted if interrupted else timeout
 
     def _end(self) -> None:
         """End the process, if there is one."""
         process, self._process = self._process, None
         if process is not None:
-            process.process.kill()
-            process.process.join()
-            process.process.close()
-            process.pipe.close()
+            process.close()
 
 
 def _main(pipe: Connection, prepare: Callable[[], object] | None, memory: int) -> None:
-    """Call what is asked for until the other end of the pipe is closed."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which then ends this process
-    threading.Thread(target=end_with_parent, daemon=True).start()
+    """Execute calls until the pipe is closed."""
+    set_up_child()
     if prepare is not None:
         prepare()
     _limit_memory(memory)
@@ -168,18 +147,18 @@ def _main(pipe: Connection, prepare: Callable[[], object] | None, memory: int) -
     while True:
         try:
             function, arguments = pipe.recv()
-            pipe.send_bytes(_answer(function, arguments, memory))
+            pipe.send_bytes(_call(function, arguments, memory))
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 
 
-def _answer(function: Callable[..., Any], arguments: tuple[Any, ...], memory: int) -> Any:
+def _call(function: Callable[..., Any], arguments: tuple[Any, ...], memory: int) -> Any:
     """Return what a function returns or raises, pickled."""
     try:
         content = ForkingPickler.dumps((True, function(*arguments)))
-        if len(content) <= LARGEST:
+        if len(content) <= MAX_RESULT:
             return content
-        error: Exception = MemoryLimit(f"an answer of more than {LARGEST // 1_000_000} MB")
+        error: Exception = MemoryLimit(f"a result of more than {MAX_RESULT // 1_000_000} MB")
     except MemoryError:
         error = MemoryLimit(f"more than {memory / 1e9:g} GB")
     except Exception as found:
@@ -192,7 +171,7 @@ def _answer(function: Callable[..., Any], arguments: tuple[Any, ...], memory: in
 
 
 def _limit_memory(more: int) -> None:
-    """Allow the process so many bytes more than it has, where the system can do that; time is limited everywhere."""
+    """Limit the process to so many bytes more than it uses, where the system supports that."""
     try:
         import resource
 

@@ -1,15 +1,14 @@
-"""What a case file's text means: its data, what is wrong with it, the plan to draw.
+"""Parsing and checking of a case file's text: its data, its issues, the plan to draw.
 
-All of this may take long, so it is called in a process of its own, by ``reader``; that process keeps the latest
-documents, so that they are not parsed again for each question.
+These functions may take long, so ``Checker`` calls them in a child process, which caches the latest documents.
 """
 
 from __future__ import annotations
 
 import hashlib
-import math
+import json
 import traceback
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -21,71 +20,66 @@ from groundslab.workbench.editing.document import Document, Edit
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
-    """What a text means.
+class CheckResult:
+    """The result of checking a text.
 
-    meaning is the same for texts that describe the same model, and empty for one that describes none; issues are the
-    faults as the page shows them, with paths and lines.
+    The fingerprint is the same for texts that describe the same model, and empty for one that describes none;
+    ``issues_json`` holds the issues as the page shows them, with paths and lines.
     """
 
-    meaning: str
+    fingerprint: str
     issues: tuple[Issue, ...]
-    listed: list[dict[str, Any]]
+    issues_json: list[dict[str, Any]]
     plan: dict[str, Any] | None
 
 
-def prepare() -> None:
-    """Load what reading needs."""
-    understand(Document(casefile.starter()))
+def warm_up() -> None:
+    """Load the libraries that are needed."""
+    check(Document(casefile.starter()))
 
 
 def parse(document: Document) -> dict[str, Any] | None:
     """Return the data of a text, None if it is not TOML."""
-    data = _latest(document).data
+    data = _cache(document).data
     try:
-        return None if data is None else plain(data)
+        return None if data is None else to_json_data(data)
     except RecursionError:
-        return None  # what is nested so deeply cannot be edited but as text
+        return None  # such deep nesting can only be edited as text
 
 
-def understand(document: Document) -> Reading:
-    """Return what a text means; an error of ours is a fault too, so that the text can still be edited and saved."""
-    document = _latest(document)
+def check(document: Document) -> CheckResult:
+    """Check a text; an error of the program becomes an issue, so that the text can still be edited and saved."""
+    document = _cache(document)
     try:
         from groundslab.views.scene.plan import plan_of
 
         data = document.data
         model = casefile.loads(document.text, diagnostics.NAME) if data is None else casefile.from_table(data)
-        meaning = hashlib.sha256(casefile.to_toml(model).encode()).hexdigest()
-        return Reading(meaning, (), [], plan_of(model))
+        fingerprint = hashlib.sha256(casefile.to_toml(model).encode()).hexdigest()
+        return CheckResult(fingerprint, (), [], plan_of(model))
     except InputError as error:
-        found = error.issues
+        issues = error.issues
     except MemoryError:
         raise
     except Exception as error:
         traceback.print_exc()
-        given = f"an error in groundslab itself ({type(error).__name__}: {error})"
-        found = (Issue("the description", given, "something that it can read", "undo the last step"),)
-    return Reading("", found, diagnostics.text_issues_to_json(found, document.layout, document.data is not None), None)
+        found = f"an error in groundslab itself ({type(error).__name__}: {error})"
+        issues = (Issue("the description", found, "a description that it can read", "undo the last step"),)
+    issues_json = diagnostics.text_issues_to_json(issues, document.layout, document.data is not None)
+    return CheckResult("", issues, issues_json, None)
 
 
-def edited(document: Document, edits: Sequence[Edit]) -> Document:
-    """Return the document after some edits; raises InputError if one of them cannot be."""
-    return replace(_latest(document).edited(edits))  # without the data that it remembers
+def apply_edits(document: Document, edits: Sequence[Edit]) -> Document:
+    """Return the document after some edits; raises InputError if one of them is invalid."""
+    return replace(_cache(document).apply(edits))  # without cached properties
 
 
 @lru_cache(maxsize=2)
-def _latest(document: Document) -> Document:
-    """Return an equal document that remembers its data and layout."""
+def _cache(document: Document) -> Document:
+    """Return an equal document whose data and layout may be cached."""
     return document
 
 
-def plain(data: Any) -> Any:
-    """Return the data of a file as JSON can hold it: dates and numbers that are none become texts."""
-    if isinstance(data, Mapping):
-        return {name: plain(each) for name, each in data.items()}
-    if isinstance(data, list):
-        return [plain(each) for each in data]
-    if isinstance(data, float) and not math.isfinite(data):
-        return str(data)
-    return data if data is None or isinstance(data, str | bool | int | float) else str(data)
+def to_json_data(data: Any) -> Any:
+    """Return the data of a file as JSON supports it: dates and numbers that are not finite become texts."""
+    return json.loads(json.dumps(data, default=str), parse_constant=lambda name: str(float(name)))

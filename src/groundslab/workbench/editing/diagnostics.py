@@ -1,4 +1,4 @@
-"""Faults with the paths of keys and positions that a form knows its fields by, and lines of the text."""
+"""Issues as JSON for the page, with the paths of the fields and the lines of the text that they concern."""
 
 from __future__ import annotations
 
@@ -9,42 +9,41 @@ from typing import Any
 
 from groundslab.errors import Issue
 from groundslab.schema.issues import RelativeIssue
-from groundslab.workbench.editing.toml_edits import Layout
-from groundslab.workbench.editing.toml_positions import Path
+from groundslab.workbench.editing.toml_layout import TomlLayout
+from groundslab.workbench.editing.toml_values import Path
 
 #: What the text is called in messages.
 NAME = "the text"
 _SYNTAX = re.compile(rf"{NAME}, line (\d+), column (\d+)")
-_STEP = re.compile(r'\.?(?:(?P<bare>[A-Za-z0-9_-]+)|(?P<quoted>"(?:[^"\\]|\\.)*")|\[(?P<position>[0-9]+)\])')
+_STEP = re.compile(r'\.?(?:(?P<bare>[A-Za-z0-9_-]+)|(?P<quoted>"(?:[^"\\]|\\.)*")|\[(?P<index>[0-9]+)\])')
 
 
-def where_of(path: Path) -> str:
-    """Return a path as faults write it, positions counted from 1: ``loads[2].x``."""
+def format_path(path: Path) -> str:
+    """Return a path as issues write it, indices counted from 1: ``loads[2].x``."""
     return RelativeIssue(path, "", "").issue("").location
 
 
-def path_of(where: str) -> Path:
-    """Return the path that a fault names, positions counted from 0; as much of it as can be read."""
+def parse_path(location: str) -> Path:
+    """Return the path of an issue's location, indices counted from 0; empty for one in words."""
     path: list[str | int] = []
     position = 0
-    while match := _STEP.match(where, position):
+    while match := _STEP.match(location, position):
         position = match.end()
-        if match["position"]:
-            path.append(int(match["position"]) - 1)
+        if match["index"]:
+            path.append(int(match["index"]) - 1)
         elif match["quoted"]:
             path.append(tomllib.loads(f"word = {match['quoted']}")["word"])
         else:
             path.append(match["bare"])
-    # words such as "the description" are no path
-    return tuple(path) if position == len(where) else ()
+    return tuple(path) if position == len(location) else ()
 
 
 def issues_to_json(issues: Sequence[Issue]) -> list[dict[str, Any]]:
-    """Return faults as data for the page, with the paths of what they speak of."""
+    """Return issues as data for the page."""
     return [
         {
             "where": issue.location,
-            "path": list(path_of(issue.location)),
+            "path": list(parse_path(issue.location)),
             "got": issue.found,
             "expected": issue.expected,
             "mend": issue.hint,
@@ -53,16 +52,18 @@ def issues_to_json(issues: Sequence[Issue]) -> list[dict[str, Any]]:
     ]
 
 
-def text_issues_to_json(issues: Sequence[Issue], layout: Layout | None, is_toml: bool) -> list[dict[str, Any]]:
-    """Return the faults of a text as data for the page, with their lines as far as those are known."""
-    return [about | _place(issue, layout, is_toml) for issue, about in zip(issues, issues_to_json(issues), strict=True)]
+def text_issues_to_json(issues: Sequence[Issue], layout: TomlLayout | None, is_toml: bool) -> list[dict[str, Any]]:
+    """Return the issues of a text as data for the page, with their lines where known."""
+    return [
+        about | _locate(issue, layout, is_toml) for issue, about in zip(issues, issues_to_json(issues), strict=True)
+    ]
 
 
-def _place(issue: Issue, layout: Layout | None, is_toml: bool) -> dict[str, Any]:
-    """Return where in the text a fault is."""
+def _locate(issue: Issue, layout: TomlLayout | None, is_toml: bool) -> dict[str, Any]:
+    """Return the position of an issue in the text."""
     if not is_toml:
         place = _SYNTAX.fullmatch(issue.location)
         line, column = (int(place[1]), int(place[2])) if place else (1, 1)
         return {"path": [], "line": line, "column": column}
-    line_of_path = None if layout is None else layout.line(path_of(issue.location))
-    return {} if line_of_path is None else {"line": line_of_path}
+    found = None if layout is None else layout.find_line(parse_path(issue.location))
+    return {} if found is None else {"line": found}

@@ -1,81 +1,63 @@
-"""What the user did, to be undone and done again: texts of the document, each with the words for the step to it."""
+"""Undo history: earlier texts of the document, each with a label for the step."""
 
 from __future__ import annotations
 
-from collections import deque
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-#: So many steps can be undone, at most ...
-STEPS = 500
-#: ... as long as their texts are no longer than this together [characters].
-LENGTH = 50_000_000
+#: Most steps that can be undone.
+MAX_STEPS = 500
+#: Largest total length of their texts [characters].
+MAX_LENGTH = 50_000_000
 
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """A step: the text on its other side, and what the user did."""
-
-    text: str
-    words: str
+#: The text on the other side of a step, and its label.
+Step = tuple[str, str]
 
 
+@dataclass(slots=True)
 class History:
-    """The steps done and undone, the latest one last; the oldest are forgotten where there are too many."""
+    """Steps done and undone, the latest last; beyond the limits the oldest are dropped."""
 
-    def __init__(self) -> None:
-        self._done: deque[Step] = deque()
-        self._undone: list[Step] = []
-        self._open = False  # whether more of the same may join the latest step
+    done: list[Step] = field(default_factory=list)
+    undone: list[Step] = field(default_factory=list)
+    _is_open: bool = False  # whether the latest step can absorb another one
 
-    def record(self, before: str, words: str, merges: bool = False) -> None:
-        """Note that a text was left; a step that merges joins the one before, if that is open and of the same words."""
-        self._undone.clear()
-        if merges and self._open and self._done and self._done[-1].words == words:
+    def record(self, before: str, label: str, merges: bool = False) -> None:
+        """Record a change of a text; one that merges joins the latest step if that is open and has the same label."""
+        self.undone.clear()
+        if merges and self._is_open and label == self.undo_label:
             return
-        self._done.append(Step(before, words))
-        self._open = True
-        length = sum(len(step.text) for step in self._done)
-        while len(self._done) > STEPS or (length > LENGTH and len(self._done) > 1):
-            length -= len(self._done.popleft().text)
+        self.done.append((before, label))
+        self._is_open = True
+        length = sum(len(text) for text, _ in self.done)
+        while len(self.done) > MAX_STEPS or (length > MAX_LENGTH and len(self.done) > 1):
+            length -= len(self.done.pop(0)[0])
 
     def undo(self, present: str) -> str | None:
         """Return the text before the latest step, None if there is none."""
-        if not self._done:
-            return None
-        self._open = False
-        step = self._done.pop()
-        self._undone.append(Step(present, step.words))
-        return step.text
+        return self._move_step(self.done, self.undone, present)
 
     def redo(self, present: str) -> str | None:
         """Return the text after the step that was undone last, None if there is none."""
-        if not self._undone:
+        return self._move_step(self.undone, self.done, present)
+
+    def _move_step(self, source: list[Step], target: list[Step], present: str) -> str | None:
+        if not source:
             return None
-        self._open = False
-        step = self._undone.pop()
-        self._done.append(Step(present, step.words))
-        return step.text
+        self._is_open = False
+        text, label = source.pop()
+        target.append((present, label))
+        return text
 
-    def settle(self) -> None:
-        """Let nothing join the latest step any more."""
-        self._open = False
-
-    @property
-    def undo_words(self) -> str:
-        """What undo would take back, empty if there is nothing."""
-        return self._done[-1].words if self._done else ""
+    def close_step(self) -> None:
+        """Let no change join the latest step any more."""
+        self._is_open = False
 
     @property
-    def redo_words(self) -> str:
-        """What redo would do again, empty if there is nothing."""
-        return self._undone[-1].words if self._undone else ""
+    def undo_label(self) -> str:
+        """Label of the step that undo takes back, empty if there is none."""
+        return self.done[-1][1] if self.done else ""
 
     @property
-    def can_undo(self) -> bool:
-        """Whether there is a step to undo."""
-        return bool(self._done)
-
-    @property
-    def can_redo(self) -> bool:
-        """Whether there is a step to do again."""
-        return bool(self._undone)
+    def redo_label(self) -> str:
+        """Label of the step that redo repeats, empty if there is none."""
+        return self.undone[-1][1] if self.undone else ""

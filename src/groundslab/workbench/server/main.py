@@ -1,4 +1,4 @@
-"""Starting and ending the workbench's server, on this machine alone."""
+"""Start and end of the workbench's server, which is reachable from this machine only."""
 
 from __future__ import annotations
 
@@ -25,40 +25,41 @@ ADDRESS = "127.0.0.1"
 
 
 def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
-    """Serve the workbench until it is interrupted; raises InputError if it cannot be, or for a case that is none.
+    """Serve the workbench until it is interrupted; raises InputError if it cannot start or the case is not valid.
 
-    A port of 0 stands for any that is free. If another workbench has the case open, its address is told instead.
+    Port 0 stands for any free one. If another workbench has the case open, its address is printed instead.
     """
     _require_packages()
     import uvicorn
 
-    from groundslab.workbench.server.routes import Tickets, application
-    from groundslab.workbench.server.session import OpenElsewhere, Session
+    from groundslab.workbench.server.case_file import OpenElsewhere
+    from groundslab.workbench.server.routes import Tickets, create_app
+    from groundslab.workbench.server.session import Session
     from groundslab.workbench.solver.thread import Solver
 
-    state = _state_folder()
-    with _bound(port) as door:
-        port = door.getsockname()[1]
+    state = _create_state_folder()
+    with _bind(port) as listener:
+        port = listener.getsockname()[1]
         token = secrets.token_urlsafe(32)
         url = f"http://{ADDRESS}:{port}/?token={token}"
         hub = Hub()
-        session = Session(hub, Solver(hub.tell), state, url)
+        session = Session(hub, Solver(hub.publish), state, url)
         try:
             if case is not None:
                 session.open(str(case.absolute()))
         except OpenElsewhere as elsewhere:
             session.close()
-            _say(f"{case} is open already, in process {elsewhere.pid}")
-            _print(elsewhere.url)
+            _print_message(f"{case} is open already, in process {elsewhere.pid}")
+            print(elsewhere.url, flush=True)
             if browser:
-                _show(elsewhere.url, _ticket_of(elsewhere.url))
+                _open_browser(elsewhere.url, _request_ticket(elsewhere.url))
             return
         except InputError:
             session.close()
             raise
         tickets = Tickets()
         config = uvicorn.Config(
-            application(session, tickets, port, token),
+            create_app(session, tickets, port, token),
             log_level="warning",
             access_log=False,
             server_header=False,
@@ -69,25 +70,27 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
             timeout_graceful_shutdown=2,
         )
 
-        def started() -> None:
-            _print(url)
+        def on_start() -> None:
+            print(url, flush=True)
             if browser:
-                threading.Thread(target=_show, args=(url, tickets.issue()), daemon=True).start()
+                threading.Thread(target=_open_browser, args=(url, tickets.issue()), daemon=True).start()
 
         try:
-            _server(config, hub, started).run([door])
+            _create_server(config, hub, on_start).run([listener])
         except KeyboardInterrupt:
-            pass  # the usual way to end it
+            pass  # the usual end
         finally:
-            kept = session.close()
-            if kept:
-                _say(f"unsaved work is kept in {kept}; the next start offers it")
+            unsaved = session.close()
+            if unsaved:
+                _print_message(f"unsaved work is kept in {unsaved}; the next start offers it")
 
 
 def _require_packages() -> None:
     """Raise InputError if the packages of a server are missing."""
     try:
         import fastapi  # noqa: F401
+        import filelock  # noqa: F401
+        import platformdirs  # noqa: F401
         import uvicorn  # noqa: F401
     except ImportError as error:
         hint = 'pip install ".[app]"'
@@ -95,64 +98,64 @@ def _require_packages() -> None:
         raise InputError([issue]) from None
 
 
-def _state_folder() -> Path:
+def _create_state_folder() -> Path:
     try:
-        return files.state_folder()
+        return files.create_state_folder()
     except (OSError, RuntimeError) as error:
-        found = files.reason(error) if isinstance(error, OSError) else str(error)
-        where = str(getattr(error, "filename", None) or "home")
-        raise InputError([Issue(where, found, "a folder for unsaved work")]) from None
+        found = files.describe_error(error) if isinstance(error, OSError) else str(error)
+        location = str(getattr(error, "filename", None) or "home")
+        raise InputError([Issue(location, found, "a folder for unsaved work")]) from None
 
 
-def _bound(port: int) -> socket.socket:
-    """Return a socket on this machine's own address; raises InputError if the port is taken."""
-    door = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+def _bind(port: int) -> socket.socket:
+    """Return a socket bound to this machine's loopback address; raises InputError if the port is taken."""
+    listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     try:
         if sys.platform == "win32":
-            # else another program could take the same port and be asked in our place
-            door.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
+            # otherwise another program could bind the same port and receive our requests
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
         else:
-            door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        door.bind((ADDRESS, port))
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind((ADDRESS, port))
     except (OSError, OverflowError) as error:
-        door.close()
-        found = f"{port} ({files.reason(error) if isinstance(error, OSError) else error})"
+        listener.close()
+        found = f"{port} ({files.describe_error(error) if isinstance(error, OSError) else error})"
         raise InputError([Issue("--port", found, "a port that is free", "leave it out for any")]) from None
-    return door
+    return listener
 
 
-def _server(config: Any, hub: Hub, started: Callable[[], None]) -> Any:
-    """Return a server that says when it has started, and lets pages that listen go when it ends."""
+def _create_server(config: Any, hub: Hub, on_start: Callable[[], None]) -> Any:
+    """Return a server that calls ``on_start``, and closes the hub when it ends so that no page delays it."""
     import uvicorn
 
     class Server(uvicorn.Server):
         async def startup(self, sockets: list[socket.socket] | None = None) -> None:
             await super().startup(sockets)
-            started()
+            on_start()
 
         def handle_exit(self, sig: int, frame: FrameType | None) -> None:
             hub.close()
             super().handle_exit(sig, frame)
 
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as by Ctrl-C
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends like Ctrl-C
     return Server(config)
 
 
-def _show(url: str, ticket: str) -> None:
-    """Open a server's page in the browser, with a ticket in place of the token, as other users may see the address."""
-    if ticket and _has_a_screen():
+def _open_browser(url: str, ticket: str) -> None:
+    """Open a server's page in the browser; other users may see the address, so it has a ticket instead of the token."""
+    if ticket and _has_display():
         parts = urlsplit(url)
         webbrowser.open(f"{parts.scheme}://{parts.netloc}/open?ticket={ticket}")
 
 
-def _has_a_screen() -> bool:
-    """Whether a browser would have a window; one for the terminal would be in the way."""
+def _has_display() -> bool:
+    """Whether a graphical browser can be opened; a text browser would block the terminal."""
     graphical = any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER", "WSL_DISTRO_NAME"))
     return sys.platform in ("win32", "darwin") or graphical
 
 
-def _ticket_of(url: str) -> str:
-    """Return a ticket from the server that has this address, empty if it does not answer."""
+def _request_ticket(url: str) -> str:
+    """Return a ticket of the server at a URL, empty if it does not answer."""
     parts = urlsplit(url)
     connection = http.client.HTTPConnection(parts.netloc, timeout=5)
     headers = {"X-Groundslab-Token": parts.query.partition("=")[2], "Content-Type": "application/json"}
@@ -165,9 +168,5 @@ def _ticket_of(url: str) -> str:
         connection.close()
 
 
-def _print(url: str) -> None:
-    print(url, flush=True)
-
-
-def _say(text: str) -> None:
+def _print_message(text: str) -> None:
     print(text, file=sys.stderr, flush=True)

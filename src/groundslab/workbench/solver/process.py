@@ -1,52 +1,48 @@
-"""The process that solves: kept warm, told what to solve, stopped between two steps of the analysis or killed.
+"""The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It speaks with ``solver`` through a pipe. What it is told: ("solve", run, text), ("report", run, file). What it says:
-("ready",) for the first run, ("warm",) when it has prepared, ("progress", run, text, share), ("solved", run, answer)
-with the scene's bytes behind, ("refused", run, message, faults), ("stopped", run), ("report", run, message) with the
-report's bytes behind if there is no message.
+It receives ("solve", run, text) and ("report", run, file) from ``Solver`` through a pipe. It sends ("ready",) when it
+can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run, answer) followed by the
+bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("report", run, error) followed by the
+bytes of the report if the error is empty.
 """
 
 from __future__ import annotations
 
-import os
-import signal
-import sys
-import threading
 import time
 import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
-from multiprocessing import connection, parent_process
 from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError
+from groundslab.workbench.child_process import set_up_child
 
 if TYPE_CHECKING:
     from groundslab.model.loads.load_cases import Combination
     from groundslab.results.results import Combined, Step
 
-#: At most one word about the progress in so many seconds.
-PAUSE = 0.1
+#: Shortest time between two messages about the progress [s].
+PROGRESS_INTERVAL = 0.1
 
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What came out of a run: seconds, why combinations are refused, the summary; the scene goes beside it."""
+    """The outcome of a run without its scene: seconds, reasons of refused combinations, the summary."""
 
     seconds: float
     refused: dict[str, str]
     summary: dict[str, Any]
 
 
-#: Solves a text: is told whom to tell of the progress (text, share), gives answer, packed scene, and what a report
-#: needs.
+#: Called with a text and the share of combinations that are done.
 Progress = Callable[[str, float | None], None]
+#: Solves a text; returns the answer, the packed scene, and the data for a report.
 Task = Callable[[str, Progress], tuple[Answer, bytes, Any]]
 
 
 class Stopped(BaseException):
-    """The run is not wanted any more; no ``except Exception`` on the way shall catch this."""
+    """The run is to stop; not an ``Exception``, so that nothing on the way catches it."""
 
 
 def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Combined]]:
@@ -63,17 +59,17 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Comb
     model = casefile.loads(text)
     count, begun, name = len(combinations_of(model)), 0, ""
 
-    def share() -> float | None:
+    def share_done() -> float | None:
         return (begun - 1) / count if count > 1 else None
 
     def on_combination(combination: Combination) -> None:
         nonlocal begun, name
         begun += 1
         name = f"{begun} of {count}, {combination.name}: " if count > 1 else ""
-        progress(f"{name}begins", share())
+        progress(f"{name}begins", share_done())
 
     def on_step(step: Step) -> None:
-        progress(name + line(step), share())
+        progress(name + line(step), share_done())
 
     combined = solve_combinations(model, on_step, on_combination)
     refused = {name: str(error) for name, error in combined.refused.items()}
@@ -81,17 +77,16 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Comb
     return Answer(time.perf_counter() - start, refused, summary), scene, (text, combined)
 
 
-def warm(progress: Progress) -> None:
-    """Solve something small, so that the first run need not wait for libraries to load."""
+def warm_up(progress: Progress) -> None:
+    """Solve a small case, so that the libraries are loaded before the first run."""
     from groundslab.case import casefile
 
     solve(casefile.starter() + '\n[mesh]\nsize = "0.5 m"\n', progress)
 
 
 def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], None] | None) -> None:
-    """Serve until the other end of the pipe is closed; runs up to the number in ``stop.value`` are to be stopped."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which then ends this process
-    threading.Thread(target=end_with_parent, daemon=True).start()
+    """Serve until the pipe is closed; runs up to the number in ``stop.value`` are stopped."""
+    set_up_child()
     pipe.send(("ready",))
     if prepare is not None:
         _prepare(pipe, prepare)
@@ -99,8 +94,8 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
     latest: tuple[int, Any] | None = None
     while True:
         try:
-            word, run, *rest = pipe.recv()
-            if word == "solve":
+            kind, run, *rest = pipe.recv()
+            if kind == "solve":
                 latest = _solve(pipe, stop, task, run, rest[0]) or latest
             else:
                 _report(pipe, run, rest[0], latest)
@@ -109,7 +104,7 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
 
 
 def _prepare(pipe: Connection, prepare: Callable[[Progress], None]) -> None:
-    """Get ready for the first run as long as it has not been asked for."""
+    """Warm up until the first message arrives."""
 
     def progress(_text: str, _share: float | None) -> None:
         if pipe.poll():
@@ -125,16 +120,16 @@ def _prepare(pipe: Connection, prepare: Callable[[Progress], None]) -> None:
 
 
 def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tuple[int, Any] | None:
-    """Solve a text and say what came of it; return what a report on it needs."""
-    said = float("-inf")
+    """Solve a text and send the outcome; return the data for a report."""
+    sent = float("-inf")
 
-    def progress(words: str, share: float | None) -> None:
-        nonlocal said
+    def progress(message: str, share: float | None) -> None:
+        nonlocal sent
         if stop.value >= run:
             raise Stopped
-        if time.monotonic() - said >= PAUSE:
-            pipe.send(("progress", run, words, share))
-            said = time.monotonic()
+        if time.monotonic() - sent >= PROGRESS_INTERVAL:
+            pipe.send(("progress", run, message, share))
+            sent = time.monotonic()
 
     try:
         progress("begins", None)
@@ -158,7 +153,7 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tupl
 
 
 def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | None) -> None:
-    """Send the report on a run, if it is the latest one; file is what the case is called in it."""
+    """Send the report on a run, if it is the latest one; file is the name of the case."""
     if latest is None or latest[0] != run:
         pipe.send(("report", run, "the results of that run are not kept any more; solve again"))
         return
@@ -173,12 +168,3 @@ def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | Non
     else:
         pipe.send(("report", run, ""))
         pipe.send_bytes(content)
-
-
-def end_with_parent() -> None:
-    """End this process at once when the server is gone, however it went."""
-    parent = parent_process()
-    if parent is not None:
-        connection.wait([parent.sentinel])
-        sys.stderr.flush()
-        os._exit(1)

@@ -1,4 +1,4 @@
-"""The summary of solved combinations as the page shows it: words, figures in units of display, notes."""
+"""The summary of solved combinations as the page shows it: texts, figures in display units, notes."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 def summary_of(combined: Combined) -> dict[str, Any]:
-    """Return the design and what is told of each combination; raises GroundslabError if a number is not finite."""
+    """Return the design and a summary of each combination; raises GroundslabError if a number is not finite."""
     combinations.require_finite(combined)
     return single.json_design(combined) | {
-        "combinations": [_combination(entry) for entry in combinations.entries(combined)]
+        "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)]
     }
 
 
-def _combination(entry: Entry) -> dict[str, Any]:
+def _combination_to_json(entry: Entry) -> dict[str, Any]:
     """Return one combination: why it is refused, its certificate, its sections."""
     about: dict[str, Any] = {
         "name": entry.combination.name,
@@ -34,20 +34,20 @@ def _combination(entry: Entry) -> dict[str, Any]:
         return about | {"certificate": None, "sections": []}
     certificate = entry.results.certificate
     figures = {name: value for name, value in asdict(certificate).items() if value is not None}
-    told = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
+    shown = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
     sections = [*single.figures(entry.results), single.certificate_section(certificate)]
     sections += single.description(entry.results)
-    return about | {"certificate": told, "sections": [_section(section) for section in sections]}
+    return about | {"certificate": shown, "sections": [_section_to_json(section) for section in sections]}
 
 
-def _section(section: SummarySection) -> dict[str, Any]:
+def _section_to_json(section: SummarySection) -> dict[str, Any]:
     """Return a section of the summary."""
-    rows = [_row(row) for row in section.rows]
+    rows = [_row_to_json(row) for row in section.rows]
     return {"key": section.key, "title": section.title, "rows": rows, "notes": list(section.notes)}
 
 
-def _row(row: Row) -> dict[str, Any]:
-    """Return a line of the summary: its value as words, numbers with five digits; ok says whether it is in order."""
+def _row_to_json(row: Row) -> dict[str, Any]:
+    """Return a row of the summary, its value as text, numbers with five digits; ok only for checks."""
     unit = "" if row.unit is None else row.unit.shown
     if row.ok is not None:
         assert not isinstance(row.value, str)

@@ -1,397 +1,317 @@
-"""The newest state of the document is solved in a process of its own, as soon as the user pauses.
+"""Solves the newest state of the document in a child process as soon as the user pauses.
 
-One thread looks after everything: it starts the process, hands it what is to be solved, stops what is not wanted any
-more, and passes on what the process says. A run that is stopped is over for the pages at once; the process is left a
-moment to stop between two steps of the analysis, and ended if that takes too long. A process that ends by itself is
-told of and replaced.
+One thread runs an event loop: it starts the process, sends it jobs, stops runs that are superseded, and passes on the
+messages of the process. A run that is stopped is over for the pages at once; the process has a moment to stop between
+two steps of the analysis and is killed otherwise. A process that crashes is reported and replaced.
 """
 
 from __future__ import annotations
 
 import itertools
-import multiprocessing
 import signal
 import threading
 import time
 from collections.abc import Callable
-from concurrent.futures import Future
 from contextlib import suppress
 from dataclasses import dataclass, field
-from multiprocessing import connection
+from multiprocessing import Pipe, connection
 from typing import TYPE_CHECKING, Any
 
-from groundslab.errors import InputError, Issue
+from groundslab.workbench.child_process import CONTEXT, ChildProcess
 from groundslab.workbench.editing.diagnostics import issues_to_json
 from groundslab.workbench.solver import process as worker
-from groundslab.workbench.solver.process import Answer
+from groundslab.workbench.solver.runs import Job, ReportRequests, Result, make_report_error
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event
 
-#: A run begins when nothing has changed for so long [s].
+#: A run begins after so long without a change [s].
 DELAY = 0.2
-#: A run that does not stop by itself for so long is ended with its process [s].
+#: A run that has not stopped after so long is killed with its process [s].
 GRACE = 0.5
-#: Results that are kept for pages which still show the one before.
-KEPT = 2
-#: A process that ends so often before it has prepared is not started again until there is something new to solve.
-MOST_STARTS = 3
-ENDS = "the server ends"
+#: Number of results that are kept, for pages that still show the previous one.
+MAX_RESULTS = 2
+#: A process that fails so often before it is ready is not started again until there is a new job.
+MAX_STARTS = 3
+CLOSING = "the server ends"
 
-Tell = Callable[[str, dict[str, Any]], None]
-
-
-@dataclass(slots=True)
-class Job:
-    """Something to solve: its run's number, the document's version, the text, and what it means, to be compared."""
-
-    run: int
-    version: int
-    text: str
-    meaning: object
-    due: float
-
-
-@dataclass(slots=True)
-class Result:
-    """The results of a run; version is the latest one that means the same."""
-
-    run: int
-    version: int
-    meaning: object
-    answer: Answer
-    scene: bytes
+Notify = Callable[[str, dict[str, Any]], None]
 
 
 @dataclass(slots=True)
 class _Process:
-    """The process that solves, the pipe to it, the number up to which runs are to stop; whether it can be trusted."""
+    """The process that solves; runs up to the number in ``stop`` are to be stopped."""
 
-    process: Any
-    pipe: connection.Connection
+    child: ChildProcess
     stop: Any
-    ready: bool = False
-    proven: bool = False
+    is_ready: bool = False
+    has_started: bool = False
 
 
 @dataclass(slots=True)
-class _Wishes:
-    """What others want of the thread that looks after everything."""
+class _Requests:
+    """Requests of other threads to the event loop."""
 
     job: Job | None = None
     cancel: bool = False
     close: bool = False
-    told_again: bool = False  # whether the latest results are told of when the run that is in the way is stopped
-    reports: dict[int, list[Future[bytes]]] = field(default_factory=dict)
-    file: str = ""  # what the case is called in a report
+    notify_again: bool = False  # whether the latest result is announced again once the current run is stopped
+    reports: ReportRequests = field(default_factory=ReportRequests)
 
 
 class Solver:
-    """Solves what is wanted, newest first; tells events as in the server's interface."""
+    """Solves the latest job; notifies of the events in the server's interface."""
 
     def __init__(
         self,
-        tell: Tell,
+        notify: Notify,
         task: worker.Task = worker.solve,
-        prepare: Callable[[worker.Progress], None] | None = worker.warm,
+        prepare: Callable[[worker.Progress], None] | None = worker.warm_up,
     ) -> None:
-        self._tell = tell
+        self._notify = notify
         self._task = task
         self._prepare = prepare
-        self._context = multiprocessing.get_context("spawn")
         self._numbers = itertools.count(1)
         self._lock = threading.RLock()
-        self._wishes = _Wishes()
+        self._requests = _Requests()
         self._running: Job | None = None
-        self._stopping: float | None = None  # when the process is ended, if the run does not stop before
-        self._asked: list[int] = []  # runs whose reports the process has been asked for
+        self._kill_at: float | None = None  # when the process is killed unless the run stops before
         self._process: _Process | None = None
         self._failed_starts = 0
         self._results: dict[int, Result] = {}
         self._progress: dict[str, Any] | None = None
-        self._inside, self._outside = multiprocessing.Pipe(duplex=False)
-        self._thread = threading.Thread(target=self._look_after, name="solver", daemon=True)
+        self._wake_receiver, self._wake_sender = Pipe(duplex=False)
+        self._thread = threading.Thread(target=self._event_loop, name="solver", daemon=True)
         self._thread.start()
 
-    def want(self, text: str, version: int, meaning: object, delay: float = DELAY, again: bool = False) -> int:
-        """Have a text solved in place of all that was wanted before; return the run's number.
+    def submit(self, text: str, version: int, fingerprint: object, delay: float = DELAY, force: bool = False) -> int:
+        """Submit a text in place of all earlier ones and return the number of its run.
 
-        What is being solved or was solved last and means the same is not solved anew, unless it is to be again.
+        A model that is being solved, or was solved last, is not solved again unless that is forced.
         """
         with self._lock:
-            running, latest = self._running, self.latest
-            stays = running is not None and self._stopping is None and not self._wishes.cancel
-            if running is not None and stays and running.meaning == meaning:
-                running.version, self._wishes.job = version, None
+            requests, running, latest = self._requests, self._running, self.latest
+            continues = self._kill_at is None and not requests.cancel
+            if running is not None and continues and running.fingerprint == fingerprint:
+                running.version, requests.job = version, None
                 return running.run
-            if not again and latest is not None and latest.meaning == meaning:
-                latest.version, self._wishes.job = version, None
-                self._wishes.cancel = self._wishes.told_again = running is not None
+            if not force and latest is not None and latest.fingerprint == fingerprint:
+                latest.version, requests.job = version, None
+                requests.cancel = requests.notify_again = running is not None
                 self._wake()
-                self._tell("solved", _told(latest))
+                self._notify("solved", latest.to_json())
                 return latest.run
-            job = Job(next(self._numbers), version, text, meaning, time.monotonic() + delay)
-            self._wishes.job, self._wishes.cancel, self._wishes.told_again = job, running is not None, False
+            job = Job(next(self._numbers), version, text, fingerprint, time.monotonic() + delay)
+            requests.job, requests.cancel, requests.notify_again = job, running is not None, False
             self._failed_starts = 0
         self._wake()
         return job.run
 
     def cancel(self) -> None:
-        """Stop what is being solved, and forget what was to be."""
+        """Stop the current run and drop the waiting job."""
         with self._lock:
-            waiting, self._wishes.job, self._wishes.cancel = self._wishes.job, None, self._running is not None
+            waiting, self._requests.job, self._requests.cancel = self._requests.job, None, self._running is not None
             if waiting is not None:
-                self._tell("cancelled", {"run": waiting.run})
+                self._notify("cancelled", {"run": waiting.run})
         self._wake()
 
-    def forget(self) -> None:
-        """Stop, and drop all results: they belong to another document."""
+    def reset(self) -> None:
+        """Stop, and drop all results, which belong to another document."""
         self.cancel()
         with self._lock:
             self._results.clear()
 
     @property
     def latest(self) -> Result | None:
-        """The results of the latest run that has any."""
+        """The latest result."""
         with self._lock:
             return next(reversed(self._results.values()), None)
 
-    def result(self, run: int) -> Result | None:
-        """Return the results of a run, None if they are not there or not kept any more."""
+    def get_result(self, run: int) -> Result | None:
+        """Return the result of a run, None if there is none or it is no longer kept."""
         with self._lock:
             return self._results.get(run)
 
     @property
-    def running(self) -> tuple[int, int] | None:
-        """The run that is being solved, or is to be, and its version."""
+    def current(self) -> Job | None:
+        """The job that is being solved or waits."""
         with self._lock:
-            job = self._running if self._running is not None and self._stopping is None else self._wishes.job
-            return None if job is None else (job.run, job.version)
+            return self._running if self._running is not None and self._kill_at is None else self._requests.job
 
-    def status(self) -> list[Event]:
-        """Return the events that say how things stand."""
+    def get_current_events(self) -> list[Event]:
+        """Return the events that describe the present state."""
         with self._lock:
             events: list[Event] = []
             if self.latest is not None:
-                events.append(("solved", _told(self.latest)))
-            if self._running is not None and self._stopping is None:
-                events.append(("solving", {"run": self._running.run, "version": self._running.version}))
+                events.append(("solved", self.latest.to_json()))
+            if self._running is not None and self._kill_at is None:
+                events.append(("solving", self._running.to_json()))
                 if self._progress is not None:
                     events.append(("progress", self._progress))
             return events
 
-    def report(self, run: int, file: str, patience: float = 600.0) -> bytes:
-        """Return the report on a run, waiting for it; file names the case in it. Raises InputError if it fails."""
-        future: Future[bytes] = Future()
+    def write_report(self, run: int, file: str, timeout: float = 600.0) -> bytes:
+        """Wait for the report on a run and return it; file is the name of the case. Raises InputError on failure."""
         with self._lock:
-            if self._wishes.close:
-                raise _no_report(ENDS)
-            self._wishes.reports.setdefault(run, []).append(future)
-            self._wishes.file = file
+            if self._requests.close:
+                raise make_report_error(CLOSING)
+            future = self._requests.reports.add(run, file)
         self._wake()
         try:
-            return future.result(patience)
+            return future.result(timeout)
         except TimeoutError:
-            raise _no_report("it takes too long") from None
+            raise make_report_error("it takes too long") from None
 
     def close(self) -> None:
         """End the process and the thread."""
         with self._lock:
-            self._wishes.close = True
+            self._requests.close = True
         self._wake()
         self._thread.join()
 
     def _wake(self) -> None:
         with self._lock, suppress(OSError):
-            self._outside.send_bytes(b"!")
+            self._wake_sender.send_bytes(b"!")
 
-    def _look_after(self) -> None:
-        """Do what is to be done until the solver is closed."""
-        while not self._wishes.close:
+    def _event_loop(self) -> None:
+        while not self._requests.close:
             with self._lock:
-                self._do_what_is_due()
-                ready_for = self._pause()
-                sources: list[Any] = [self._inside]
-                if self._process is not None:
-                    sources += [self._process.pipe, self._process.process.sentinel]
-            found = connection.wait(sources, ready_for)
-            if self._inside in found:
-                self._inside.recv_bytes()
-            process = self._process
-            if process is not None and process.pipe in found:
-                self._hear(process)
-            elif process is not None and process.process.sentinel in found:
-                self._ended(process)
+                self._handle_requests()
+                timeout = self._compute_wait()
+                process = self._process
+            sources: list[Any] = [self._wake_receiver]
+            if process is not None:
+                sources += [process.child.pipe, process.child.sentinel]
+            ready = connection.wait(sources, timeout)
+            if self._wake_receiver in ready:
+                self._wake_receiver.recv_bytes()
+            if process is not None and process.child.pipe in ready:
+                self._receive(process)
+            elif process is not None and process.child.sentinel in ready:
+                self._handle_exit(process)
         with self._lock:
-            self._end_process(ENDS)
-            self._fail_reports(ENDS)
+            self._kill_process(CLOSING)
+            self._requests.reports.fail(CLOSING)
 
-    def _do_what_is_due(self) -> None:
-        """Start, stop, hand over."""
-        wishes, now = self._wishes, time.monotonic()
+    def _handle_requests(self) -> None:
+        """Stop the run, start the process and send it requests, as far as these are due."""
+        requests, now = self._requests, time.monotonic()
         if self._running is not None:
-            if wishes.cancel and self._stopping is None:
+            if requests.cancel and self._kill_at is None:
                 self._stop(self._running.run, now + GRACE)
-            if self._stopping is not None and now >= self._stopping:
-                self._end_process()
-                self._over()
+            if self._kill_at is not None and now >= self._kill_at:
+                self._kill_process("the solver was stopped; solve again")
+                self._finish_run()
         else:
-            wishes.cancel = False
-        if self._process is None and self._failed_starts < MOST_STARTS:
-            self._start_process()
+            requests.cancel = False
+        if self._process is None and self._failed_starts < MAX_STARTS:
+            stop = CONTEXT.RawValue("q", 0)
+            child = ChildProcess("groundslab solver", worker.main, stop, self._task, self._prepare)
+            self._process = _Process(child, stop)
         process = self._process
         if process is None:
-            self._fail_reports("the solver cannot be started")
-        if process is None or not process.ready or self._running is not None:
+            requests.reports.fail("the solver cannot be started")
+        if process is None or not process.is_ready or self._running is not None:
             return
-        for run in list(wishes.reports):
-            if run not in self._asked:
-                self._asked.append(run)
-                with suppress(OSError):
-                    process.pipe.send(("report", run, wishes.file))
-        if wishes.job is not None and now >= wishes.job.due:
-            self._running, wishes.job = wishes.job, None
-            about = {"run": self._running.run, "version": self._running.version}
-            self._tell("solving", about)
-            with suppress(OSError):  # of a process that has just ended, which will be noticed
-                process.pipe.send(("solve", self._running.run, self._running.text))
+        messages: list[tuple[str, int, str]] = list(requests.reports.take_unsent())
+        if requests.job is not None and now >= requests.job.due:
+            job, requests.job = requests.job, None
+            self._running = job
+            self._notify("solving", job.to_json())
+            messages.append(("solve", job.run, job.text))
+        with suppress(OSError):  # of a process that has just ended, which the event loop will notice
+            for message in messages:
+                process.child.pipe.send(message)
 
     def _stop(self, run: int, deadline: float) -> None:
-        """Tell that the run is cancelled, and have the process stop it until the deadline."""
-        self._stopping, self._progress = deadline, None
+        """Announce that a run is cancelled, and have the process stop it until a deadline."""
+        self._kill_at, self._progress = deadline, None
         assert self._process is not None
         self._process.stop.value = run
-        again, self._wishes.told_again = self._wishes.told_again, False
-        self._tell("cancelled", {"run": run})
+        again, self._requests.notify_again = self._requests.notify_again, False
+        self._notify("cancelled", {"run": run})
         if again and self.latest is not None:
-            self._tell("solved", _told(self.latest))
+            self._notify("solved", self.latest.to_json())
 
-    def _pause(self) -> float | None:
-        """Return how long nothing is due [s], None if nothing is at all."""
-        times = []
-        if self._stopping is not None:
-            times.append(self._stopping)
-        if self._wishes.job is not None and self._running is None:
-            times.append(self._wishes.job.due)
+    def _compute_wait(self) -> float | None:
+        """Return the time until the next action is due [s], None if there is none."""
+        times = [] if self._kill_at is None else [self._kill_at]
+        if self._requests.job is not None and self._running is None:
+            times.append(self._requests.job.due)
         return max(0.0, min(times) - time.monotonic()) if times else None
 
-    def _start_process(self) -> None:
-        """Start a process that solves."""
-        here, there = self._context.Pipe()
-        stop = self._context.RawValue("q", 0)
-        arguments = (there, stop, self._task, self._prepare)
-        process = self._context.Process(target=worker.main, args=arguments, name="groundslab solver", daemon=True)
-        process.start()
-        there.close()  # so that the end of the process is the end of the pipe
-        self._process = _Process(process, here, stop)
-
-    def _end_process(self, why: str = "the solver was stopped; solve again") -> None:
-        """End the process without asking it; why is told to those who wait for reports."""
+    def _kill_process(self, reason: str) -> None:
+        """Kill the process; reports that are waited for fail with a reason."""
         if self._process is not None:
-            self._process.process.kill()
-            self._process.process.join()
-            self._process.process.close()
-            self._process.pipe.close()
+            self._process.child.close()
             self._process = None
-            self._fail_reports(why)
+            self._requests.reports.fail(reason)
 
-    def _hear(self, process: _Process) -> None:
-        """Take in what the process says."""
+    def _receive(self, process: _Process) -> None:
+        """Receive a message of the process."""
+        pipe = process.child.pipe
         try:
-            word, *rest = process.pipe.recv()
-            content = process.pipe.recv_bytes() if word == "solved" or (word == "report" and not rest[1]) else b""
+            kind, *rest = pipe.recv()
+            content = pipe.recv_bytes() if kind == "solved" or (kind == "report" and not rest[1]) else b""
         except (EOFError, OSError):
-            self._ended(process)
+            self._handle_exit(process)
             return
         with self._lock:
-            if word == "ready":
-                process.ready = True
-            elif word == "warm":
-                process.proven, self._failed_starts = True, 0
-            elif word == "report":
-                self._reported(rest[0], rest[1], content)
+            if kind == "ready":
+                process.is_ready = True
+            elif kind == "warm":
+                process.has_started, self._failed_starts = True, 0
+            elif kind == "report":
+                self._requests.reports.finish(rest[0], rest[1], content)
             elif self._running is not None and rest[0] == self._running.run:
-                self._heard_of_run(self._running, word, rest[1:], content)
+                self._handle_run_message(self._running, kind, rest[1:], content)
 
-    def _heard_of_run(self, job: Job, word: str, rest: list[Any], content: bytes) -> None:
-        """Take in what the process says about the run; of one that is to stop only that it is over."""
-        if word == "progress":
-            if self._stopping is None:
+    def _handle_run_message(self, job: Job, kind: str, rest: list[Any], content: bytes) -> None:
+        """Handle a message about the current run; of one that is being stopped only its end counts."""
+        if kind == "progress":
+            if self._kill_at is None:
                 self._progress = {"run": job.run, "text": rest[0], "share": rest[1]}
-                self._tell("progress", self._progress)
-        elif self._stopping is not None:
-            self._over()
-        elif self._wishes.cancel:  # it ended before it could be stopped
+                self._notify("progress", self._progress)
+        elif self._kill_at is not None:
+            self._finish_run()
+        elif self._requests.cancel:  # it ended before it could be stopped
             self._stop(job.run, 0.0)
-            self._over()
-        elif word == "refused":
-            issues = issues_to_json(rest[1])
-            self._over("refused", {"run": job.run, "version": job.version, "message": rest[0], "faults": issues})
+            self._finish_run()
+        elif kind == "refused":
+            self._finish_run("refused", job.to_json() | {"message": rest[0], "faults": issues_to_json(rest[1])})
         else:
-            result = Result(job.run, job.version, job.meaning, rest[0], content)
+            result = Result(job.run, job.version, job.fingerprint, rest[0], content)
             self._results[job.run] = result
-            while len(self._results) > KEPT:
+            while len(self._results) > MAX_RESULTS:
                 del self._results[next(iter(self._results))]
-            self._over("solved", _told(result))
+            self._finish_run("solved", result.to_json())
 
-    def _over(self, word: str = "", about: dict[str, Any] | None = None) -> None:
-        """Note that a run is over, and tell it unless that has been done when it was stopped."""
-        self._running = self._stopping = self._progress = None
-        self._wishes.cancel = self._wishes.told_again = False
-        if word:
-            self._tell(word, about or {})
+    def _finish_run(self, event: str = "", data: dict[str, Any] | None = None) -> None:
+        """Finish the current run, with an event unless it was announced when the run was stopped."""
+        self._running = self._kill_at = self._progress = None
+        self._requests.cancel = self._requests.notify_again = False
+        if event:
+            self._notify(event, data or {})
 
-    def _ended(self, process: _Process) -> None:
-        """Tell that the process has ended by itself, so that another one can be started."""
+    def _handle_exit(self, process: _Process) -> None:
+        """Report that the process has ended by itself."""
         with self._lock:
-            process.process.join()
-            how = _how(process.process.exitcode)
-            self._failed_starts += not process.proven
-            self._end_process()
+            how = _describe_exit(process.child.wait())
+            self._failed_starts += not process.has_started
+            self._kill_process("the solver was stopped; solve again")
             job = self._running
-            if job is not None and self._stopping is not None:
-                self._over()
+            if job is not None and self._kill_at is not None:
+                self._finish_run()
                 return
-            if job is None and self._failed_starts >= MOST_STARTS:
-                job, self._wishes.job = self._wishes.job, None
+            if job is None and self._failed_starts >= MAX_STARTS:
+                job, self._requests.job = self._requests.job, None
             if job is not None:
                 message = f"the solver ended unexpectedly ({how}); nothing of the case is lost"
-                self._over("refused", {"run": job.run, "version": job.version, "message": message, "faults": []})
-
-    def _reported(self, run: int, message: str, content: bytes) -> None:
-        """Hand a report, or why there is none, to those who wait for it."""
-        if run in self._asked:
-            self._asked.remove(run)
-        for future in self._wishes.reports.pop(run, []):
-            if message:
-                future.set_exception(_no_report(message))
-            else:
-                future.set_result(content)
-
-    def _fail_reports(self, why: str) -> None:
-        """Tell those who wait for reports that there will be none."""
-        for run in list(self._wishes.reports):
-            self._reported(run, why, b"")
+                self._finish_run("refused", job.to_json() | {"message": message, "faults": []})
 
 
-def _told(result: Result) -> dict[str, Any]:
-    """Return the event that tells of results, and in words what fails in the design."""
-    design = result.answer.summary.get("design", {})
-    return {
-        "run": result.run,
-        "version": result.version,
-        "seconds": result.answer.seconds,
-        "design": design["headline"] if design.get("status") in ("fails", "attention") else "",
-        "refused": result.answer.refused,
-    }
-
-
-def _no_report(why: str) -> InputError:
-    return InputError([Issue("the report", why, "results that are kept")])
-
-
-def _how(code: int | None) -> str:
-    """Return in words how a process ended."""
+def _describe_exit(code: int | None) -> str:
+    """Return how a process ended, in words."""
     if code is None or code >= 0:
         return f"exit code {code}"
     with suppress(ValueError):

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 
+pytest.importorskip("filelock")
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.workbench.checking import parsing
-from groundslab.workbench.checking import thread as readers
+from groundslab.workbench.checking import thread as checkers
 from groundslab.workbench.checking.bounded_process import (
     BoundedProcess,
     Interrupted,
@@ -20,8 +21,8 @@ from groundslab.workbench.checking.bounded_process import (
     ProcessEnded,
     TimeLimit,
 )
-from groundslab.workbench.checking.parsing import Reading
-from groundslab.workbench.checking.thread import Reader
+from groundslab.workbench.checking.parsing import CheckResult
+from groundslab.workbench.checking.thread import Checker
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.events import Hub
 from groundslab.workbench.server.session import Session
@@ -41,39 +42,39 @@ def process() -> Iterator[BoundedProcess]:
     made.close()
 
 
-class Readings:
-    """A reader and what it has found."""
+class Checks:
+    """A checker and its results."""
 
-    def __init__(self, seconds: float = readers.READING) -> None:
-        self.found: dict[int, Reading] = {}
-        self.reader = Reader(lambda *_: None, self.found.__setitem__, None, seconds)
+    def __init__(self, seconds: float = checkers.CHECK_LIMIT) -> None:
+        self.found: dict[int, CheckResult] = {}
+        self.checker = Checker(lambda *_: None, self.found.__setitem__, None, seconds)
 
-    def read(self, version: int, text: str) -> Reading:
+    def check(self, version: int, text: str) -> CheckResult:
         """Return what a text means."""
-        self.reader.want(version, Document(text))
-        self.reader.wait(version, PATIENCE)
+        self.checker.submit(version, Document(text))
+        self.checker.wait(version, PATIENCE)
         return self.found[version]
 
 
 @pytest.fixture
-def readings() -> Iterator[Readings]:
-    """Return a reader in a process of its own."""
-    made = Readings()
+def checks() -> Iterator[Checks]:
+    """Return a checker in a process of its own."""
+    made = Checks()
     yield made
-    made.reader.close()
+    made.checker.close()
 
 
 def test_a_call_returns_or_raises_what_the_function_does(process: BoundedProcess) -> None:
     """Values and errors come back; an error that cannot be pickled comes as its words."""
     assert process.call(max, 1, 2, seconds=PATIENCE) == 2
     with pytest.raises(InputError, match=r"mesh\.size"):
-        process.call(workers.obey, "fault", print, seconds=PATIENCE)
+        process.call(workers.obey, "issue", print, seconds=PATIENCE)
     with pytest.raises(RuntimeError, match="local"):
         process.call(workers.unusual, seconds=PATIENCE)
 
 
 def test_a_call_has_limits(process: BoundedProcess, tmp_path: Path) -> None:
-    """Too long, too much memory, too large an answer, an end: each is told, and the next call has a new process."""
+    """Too long, too much memory, too large an answer, an end: each is an error, and the next call has a new process."""
     with pytest.raises(TimeLimit, match=r"longer than 0\.1 s"):
         process.call(workers.slow, str(tmp_path / "never"), seconds=0.1)
     assert process.call(max, 1, 2, seconds=PATIENCE) == 2
@@ -95,16 +96,16 @@ def test_a_call_has_a_limit_of_memory(process: BoundedProcess) -> None:
 def test_a_call_that_is_not_wanted_is_ended(process: BoundedProcess, tmp_path: Path) -> None:
     """It is interrupted long before its limit; closing ends what is under way."""
     with pytest.raises(Interrupted):
-        process.call(workers.slow, str(tmp_path / "never"), seconds=PATIENCE, wanted=lambda: False)
+        process.call(workers.slow, str(tmp_path / "never"), seconds=PATIENCE, needed=lambda: False)
     begun, ended = threading.Event(), threading.Event()
 
-    def wanted() -> bool:
+    def needed() -> bool:
         begun.set()
         return True
 
     def call() -> None:
         with pytest.raises(ProcessEnded):
-            process.call(workers.slow, str(tmp_path / "never"), seconds=PATIENCE, wanted=wanted)
+            process.call(workers.slow, str(tmp_path / "never"), seconds=PATIENCE, needed=needed)
         ended.set()
 
     thread = threading.Thread(target=call)
@@ -117,55 +118,55 @@ def test_a_call_that_is_not_wanted_is_ended(process: BoundedProcess, tmp_path: P
         process.call(max, 1, 2, seconds=PATIENCE)
 
 
-def test_what_a_text_means(readings: Readings) -> None:
-    """The plan of one that describes a model; equal meaning for equal models; faults with lines for others."""
-    first = readings.read(1, casefile.starter())
-    assert (first.issues, first.listed) == ((), [])
+def test_what_a_text_means(checks: Checks) -> None:
+    """The plan of one that describes a model; equal fingerprints for equal models; issues with lines for others."""
+    first = checks.check(1, casefile.starter())
+    assert (first.issues, first.issues_json) == ((), [])
     assert first.plan is not None
-    assert readings.read(2, casefile.starter() + "# a comment\n").meaning == first.meaning != ""
+    assert checks.check(2, casefile.starter() + "# a comment\n").fingerprint == first.fingerprint != ""
     changed = casefile.starter().replace('thickness = "250 mm"', 'thickness = "300 mm"')
-    assert readings.read(3, changed).meaning not in ("", first.meaning)
-    wrong = readings.read(4, casefile.starter().replace('"250 mm"', '"250"'))
-    assert (wrong.meaning, wrong.plan) == ("", None)
-    assert wrong.listed[0]["path"] == ["plate", "thickness"]
-    assert wrong.listed[0]["line"] == 1 + casefile.starter().split("\n").index('thickness = "250 mm"')
+    assert checks.check(3, changed).fingerprint not in ("", first.fingerprint)
+    wrong = checks.check(4, casefile.starter().replace('"250 mm"', '"250"'))
+    assert (wrong.fingerprint, wrong.plan) == ("", None)
+    assert wrong.issues_json[0]["path"] == ["plate", "thickness"]
+    assert wrong.issues_json[0]["line"] == 1 + casefile.starter().split("\n").index('thickness = "250 mm"')
 
 
-def test_edits_go_before_a_text_that_takes_long(readings: Readings, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_edits_go_before_a_text_that_takes_long(checks: Checks, monkeypatch: pytest.MonkeyPatch) -> None:
     """An edit is done while a text is being read for ever, and the text after it is read."""
-    monkeypatch.setattr(parsing, "understand", workers.read_slowly)
+    monkeypatch.setattr(parsing, "check", workers.check_slowly)
     slow = Document(casefile.starter() + "# slow\n")
-    readings.reader.want(1, slow)
+    checks.checker.submit(1, slow)
     edit = {"op": "set", "path": ["plate", "nu"], "value": 0.3}
-    assert "nu = 0.3\n" in readings.reader.edited(slow, [edit]).text
-    assert readings.read(2, casefile.starter()).plan is not None
-    assert list(readings.found) == [2]
+    assert "nu = 0.3\n" in checks.checker.apply_edits(slow, [edit]).text
+    assert checks.check(2, casefile.starter()).plan is not None
+    assert list(checks.found) == [2]
 
 
 def test_a_text_that_takes_too_long_or_too_much(monkeypatch: pytest.MonkeyPatch) -> None:
     """It is refused with words that say why; the next one is read by a new process."""
-    readings = Readings(seconds=0.3)
+    checks = Checks(seconds=0.3)
     try:
         with monkeypatch.context() as patch:
-            patch.setattr(parsing, "understand", workers.read_slowly)
-            found = readings.read(1, casefile.starter() + "# slow\n")
+            patch.setattr(parsing, "check", workers.check_slowly)
+            found = checks.check(1, casefile.starter() + "# slow\n")
             assert "longer than 0.3 s" in found.issues[0].found
-            assert (found.meaning, found.plan, found.listed[0]["where"]) == ("", None, "the description")
-        assert readings.read(2, casefile.starter()).plan is not None
+            assert (found.fingerprint, found.plan, found.issues_json[0]["where"]) == ("", None, "the description")
+        assert checks.check(2, casefile.starter()).plan is not None
     finally:
-        readings.reader.close()
-    assert "more than 2 GB" in readers._unread(MemoryLimit("more than 2 GB")).issues[0].found
-    assert "ProcessEnded" in readers._unread(ProcessEnded("it ended")).issues[0].found
+        checks.checker.close()
+    assert "more than 2 GB" in checkers._explain_failure(MemoryLimit("more than 2 GB")).issues[0].found
+    assert "ProcessEnded" in checkers._explain_failure(ProcessEnded("it ended")).issues[0].found
 
 
 def test_a_text_that_takes_long_holds_nobody_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """While it is read the server answers, edits and undoes; what stood before is read again at once."""
-    monkeypatch.setattr(parsing, "understand", workers.read_slowly)
+    monkeypatch.setattr(parsing, "check", workers.check_slowly)
     hub = Hub()
-    session = Session(hub, Solver(hub.tell, workers.obey, None), tmp_path, "http://127.0.0.1")
+    session = Session(hub, Solver(hub.publish, workers.obey, None), tmp_path, "http://127.0.0.1")
     try:
-        session._reader.wait(1, PATIENCE)
-        assert session.state()["plan"] is not None
+        session._checker.wait(1, PATIENCE)
+        assert session.get_state()["plan"] is not None
         start = time.monotonic()
         text = casefile.starter() + "# slow\n"
         state = session.edit([{"op": "text", "value": text}], "Text", 1)
@@ -173,13 +174,13 @@ def test_a_text_that_takes_long_holds_nobody_up(tmp_path: Path, monkeypatch: pyt
         assert state["plan"] is not None, "the plan of before is shown meanwhile"
         with pytest.raises(InputError, match="still being checked"):
             session.solve()
-        session.listing(None)
+        session.list_folder()
         assert session.edit([{"op": "set", "path": ["title"], "value": "new"}], "Title", 2)["checking"] is True
         session.undo()
         session.undo()
-        assert time.monotonic() - start < readers.READING / 2
-        session._reader.wait(5, PATIENCE)
-        state = session.state()
+        assert time.monotonic() - start < checkers.CHECK_LIMIT / 2
+        session._checker.wait(5, PATIENCE)
+        state = session.get_state()
         assert (state["version"], state["checking"], state["text"]) == (5, False, casefile.starter())
         assert state["data"]["plate"]["thickness"] == "250 mm"
     finally:

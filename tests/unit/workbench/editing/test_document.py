@@ -1,4 +1,4 @@
-"""The case file as it is edited: layout kept, lengths in their units, things moved, faults with paths."""
+"""Edits of a case file: layout kept, lengths in their units, items moved, issues with paths."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.editing import diagnostics, lengths
 from groundslab.workbench.editing.document import Document
-from groundslab.workbench.editing.toml_positions import statements
-from groundslab.workbench.editing.undo import LENGTH, STEPS, History
+from groundslab.workbench.editing.toml_positions import read_statements
+from groundslab.workbench.editing.undo import MAX_LENGTH, MAX_STEPS, History
 from helpers.paths import EXAMPLES
 
 RAFT = (EXAMPLES / "l_raft.toml").read_text(encoding="utf-8")
@@ -22,7 +22,7 @@ RAFT = (EXAMPLES / "l_raft.toml").read_text(encoding="utf-8")
 def edited(text: str, op: str, path: list[str | int], value: Any = None, **more: Any) -> str:
     """Return a text after one edit."""
     given = {} if value is None else {"value": value}
-    return Document(text).edited([{"op": op, "path": path, **given, **more}]).text
+    return Document(text).apply([{"op": op, "path": path, **given, **more}]).text
 
 
 def changes(before: str, after: str) -> list[str]:
@@ -59,7 +59,7 @@ k = 0x_1
 def test_every_statement_is_found_with_its_path_and_value() -> None:
     """The places of all values, cut out and read by tomllib, give the data that tomllib reads from the whole."""
     data = tomllib.loads(STRANGE)
-    found = [each for each in statements(STRANGE) if each.value is not None]
+    found = [each for each in read_statements(STRANGE) if each.value is not None]
     assert len(found) == 10
     for each in found:
         assert each.value is not None
@@ -67,7 +67,7 @@ def test_every_statement_is_found_with_its_path_and_value() -> None:
         for step in each.path:
             value = value[step]
         assert repr(tomllib.loads(f"k = {STRANGE[each.value.start : each.value.end]}")["k"]) == repr(value)
-    headers = [each.path for each in statements(STRANGE) if each.value is None]
+    headers = [each.path for each in read_statements(STRANGE) if each.value is None]
     assert headers == [
         ("list", 0), ("list", 0, "in ner"), ("list", 1), ("list", 1, "inner", "deep"),
         ("list", 1, "more", 0), ("list", 1, "more", 1),
@@ -166,7 +166,7 @@ def test_what_is_removed_takes_its_own_comments_only() -> None:
 
 
 def test_ground_of_another_kind() -> None:
-    """A whole table set anew keeps its header and comments; lists of tables within it go."""
+    """A table that is replaced keeps its header and comments; lists of tables within it go."""
     text = edited(casefile.STARTER, "set", ["ground"], {"kind": "winkler", "k": "20 MPa/m"})
     assert tomllib.loads(text)["ground"] == {"kind": "winkler", "k": "20 MPa/m"}
     assert "# The ground under the plate." in text
@@ -193,15 +193,15 @@ def test_ground_of_another_kind() -> None:
     ],
 )
 def test_lengths_keep_their_units(old: Any, new: Any, expected: Any) -> None:
-    """Metres are written in the unit that stood there, to the millimetre; what did not move keeps its digits."""
-    assert lengths.written(old, new, 1e-3) == expected
+    """Meters are written in the unit of the old text, to the millimeter; what did not move keeps its digits."""
+    assert lengths.format_lengths(old, new, 1e-3) == expected
 
 
 def test_steps_suit_the_plate() -> None:
-    """A drag means millimetres on a raft, less on a small plate."""
-    assert lengths.step_of(tomllib.loads(RAFT)) == 1e-3
-    assert lengths.step_of({"plate": {"length_x": "50 cm", "length_y": "40 cm"}}) == pytest.approx(1e-4)
-    assert lengths.step_of({"plate": 1}) == 1e-3
+    """A drag has a resolution of millimeters on a raft, less on a small plate."""
+    assert lengths.choose_resolution(tomllib.loads(RAFT)) == 1e-3
+    assert lengths.choose_resolution({"plate": {"length_x": "50 cm", "length_y": "40 cm"}}) == pytest.approx(1e-4)
+    assert lengths.choose_resolution({"plate": 1}) == 1e-3
 
 
 def test_lengths_in_the_file() -> None:
@@ -236,16 +236,16 @@ def test_lengths_in_the_file() -> None:
 )  # fmt: skip
 def test_things_move_as_a_whole(thing: dict[str, Any], expected: dict[str, Any]) -> None:
     """All coordinates of a thing move by the same way and keep unit and digits; sizes stay."""
-    assert lengths.moved(thing, (0.5, -0.25), 1e-3, "loads[1]") == expected
-    back = lengths.moved(expected, (-0.5, 0.25), 1e-3, "loads[1]")
+    assert lengths.translate(thing, (0.5, -0.25), 1e-3, "loads[1]") == expected
+    back = lengths.translate(expected, (-0.5, 0.25), 1e-3, "loads[1]")
     assert all(back[name] == value or name == "x" for name, value in thing.items() if name != "shape")
 
 
 def test_what_cannot_be_moved_says_why() -> None:
-    """A load on a column, a load everywhere, a coordinate that is no length: told, and nothing changes."""
+    """A load on a column, a load everywhere, a coordinate that is not a length: refused, and nothing changes."""
     for thing in ({"column": "A1", "P": "1 kN"}, {"kind": "uniform", "q": "1 kPa"}, {"x": "1 kN", "y": "1 m"}):
         with pytest.raises(InputError):
-            lengths.moved(thing, (1.0, 0.0), 1e-3, "loads[1]")
+            lengths.translate(thing, (1.0, 0.0), 1e-3, "loads[1]")
     with pytest.raises(InputError, match='move the column "A1"'):
         edited(RAFT, "move", ["loads", 4], by=[1, 1])
 
@@ -275,18 +275,18 @@ def test_what_cannot_be_moved_says_why() -> None:
     ],
 )
 def test_wrong_edits_are_refused(edit: dict[str, Any]) -> None:
-    """Edits that make no sense are faults, whatever comes over the wire."""
+    """Invalid edits are refused, whatever the page sends."""
     with pytest.raises(InputError):
-        Document(RAFT).edited([edit])
+        Document(RAFT).apply([edit])
 
 
 def test_endless_nesting_is_refused() -> None:
-    """A value nested too deeply for anything is a fault, as is a text of that kind."""
+    """A value nested too deeply for anything is refused, as is a text of that kind."""
     value: Any = []
     for _ in range(5000):
         value = [value]
     with pytest.raises(InputError, match="nested too deeply"):
-        Document(RAFT).edited([{"op": "set", "path": ["x"], "value": value}])
+        Document(RAFT).apply([{"op": "set", "path": ["x"], "value": value}])
     document = Document("a = " + "[" * 5000 + "]" * 5000)
     assert (document.data, document.layout) == (None, None)
 
@@ -295,40 +295,40 @@ def test_all_edits_or_none() -> None:
     """A list of edits of which the last is wrong gives no document at all."""
     document = Document(RAFT)
     with pytest.raises(InputError):
-        document.edited([{"op": "set", "path": ["title"], "value": "x"}, {"op": "jump"}])
+        document.apply([{"op": "set", "path": ["title"], "value": "x"}, {"op": "jump"}])
     assert document.text == RAFT
 
 
-def test_text_that_is_not_toml_can_only_be_mended_as_text() -> None:
-    """Broken text is kept as it is and says so; a text edit mends it."""
-    broken = Document(RAFT).edited([{"op": "text", "value": RAFT + "\nx = = 1"}])
+def test_text_that_is_not_toml_can_only_be_edited_as_text() -> None:
+    """Broken text is kept as it is and says so; a text edit corrects it."""
+    broken = Document(RAFT).apply([{"op": "text", "value": RAFT + "\nx = = 1"}])
     assert broken.data is None
     assert broken.layout is None
     with pytest.raises(InputError, match="not TOML"):
-        broken.edited([{"op": "set", "path": ["title"], "value": "x"}])
-    assert broken.edited([{"op": "text", "value": RAFT}]).text == RAFT
+        broken.apply([{"op": "set", "path": ["title"], "value": "x"}])
+    assert broken.apply([{"op": "text", "value": RAFT}]).text == RAFT
 
 
 @pytest.mark.parametrize("content", [b"\xef\xbb\xbf# x\r\na = 1\r\n", b"a = 1\r\nb = 2\nc = 3", b"", b"\n# only\n"])
 def test_bytes_come_back(content: bytes) -> None:
     """Line ends of Windows, mixed ones, a mark at the start: a file that is read and written has the same bytes."""
-    document = Document.read(content, "x")
-    assert document.content() == content
+    document = Document.from_bytes(content, "x")
+    assert document.to_bytes() == content
     if document.newline == "\r\n":
-        added = document.edited([{"op": "set", "path": ["b"], "value": 2}])
-        assert added.content() == content + b"b = 2\r\n"
+        added = document.apply([{"op": "set", "path": ["b"], "value": 2}])
+        assert added.to_bytes() == content + b"b = 2\r\n"
 
 
 def test_files_that_are_no_text() -> None:
-    """Bytes that are not UTF-8, and files that are too large, are faults."""
+    """Bytes that are not UTF-8, and files that are too large, are refused."""
     with pytest.raises(InputError, match="line 2"):
-        Document.read(b"a = 1\nb = \xff", "x")
+        Document.from_bytes(b"a = 1\nb = \xff", "x")
     with pytest.raises(InputError, match="larger"):
-        Document.read(b" " * (casefile.LARGEST + 1), "x")
+        Document.from_bytes(b" " * (casefile.LARGEST + 1), "x")
 
 
 @pytest.mark.parametrize(
-    ("where", "path"),
+    ("location", "path"),
     [
         ("loads[2].x", ("loads", 1, "x")),
         ("plate.outline.points[3][1]", ("plate", "outline", "points", 2, 0)),
@@ -338,53 +338,53 @@ def test_files_that_are_no_text() -> None:
         ("the text, line 3, column 5", ()),
     ],
 )
-def test_paths_of_faults(where: str, path: tuple[str | int, ...]) -> None:
-    """Where a fault is becomes the path of keys and positions from 0, and back."""
-    assert diagnostics.path_of(where) == path
+def test_paths_of_issues(location: str, path: tuple[str | int, ...]) -> None:
+    """The location of an issue becomes the path of keys and indices from 0, and back."""
+    assert diagnostics.parse_path(location) == path
     if path:
-        assert diagnostics.where_of(path) == where
+        assert diagnostics.format_path(path) == location
 
 
-def test_every_fault_of_a_wrong_case_leads_to_its_place() -> None:
-    """Faults of a raft with wrong values name paths that are there, and the lines in which they stand."""
+def test_every_issue_of_a_wrong_case_leads_to_its_line() -> None:
+    """Issues of a raft with wrong values name paths that are there, and the lines in which they stand."""
     text = RAFT
     for path, value in [(["columns", 3, "x"], "1 kN"), (["plate", "openings", 0, "x"], "no"), (["loads", 7, "P"], 3)]:
         text = edited(text, "set", path, value)
     document = Document(text)
     with pytest.raises(InputError) as caught:
         casefile.loads(text, diagnostics.NAME)
-    told = diagnostics.text_issues_to_json(caught.value.issues, document.layout, True)
+    data = diagnostics.text_issues_to_json(caught.value.issues, document.layout, True)
     lines = text.splitlines()
-    found = {tuple(each["path"]): lines[each["line"] - 1] for each in told}
+    found = {tuple(each["path"]): lines[each["line"] - 1] for each in data}
     assert found[("columns", 3, "x")] == 'x = "1 kN"'
     assert found[("plate", "openings", 0, "x")] == 'x = "no"'
     assert found[("loads", 7, "P")] == "P = 3"
 
 
 def test_broken_toml_names_line_and_column() -> None:
-    """A syntax fault has no path, but the place in the text."""
+    """A syntax error has no path, but a position in the text."""
     with pytest.raises(InputError) as caught:
         casefile.loads("a = 1\nb = = 2\n", diagnostics.NAME)
-    (told,) = diagnostics.text_issues_to_json(caught.value.issues, None, False)
-    assert (told["path"], told["line"], told["column"]) == ([], 2, 5)
-    (told,) = diagnostics.text_issues_to_json([Issue("the text", "lists nested too deeply", "TOML")], None, False)
-    assert told["line"] == 1
+    (data,) = diagnostics.text_issues_to_json(caught.value.issues, None, False)
+    assert (data["path"], data["line"], data["column"]) == ([], 2, 5)
+    (data,) = diagnostics.text_issues_to_json([Issue("the text", "lists nested too deeply", "TOML")], None, False)
+    assert data["line"] == 1
 
 
 def test_history_merges_what_belongs_together() -> None:
-    """Typing on in a field is one step; an undo, a save or other words begin another; doing anew drops the undone."""
+    """Typing on in a field is one step; an undo, a save or another label ends it; a change drops what was undone."""
     history = History()
     history.record("0", "thickness")
     history.record("1", "thickness", merges=True)
     history.record("2", "title", merges=True)
-    history.settle()
+    history.close_step()
     history.record("3", "title", merges=True)
     assert history.undo("4") == "3"
-    assert (history.undo_words, history.redo_words) == ("title", "title")
+    assert (history.undo_label, history.redo_label) == ("title", "title")
     assert history.undo("3") == "2"
     assert history.redo("2") == "3"
     history.record("3", "title", merges=True)
-    assert not history.can_redo
+    assert not history.undone
     assert [history.undo("x") for _ in range(4)] == ["3", "2", "0", None]
     assert history.redo("0") == "x"
 
@@ -392,16 +392,16 @@ def test_history_merges_what_belongs_together() -> None:
 def test_history_is_bounded() -> None:
     """Neither many steps nor long texts fill the memory; the latest ones are kept."""
     history = History()
-    for number in range(STEPS + 10):
+    for number in range(MAX_STEPS + 10):
         history.record(str(number), "edit")
     undone = 0
     while history.undo("x") is not None:
         undone += 1
-    assert undone == STEPS
+    assert undone == MAX_STEPS
     history = History()
     for number in range(5):
-        history.record(str(number) * (LENGTH // 3), "edit")
-    assert history.undo("") == "4" * (LENGTH // 3)
+        history.record(str(number) * (MAX_LENGTH // 3), "edit")
+    assert history.undo("") == "4" * (MAX_LENGTH // 3)
     history.undo("")
     history.undo("")
-    assert not history.can_undo
+    assert not history.done

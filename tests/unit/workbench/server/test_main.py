@@ -167,8 +167,9 @@ def case(tmp_path: Path) -> Path:
 @pytest.fixture
 def start(tmp_path: Path) -> Iterator[Start]:
     """Return what starts a server, whose state folder is its own; all are ended in the end."""
-    state = {"XDG_STATE_HOME": str(tmp_path / "state"), "LOCALAPPDATA": str(tmp_path / "state"), "HOME": str(tmp_path)}
-    source = str(Path(main.__file__).parents[1])
+    variables = ("XDG_STATE_HOME", "WIN_PD_OVERRIDE_LOCAL_APPDATA")
+    state = {"HOME": str(tmp_path)} | dict.fromkeys(variables, str(tmp_path / "state"))
+    source = str(Path(main.__file__).parents[2])
     environment = {**os.environ, **state, "PYTHONPATH": source, "PYTHONUNBUFFERED": "1"}
     started: list[App] = []
 
@@ -290,7 +291,7 @@ def test_what_cannot_be_served(
 ) -> None:
     """No such case, a port out of range, packages that are missing: exit code 2, and what to do."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path))
+    monkeypatch.setenv("WIN_PD_OVERRIDE_LOCAL_APPDATA", str(tmp_path))
     monkeypatch.setenv("HOME", str(tmp_path))
     assert main.main(["app", str(tmp_path / "none.toml"), "--no-browser"]) == 2
     assert "no file of that name" in capsys.readouterr().err

@@ -20,14 +20,14 @@ from groundslab.storage import atomic
 from groundslab.workbench import events
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.persistence import files
-from groundslab.workbench.server.security import HEADERS, LARGEST, refusal
 from helpers import asgi, workers
 from helpers.asgi import Answer, Headers
 
 pytest.importorskip("fastapi")
 from groundslab.workbench.checking import parsing
-from groundslab.workbench.server import session as sessions
-from groundslab.workbench.server.routes import Tickets, application
+from groundslab.workbench.server import case_file as locks
+from groundslab.workbench.server.routes import Tickets, create_app
+from groundslab.workbench.server.security import HEADERS, MAX_BODY, check_request
 from groundslab.workbench.server.session import Session
 from groundslab.workbench.solver.thread import Solver
 
@@ -59,20 +59,20 @@ def of_json(content: bytes) -> Headers:
     return [("content-type", "application/json"), ("content-length", str(len(content)))]
 
 
-class Ear(Hub):
-    """A hub that remembers what it was told."""
+class RecordingHub(Hub):
+    """A hub that records its events."""
 
     def __init__(self) -> None:
         super().__init__()
         self.events: list[Event] = []
         self.more = threading.Condition()
 
-    def tell(self, name: str, about: dict[str, Any]) -> None:
+    def publish(self, name: str, about: dict[str, Any]) -> None:
         """Remember and hand on."""
         with self.more:
             self.events.append((name, dict(about)))
             self.more.notify_all()
-        super().tell(name, about)
+        super().publish(name, about)
 
     def wait(self, name: str, **wanted: Any) -> dict[str, Any]:
         """Return the first event of that name with these values."""
@@ -89,11 +89,11 @@ class Bench:
     """A session, its hub, and a client that has the token."""
 
     def __init__(self, state: Path, static: Path, case: Path | None = None) -> None:
-        self.hub = Ear()
-        self.solver = Solver(self.hub.tell, workers.obey, None)
+        self.hub = RecordingHub()
+        self.solver = Solver(self.hub.publish, workers.obey, None)
         self.session = Session(self.hub, self.solver, state, f"http://{HOST}/?token={TOKEN}", workers.Inline())
         self.tickets = Tickets()
-        self.app = application(self.session, self.tickets, PORT, TOKEN, static)
+        self.app = create_app(self.session, self.tickets, PORT, TOKEN, static)
         if case is not None:
             self.session.open(str(case))
 
@@ -180,17 +180,16 @@ def bench(tmp_path: Path, static: Path, case: Path) -> Iterator[Bench]:
         ("GET", "/api/state", "token=" + "&a=" * 30, [("host", HOST)]),
     ],
 )
-def test_strangers_are_refused(
+def test_requests_of_others_are_refused(
     bench: Bench, method: str, path: str, query: str, headers: list[tuple[str, str]]
 ) -> None:
     """Wrong tokens, names, origins, sites, all of them twice: 403, and nothing has changed."""
-    try:
-        assert refusal(method, path, query, headers, PORT, TOKEN) is not None
-    except ValueError:
-        assert query.startswith("token=&a")
+    refused = check_request(asgi.scope_of(method, f"{path}?{query}", headers), PORT, TOKEN)
+    assert refused is not None
+    assert refused[0] == 403
     answer = bench.ask(method, f"{path}?{query}", [*headers, *of_json(b"{}")], b"{}")
     assert answer.status == 403
-    assert bench.session.state()["version"] == 2
+    assert bench.session.get_state()["version"] == 2
 
 
 @pytest.mark.parametrize(
@@ -200,9 +199,12 @@ def test_strangers_are_refused(
 )  # fmt: skip
 def test_its_own_page_is_not_refused(headers: list[tuple[str, str]]) -> None:
     """The page itself, under both names of this machine, by header or address."""
-    assert refusal("POST", "/api/edits", "", headers, PORT, TOKEN) is None
-    assert refusal("GET", "/api/events", f"token={TOKEN}", [headers[0]], PORT, TOKEN) is None
-    assert refusal("GET", "/", "", [headers[0]], PORT, TOKEN) is None
+    for method, address, given in (
+        ("POST", "/api/edits", [*headers, *of_json(b"{}")]),
+        ("GET", f"/api/events?token={TOKEN}", [headers[0]]),
+        ("GET", "/", [headers[0]]),
+    ):
+        assert check_request(asgi.scope_of(method, address, given), PORT, TOKEN) is None
 
 
 def test_a_ticket_lets_in_once(bench: Bench) -> None:
@@ -219,14 +221,14 @@ def test_a_ticket_lets_in_once(bench: Bench) -> None:
 
 
 def test_bodies_that_are_not_taken(bench: Bench) -> None:
-    """Only JSON of a told and bounded length is read, so that no form of another page counts."""
+    """Only JSON of a stated and bounded length is read, so that no form of another page counts."""
     kind, length = of_json(b"{}")
     for headers, status in (
         ([length, ("content-type", "text/plain")], 415),
         ([length], 415),
         ([kind], 411),
         ([kind, ("content-length", "-1")], 411),
-        ([kind, ("content-length", str(LARGEST + 1))], 413),
+        ([kind, ("content-length", str(MAX_BODY + 1))], 413),
         ([kind, ("content-length", "9" * 5000)], 413),
     ):
         assert bench.ask("POST", "/api/undo", [*GOOD, *headers], b"{}").status == status
@@ -280,7 +282,7 @@ def test_editing_undoing_and_doing_again(bench: Bench) -> None:
 
 
 def test_an_edit_of_an_old_version_is_refused(bench: Bench) -> None:
-    """Two pages: the second one's edit meets a newer version, changes nothing and is told the present state."""
+    """Two pages: the second one's edit meets a newer version, changes nothing and gets the present state."""
     old = bench.get("/api/state")["version"]
     bench.set(["plate", "nu"], 0.3, base=old)
     body = {"edits": [{"op": "set", "path": ["plate", "nu"], "value": 0.1}], "base": old}
@@ -288,8 +290,8 @@ def test_an_edit_of_an_old_version_is_refused(bench: Bench) -> None:
     assert (state["version"], state["data"]["plate"]["nu"]) == (old + 1, 0.3)
 
 
-def test_wrong_edits_are_told(bench: Bench) -> None:
-    """An edit that cannot be is a fault in words; the document stays as it was."""
+def test_wrong_edits_are_reported(bench: Bench) -> None:
+    """An invalid edit is reported as an issue; the document stays as it was."""
     body = {
         "edits": [
             {"op": "set", "path": ["plate", "nu"], "value": 0.1},
@@ -304,7 +306,7 @@ def test_wrong_edits_are_told(bench: Bench) -> None:
 
 @pytest.mark.slow
 def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
-    """A wrong value, then broken TOML: faults with paths or lines, no plan; the result of before stays."""
+    """A wrong value, then broken TOML: issues with paths or lines, no plan; the previous result stays."""
     run = bench.hub.wait("solved")["run"]
     state = bench.set(["plate", "thickness"], "25")
     (issue,) = state["faults"]
@@ -315,7 +317,7 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     assert (state["faults"][0]["path"], state["faults"][0]["line"]) == ([], 1)
     assert bench.ask("GET", f"/api/results/{run}/scene").status == 200
     assert bench.post("/api/solve", status=422)["error"]["faults"][0]["where"].startswith("the text, line 1")
-    assert [name for name, _ in bench.session.present()] == ["state", "solved"]
+    assert [name for name, _ in bench.session.get_current_events()] == ["state", "solved"]
     bench.post("/api/undo")
     assert bench.post("/api/undo")["text"] == CASE
 
@@ -339,7 +341,7 @@ def test_solving_only_when_asked_to(bench: Bench) -> None:
     bench.post("/api/autosolve", {"on": False})
     assert bench.get("/api/state")["autosolve"] is False
     version = bench.set(["plate", "nu"], 0.1)["version"]
-    assert bench.session.solver.running is None
+    assert bench.session.solver.current is None
     run = bench.post("/api/solve")["run"]
     assert bench.hub.wait("solved", run=run)["version"] == version
     version = bench.set(["plate", "nu"], 0.15)["version"]
@@ -349,7 +351,7 @@ def test_solving_only_when_asked_to(bench: Bench) -> None:
 
 
 def test_saving(bench: Bench, case: Path) -> None:
-    """A save writes the text as it is, tells it, and removes the kept work."""
+    """A save writes the text as it is, announces it, and removes the unsaved work."""
     bench.set(["plate", "thickness"], "300 mm")
     kept = case.with_name(".raft.toml.unsaved")
     assert kept.read_text(encoding="utf-8").endswith(CASE.replace("250 mm", "300 mm"))
@@ -364,7 +366,7 @@ def test_saving(bench: Bench, case: Path) -> None:
 
 
 def test_a_file_changed_by_others_is_not_overwritten(bench: Bench, case: Path) -> None:
-    """Another program's change is noticed, told, and overwritten only if the user says so."""
+    """Another program's change is noticed, reported, and overwritten only if the user says so."""
     bench.set(["plate", "thickness"], "300 mm")
     case.write_text(CASE + "# by others\n", encoding="utf-8")
     assert bench.get("/api/state")["outside"] is True
@@ -410,7 +412,7 @@ def test_saving_elsewhere(bench: Bench, case: Path) -> None:
 
 
 def test_a_full_disk(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where nothing can be written the edit still counts, and the page is told that it is not kept, nor saved."""
+    """Where nothing can be written the edit still counts, and the page learns that it is neither kept nor saved."""
 
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
@@ -501,7 +503,7 @@ def test_work_that_was_saved_in_the_end_is_not_offered(bench: Bench, case: Path)
 
 
 def test_a_file_that_is_open_elsewhere(bench: Bench, case: Path, static: Path, tmp_path: Path) -> None:
-    """A second workbench is told the address of the first, for opening as for saving; the first one's end frees it."""
+    """A second workbench gets the address of the first, for opening as for saving; the first one's end frees it."""
     other = Bench(tmp_path / "state", static)
     error = other.post("/api/open", {"file": str(case)}, 409)["error"]
     assert (error["kind"], error["url"]) == ("open", f"http://{HOST}/?token={TOKEN}")
@@ -514,7 +516,7 @@ def test_a_file_that_is_open_elsewhere(bench: Bench, case: Path, static: Path, t
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no named pipes")
 def test_only_regular_files_are_read(bench: Bench, case: Path, tmp_path: Path) -> None:
-    """A pipe without a writer, a socket, a device, links to nowhere and in a circle: told at once, never waited for."""
+    """A pipe without a writer, a socket, a device, links to nowhere, in a circle: refused at once, never waited for."""
     folder = case.parent
     os.mkfifo(folder / "pipe.toml")
     (folder / "link.toml").symlink_to(folder / "pipe.toml")
@@ -555,7 +557,7 @@ def test_names_that_no_file_can_have(bench: Bench, name: str) -> None:
 
 
 def test_folders_that_cannot_be_used(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A folder that cannot be read or locked in is told; a name that is no text is left out of a list."""
+    """A folder that cannot be read or locked in is reported; a name that is not text is left out of a list."""
     odd = os.fsencode(case.parent) + b"/\xff.toml"
     with suppress(OSError):  # of a system whose names are all text
         os.close(os.open(odd, os.O_CREAT | os.O_WRONLY))
@@ -564,24 +566,24 @@ def test_folders_that_cannot_be_used(bench: Bench, case: Path, monkeypatch: pyte
     def denied(*_: object, **__: object) -> None:
         raise PermissionError(13, "Permission denied", str(case))
 
-    for place, name in ((os, "scandir"), (files, "listing"), (Path, "is_dir")):
+    for place, name in ((os, "scandir"), (files, "list_folder"), (Path, "is_dir")):
         with monkeypatch.context() as patch:
             patch.setattr(place, name, denied)
             assert bench.ask("GET", "/api/files").status == (200 if place is Path else 422)
     with monkeypatch.context() as patch:
-        patch.setattr(sessions.Lock, "take", denied)
+        patch.setattr(locks.Lock, "acquire", denied)
         assert "permission denied" in bench.post("/api/save", {"file": "other.toml"}, 422)["error"]["got"]
 
 
 def test_listing(bench: Bench, case: Path) -> None:
-    """By default the folder of the case; others relative to it; one that is none is a fault."""
+    """By default the folder of the case; others relative to it; one that does not exist is an error."""
     assert bench.get("/api/files")["files"] == ["raft.toml"]
     assert bench.get("/api/files?folder=..")["folder"] == str(case.parent.parent)
     bench.get("/api/files?folder=none", 422)
 
 
-def test_an_error_of_ours_is_a_fault(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A bug in reading the model does not end the session: it is told, the text can be edited and saved."""
+def test_an_error_of_the_program_is_an_issue(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bug in reading the model does not end the session: it is reported, the text can be edited and saved."""
 
     def broken(*_: object) -> None:
         raise ZeroDivisionError("by zero")
@@ -602,8 +604,8 @@ def test_data_that_json_lacks(bench: Bench) -> None:
     assert state["data"]["plate"] | {"nu": "nan", "when": "1979-05-27", "infinite": ["inf"]} == state["data"]["plate"]
 
 
-def test_closing_tells_where_the_work_is(tmp_path: Path, static: Path, case: Path) -> None:
-    """At the end unsaved work stays on the disk, its place is told, and the case is free again."""
+def test_closing_returns_where_the_work_is(tmp_path: Path, static: Path, case: Path) -> None:
+    """At the end unsaved work stays on the disk, its path is returned, and the case is free again."""
     bench = Bench(tmp_path / "state", static, case)
     bench.set(["plate", "nu"], 0.3)
     assert bench.close() == str(case.with_name(".raft.toml.unsaved"))
@@ -614,52 +616,52 @@ def test_closing_tells_where_the_work_is(tmp_path: Path, static: Path, case: Pat
     assert again.close() == ""
 
 
-def test_events_are_told_to_all_in_order() -> None:
-    """Each page hears how things stand first, then every event, a sign of life in silence, and the end."""
+def test_events_are_sent_to_all_in_order() -> None:
+    """Each page gets the present state first, then every event, comments in between, and the end."""
 
     async def run() -> tuple[list[bytes], list[bytes]]:
         hub = Hub()
 
         async def page() -> list[bytes]:
-            heard = []
-            async for piece in hub.listen(lambda: [("state", {"version": 1})], pulse=0.01):
-                heard.append(piece)
+            received = []
+            async for piece in hub.listen(lambda: [("state", {"version": 1})], keep_alive=0.01):
+                received.append(piece)
                 if piece.startswith(b":"):
-                    told.set()
-            return heard
+                    waiting.set()
+            return received
 
-        told = asyncio.Event()
+        waiting = asyncio.Event()
         pages = [asyncio.create_task(page()) for _ in range(2)]
-        await told.wait()
-        await asyncio.to_thread(hub.tell, "progress", {"run": 1, "text": "a\nb"})
+        await waiting.wait()
+        await asyncio.to_thread(hub.publish, "progress", {"run": 1, "text": "a\nb"})
         await asyncio.to_thread(hub.close)
         first, second = await asyncio.gather(*pages)
         assert [piece async for piece in hub.listen(list)] == []
         return first, second
 
-    for heard in asgi.run(run()):
-        assert heard[0] == b'event: state\ndata: {"version": 1}\n\n'
-        assert b": here\n\n" in heard or len(heard) == 2
-        assert heard[-1] == b'event: progress\ndata: {"run": 1, "text": "a\\nb"}\n\n'
+    for received in asgi.run(run()):
+        assert received[0] == b'event: state\ndata: {"version": 1}\n\n'
+        assert b": here\n\n" in received or len(received) == 2
+        assert received[-1] == b'event: progress\ndata: {"run": 1, "text": "a\\nb"}\n\n'
 
 
-def test_a_page_that_falls_behind_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_page_that_falls_behind_is_disconnected(monkeypatch: pytest.MonkeyPatch) -> None:
     """Too many events waiting end the stream; nothing piles up."""
-    monkeypatch.setattr(events, "MOST_WAITING", 3)
+    monkeypatch.setattr(events, "MAX_QUEUE", 3)
 
     async def run() -> int:
         hub = Hub()
         stream = hub.listen(lambda: [("state", {})])
         await anext(stream)
         for number in range(10):
-            hub.tell("progress", {"run": number})
+            hub.publish("progress", {"run": number})
         return len([piece async for piece in stream])
 
     assert asgi.run(run()) == 3
 
 
 def test_a_case_that_is_none(tmp_path: Path, static: Path) -> None:
-    """A file that is not there is a fault, and the session goes on without it."""
+    """A file that does not exist is an error, and the session goes on without it."""
     bench = Bench(tmp_path / "state", static)
     with pytest.raises(InputError, match="no file of that name"):
         bench.session.open(str(tmp_path / "none.toml"))

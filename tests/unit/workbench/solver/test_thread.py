@@ -1,4 +1,4 @@
-"""The solver's process: the newest state wins, runs stop, crashes are told of and survived."""
+"""The solver's process: the newest state wins, runs stop, crashes are reported and survived."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ pytestmark = pytest.mark.slow
 PATIENCE = 60.0
 
 
-class Heard:
-    """Hears what is told, and waits for it."""
+class Events:
+    """Records events, and waits for them."""
 
     def __init__(self) -> None:
         self.events: list[Event] = []
@@ -60,21 +60,21 @@ class Heard:
 
 
 @pytest.fixture
-def heard() -> Heard:
-    """Return an ear."""
-    return Heard()
+def events() -> Events:
+    """Return a record of events."""
+    return Events()
 
 
 Make = Callable[..., Solver]
 
 
 @pytest.fixture
-def make(heard: Heard) -> Iterator[Make]:
+def make(events: Events) -> Iterator[Make]:
     """Return what makes a solver whose process takes orders; it is closed in the end."""
     made: list[Solver] = []
 
     def of(task: Any = workers.obey, prepare: Any = None) -> Solver:
-        made.append(Solver(heard, task, prepare))
+        made.append(Solver(events, task, prepare))
         return made[-1]
 
     yield of
@@ -82,186 +82,189 @@ def make(heard: Heard) -> Iterator[Make]:
         each.close()
 
 
-def want(solver: Solver, text: str, version: int = 1, delay: float = 0.0, again: bool = False) -> int:
+def submit(solver: Solver, text: str, version: int = 1, delay: float = 0.0, force: bool = False) -> int:
     """Have a text solved; it means itself."""
-    return solver.want(text, version, text, delay, again)
+    return solver.submit(text, version, text, delay, force)
 
 
-def test_a_run_is_told_from_beginning_to_end(make: Make, heard: Heard) -> None:
+def test_a_run_is_reported_from_beginning_to_end(make: Make, events: Events) -> None:
     """Solving, progress, solved, in this order; scene and summary are there; results of two runs are kept."""
     solver = make()
-    first = want(solver, "go 1", 7)
-    assert heard.wait("solved", first)["version"] == 7
-    assert heard.names(first) == ["solving", "solved"]
-    result = solver.result(first)
+    first = submit(solver, "go 1", 7)
+    assert events.wait("solved", first)["version"] == 7
+    assert events.names(first) == ["solving", "solved"]
+    result = solver.get_result(first)
     assert result is not None
     assert result.scene == b"go 1" * 1000
     assert result.answer.summary == {"text": "go 1"}
     runs = [first]
     for text in ("go 2", "go 3"):
-        runs.append(want(solver, text))
-        heard.wait("solved", runs[-1])
-    assert [solver.result(run) is not None for run in runs] == [False, True, True]
-    assert solver.status() == [("solved", heard.wait("solved", runs[-1]))]
-    assert solver.running is None
+        runs.append(submit(solver, text))
+        events.wait("solved", runs[-1])
+    assert [solver.get_result(run) is not None for run in runs] == [False, True, True]
+    assert solver.get_current_events() == [("solved", events.wait("solved", runs[-1]))]
+    assert solver.current is None
 
 
-def test_the_newest_state_replaces_the_one_that_is_solved(make: Make, heard: Heard, tmp_path: Path) -> None:
+def test_the_newest_state_replaces_the_one_that_is_solved(make: Make, events: Events, tmp_path: Path) -> None:
     """A newer state stops the run between two steps; what was asked for in between is never begun."""
     solver = make()
-    first = want(solver, f"wait {tmp_path / 'never'}")
-    heard.wait("progress", first)
-    second, third = want(solver, "go 2", delay=60.0), want(solver, "go 3")
-    heard.wait("solved", third)
-    assert heard.names(first) == ["solving", "cancelled"]
-    assert heard.names(second) == []
+    first = submit(solver, f"wait {tmp_path / 'never'}")
+    events.wait("progress", first)
+    second, third = submit(solver, "go 2", delay=60.0), submit(solver, "go 3")
+    events.wait("solved", third)
+    assert events.names(first) == ["solving", "cancelled"]
+    assert events.names(second) == []
 
 
-def test_a_state_waits_until_the_user_pauses(make: Make, heard: Heard) -> None:
+def test_a_state_waits_until_the_user_pauses(make: Make, events: Events) -> None:
     """Of states that follow each other faster than the delay only the last is solved."""
     solver = make()
-    runs = [want(solver, f"go {number}", delay=30.0) for number in range(5)]
-    runs.append(want(solver, "go 5", delay=0.1))
-    heard.wait("solved", runs[-1])
-    assert [heard.names(run) for run in runs[:-1]] == [[]] * 5
+    runs = [submit(solver, f"go {number}", delay=30.0) for number in range(5)]
+    runs.append(submit(solver, "go 5", delay=0.1))
+    events.wait("solved", runs[-1])
+    assert [events.names(run) for run in runs[:-1]] == [[]] * 5
 
 
 def test_a_run_that_does_not_listen_is_ended(
-    make: Make, heard: Heard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    make: Make, events: Events, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run stuck in a long step is ended with its process after the grace; the next one runs in a new process."""
     monkeypatch.setattr(solvers, "GRACE", 0.2)
     solver = make()
-    first = want(solver, f"stuck {tmp_path / 'never'}")
-    heard.wait("progress", first)  # before that it would still listen
+    first = submit(solver, f"stuck {tmp_path / 'never'}")
+    events.wait("progress", first)  # before that it would still listen
     start = time.monotonic()
-    second = want(solver, "go 2")
-    heard.wait("solved", second)
+    second = submit(solver, "go 2")
+    events.wait("solved", second)
     assert time.monotonic() - start >= 0.2
-    assert heard.names(first) == ["solving", "cancelled"]
+    assert events.names(first) == ["solving", "cancelled"]
 
 
-def test_cancelling_is_told_at_once(make: Make, heard: Heard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cancelling_is_reported_at_once(
+    make: Make, events: Events, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A run stuck in a long step is over for the pages at once, long before its process is ended; nothing follows."""
     monkeypatch.setattr(solvers, "GRACE", PATIENCE)
-    solver, door = make(), tmp_path / "door"
-    run = want(solver, f"stuck {door}")
-    heard.wait("progress", run)
+    solver, release_file = make(), tmp_path / "release"
+    run = submit(solver, f"stuck {release_file}")
+    events.wait("progress", run)
     start = time.monotonic()
     solver.cancel()
-    heard.wait("cancelled", run)
+    events.wait("cancelled", run)
     assert time.monotonic() - start < PATIENCE / 2
-    assert (solver.running, solver.status()) == (None, [])
-    door.touch()  # the run ends with results, which nobody wants any more
-    heard.wait("solved", want(solver, "go 2", 2))
-    assert heard.names(run) == ["solving", "cancelled"]
+    assert (solver.current, solver.get_current_events()) == (None, [])
+    release_file.touch()  # the run ends with results, which nobody wants any more
+    events.wait("solved", submit(solver, "go 2", 2))
+    assert events.names(run) == ["solving", "cancelled"]
 
 
-def test_cancelling(make: Make, heard: Heard, tmp_path: Path) -> None:
-    """What is solved stops, what waits is forgotten; both are told; results from before stay."""
+def test_cancelling(make: Make, events: Events, tmp_path: Path) -> None:
+    """What is solved stops, what waits is forgotten; both are reported; results from before stay."""
     solver = make()
-    done = want(solver, "go 1")
-    heard.wait("solved", done)
-    running = want(solver, f"wait {tmp_path / 'never'}")
-    heard.wait("progress", running)
-    assert solver.running == (running, 1)
-    assert [name for name, _ in solver.status()] == ["solved", "solving", "progress"]
+    done = submit(solver, "go 1")
+    events.wait("solved", done)
+    running = submit(solver, f"wait {tmp_path / 'never'}")
+    events.wait("progress", running)
+    assert solver.current is not None
+    assert (solver.current.run, solver.current.version) == (running, 1)
+    assert [name for name, _ in solver.get_current_events()] == ["solved", "solving", "progress"]
     solver.cancel()
-    heard.wait("cancelled", running)
-    waiting = want(solver, "go 2", delay=60.0)
+    events.wait("cancelled", running)
+    waiting = submit(solver, "go 2", delay=60.0)
     solver.cancel()
-    heard.wait("cancelled", waiting)
-    assert solver.running is None
+    events.wait("cancelled", waiting)
+    assert solver.current is None
     assert solver.latest is not None
     assert solver.latest.run == done
     solver.cancel()  # nothing to do
 
 
-def test_what_means_the_same_is_not_solved_again(make: Make, heard: Heard, tmp_path: Path) -> None:
+def test_what_means_the_same_is_not_solved_again(make: Make, events: Events, tmp_path: Path) -> None:
     """The same state under a newer version keeps run and results, while it runs and when it is done."""
-    solver, door = make(), tmp_path / "door"
-    first = want(solver, f"wait {door}", 1)
-    heard.wait("progress", first)
-    assert want(solver, f"wait {door}", 2) == first
-    door.touch()
-    assert heard.wait("solved", first)["version"] == 2
-    assert want(solver, f"wait {door}", 3) == first
+    solver, release_file = make(), tmp_path / "release"
+    first = submit(solver, f"wait {release_file}", 1)
+    events.wait("progress", first)
+    assert submit(solver, f"wait {release_file}", 2) == first
+    release_file.touch()
+    assert events.wait("solved", first)["version"] == 2
+    assert submit(solver, f"wait {release_file}", 3) == first
     assert solver.latest is not None
     assert solver.latest.version == 3
-    assert heard.names(first) == ["solving", "solved", "solved"]
-    again = want(solver, f"wait {door}", 3, again=True)
+    assert events.names(first) == ["solving", "solved", "solved"]
+    again = submit(solver, f"wait {release_file}", 3, force=True)
     assert again != first
-    heard.wait("solved", again)
+    events.wait("solved", again)
 
 
-def test_going_back_to_what_is_solved(make: Make, heard: Heard, tmp_path: Path) -> None:
-    """Undone while something else is being solved: the known results count at once, and are told of last."""
+def test_going_back_to_what_is_solved(make: Make, events: Events, tmp_path: Path) -> None:
+    """Undone while something else is being solved: the known results count at once, and are announced last."""
     solver = make()
-    first = want(solver, "go 1")
-    heard.wait("solved", first)
-    second = want(solver, f"wait {tmp_path / 'never'}", 2)
-    heard.wait("progress", second)
-    assert want(solver, "go 1", 3) == first
-    heard.wait("cancelled", second)
-    assert heard.wait_for_last("solved", first)["version"] == 3
+    first = submit(solver, "go 1")
+    events.wait("solved", first)
+    second = submit(solver, f"wait {tmp_path / 'never'}", 2)
+    events.wait("progress", second)
+    assert submit(solver, "go 1", 3) == first
+    events.wait("cancelled", second)
+    assert events.wait_for_last("solved", first)["version"] == 3
 
 
 @pytest.mark.parametrize(
     ("word", "words"),
     [
-        ("fault", "mesh.size: got"),
+        ("issue", "mesh.size: got"),
         ("refuse", "no"),
         ("memory", "memory is too small"),
         ("bug", "an error in groundslab itself: ZeroDivisionError"),
     ],
 )
-def test_what_cannot_be_solved_is_refused(make: Make, heard: Heard, word: str, words: str) -> None:
-    """Errors of all kinds are told in words, faults with their paths; the process lives on."""
+def test_what_cannot_be_solved_is_refused(make: Make, events: Events, word: str, words: str) -> None:
+    """Errors of all kinds are reported in words, issues with their paths; the process lives on."""
     solver = make()
-    run = want(solver, word, 5)
-    told = heard.wait("refused", run)
-    assert words in told["message"]
-    assert told["version"] == 5
-    assert [issue["path"] for issue in told["faults"]] == ([["mesh", "size"]] if word == "fault" else [])
-    heard.wait("solved", want(solver, "go"))
+    run = submit(solver, word, 5)
+    data = events.wait("refused", run)
+    assert words in data["message"]
+    assert data["version"] == 5
+    assert [issue["path"] for issue in data["faults"]] == ([["mesh", "size"]] if word == "issue" else [])
+    events.wait("solved", submit(solver, "go"))
 
 
 @pytest.mark.parametrize(("word", "how"), [("die", "SIGKILL"), ("leave", "exit code 3")])
-def test_a_crash_is_told_of_and_survived(make: Make, heard: Heard, word: str, how: str) -> None:
-    """A process that is killed or leaves is told of, with how; the next run has a new one."""
+def test_a_crash_is_reported_and_survived(make: Make, events: Events, word: str, how: str) -> None:
+    """A process that is killed or leaves is reported, with how; the next run has a new one."""
     solver = make()
-    heard.wait("solved", want(solver, "go"))
-    run = want(solver, word)
-    message = heard.wait("refused", run)["message"]
+    events.wait("solved", submit(solver, "go"))
+    run = submit(solver, word)
+    message = events.wait("refused", run)["message"]
     assert "ended unexpectedly" in message
     assert how in message or how == "SIGKILL"
     assert solver.latest is not None
-    heard.wait("solved", want(solver, "go on"))
+    events.wait("solved", submit(solver, "go on"))
 
 
-def test_a_process_that_never_gets_ready_is_not_started_for_ever(make: Make, heard: Heard) -> None:
+def test_a_process_that_never_gets_ready_is_not_started_for_ever(make: Make, events: Events) -> None:
     """After some failed starts the state is refused; the next state is tried again."""
     solver = make(prepare=workers.Broken())
     for text in ("go 1", "go 2"):
-        assert "exit code 4" in heard.wait("refused", want(solver, text, delay=0.5))["message"]
+        assert "exit code 4" in events.wait("refused", submit(solver, text, delay=0.5))["message"]
     with pytest.raises(InputError, match="cannot be started"):
-        solver.report(1, "x")
+        solver.write_report(1, "x")
 
 
-def test_preparing_gives_way(make: Make, heard: Heard) -> None:
+def test_preparing_gives_way(make: Make, events: Events) -> None:
     """What the process does to get ready stops as soon as there is something to solve."""
-    heard.wait("solved", want(make(prepare=workers.prepare_for_ever), "go"))
+    events.wait("solved", submit(make(prepare=workers.prepare_for_ever), "go"))
 
 
-def test_results_of_another_document_are_forgotten(make: Make, heard: Heard, tmp_path: Path) -> None:
+def test_results_of_another_document_are_forgotten(make: Make, events: Events, tmp_path: Path) -> None:
     """When the document changes, results go, and those of the run that still runs do not come."""
-    solver, door = make(), tmp_path / "door"
-    heard.wait("solved", want(solver, "go"))
-    run = want(solver, f"stuck {door}")
-    heard.wait("solving", run)
-    solver.forget()
-    door.touch()
-    heard.wait("cancelled", run)
+    solver, release_file = make(), tmp_path / "release"
+    events.wait("solved", submit(solver, "go"))
+    run = submit(solver, f"stuck {release_file}")
+    events.wait("solving", run)
+    solver.reset()
+    release_file.touch()
+    events.wait("cancelled", run)
     assert solver.latest is None
 
 
@@ -308,8 +311,8 @@ def test_the_analysis_behind_it() -> None:
     # 10 kPa on springs of 20 MPa/m: the plate settles evenly, by 0.5 mm
     assert (rows["largest"]["value"], rows["largest"]["unit"]) == ("0.50000", "mm")
     assert (rows["residual"]["ok"], rows["residual"]["note"]) == (True, "ok (limit 1e-06)")
-    told = unpacked(scene).head["combinations"]
-    assert [(each["name"], each["certified"]) for each in told] == [("down", True), ("up", False)]
+    data = unpacked(scene).head["combinations"]
+    assert [(each["name"], each["certified"]) for each in data] == [("down", True), ("up", False)]
     with pytest.raises(process.Stopped):
         process.solve(TWO, _stop)
 
@@ -318,22 +321,22 @@ def _stop(_words: str, _share: float | None) -> None:
     raise process.Stopped
 
 
-def test_reports_of_runs_that_are_gone(make: Make, heard: Heard) -> None:
+def test_reports_of_runs_that_are_gone(make: Make, events: Events) -> None:
     """A report on what the process does not know any more is refused, as is one whose process ends."""
     solver = make()
-    first, second = want(solver, "go 1"), 0
-    heard.wait("solved", first)
-    second = want(solver, "go 2")
-    heard.wait("solved", second)
+    first, second = submit(solver, "go 1"), 0
+    events.wait("solved", first)
+    second = submit(solver, "go 2")
+    events.wait("solved", second)
     with pytest.raises(InputError, match="solve again"):
-        solver.report(first, "x")
-    waits = want(solver, "stuck nowhere")
-    heard.wait("solving", waits)
+        solver.write_report(first, "x")
+    waits = submit(solver, "stuck nowhere")
+    events.wait("solving", waits)
     refused = threading.Event()
 
     def ask() -> None:
         with pytest.raises(InputError, match="the server ends"):
-            solver.report(second, "x")
+            solver.write_report(second, "x")
         refused.set()
 
     asking = threading.Thread(target=ask)

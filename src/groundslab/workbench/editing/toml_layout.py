@@ -1,0 +1,84 @@
+"""Where the statements, values, comments and blank lines of a TOML text are."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from groundslab.workbench.editing.toml_positions import Statement, Value, read_statements
+from groundslab.workbench.editing.toml_values import Path
+
+_COMMENT = re.compile(r"[ \t]*#[^\n]*(?:\n|\Z)")
+_BLANK_LINE = re.compile(r"[ \t\r]*\n")
+
+
+class TomlLayout:
+    """A TOML text, its data, and where everything stands."""
+
+    def __init__(self, text: str, data: dict[str, Any]) -> None:
+        self.text = text
+        self.data = data
+        self.statements = read_statements(text)
+        self.pairs = {each.path: each for each in self.statements if each.value is not None}
+
+    def find_value(self, path: Path) -> Value | None:
+        """Return where the value at a path stands, None for a table with headers or dotted keys of its own."""
+        for length in range(len(path), 0, -1):
+            pair = self.pairs.get(path[:length])
+            if pair is not None and pair.value is not None:
+                return pair.value.find(path[length:])
+        return None
+
+    def is_inline(self, path: Path) -> bool:
+        """Whether a path lies within the value of one pair."""
+        return any(path[:length] in self.pairs for length in range(1, len(path) + 1))
+
+    def find_statements(self, path: Path) -> list[Statement]:
+        """Return the statements at and below a path, from top to bottom."""
+        return [each for each in self.statements if each.path[: len(path)] == path]
+
+    def find_line(self, path: Path) -> int | None:
+        """Return the line, from 1, of the value at a path or of the nearest table around it."""
+        for length in range(len(path), 0, -1):
+            found = self.find_value(path[:length]) or next(iter(self.find_statements(path[:length])), None)
+            if found is not None:
+                return self.text.count("\n", 0, found.start) + 1
+        return None
+
+    def complete_line(self, position: int) -> str:
+        """Return the line end that is missing before a position at the end of an unfinished line, else nothing."""
+        return "\n" if position > 0 and self.text[position - 1] != "\n" else ""
+
+    def find_previous_line(self, start: int) -> int:
+        """Return the start of the line above the one that starts at a position."""
+        return self.text.rfind("\n", 0, start - 1) + 1 if start > 0 else 0
+
+    def is_blank_line(self, start: int, end: int | None = None) -> bool:
+        """Whether a blank line starts at a position, and ends at another one if that is given."""
+        match = _BLANK_LINE.match(self.text, start)
+        return match is not None and end in (None, match.end())
+
+    def skip_comments_up(self, start: int) -> int:
+        """Return the start of the comments right above a line."""
+        while start > 0 and _COMMENT.fullmatch(self.text, self.find_previous_line(start), start):
+            start = self.find_previous_line(start)
+        return start
+
+    def skip_blank_lines_up(self, start: int) -> int:
+        """Return the start of the blank lines right above a line."""
+        while start > 0 and self.is_blank_line(self.find_previous_line(start), start):
+            start = self.find_previous_line(start)
+        return start
+
+    def skip_comments_down(self, end: int) -> int:
+        """Return the end of the comments right below, unless what follows them belongs to them."""
+        position = end
+        while position < len(self.text) and (match := _COMMENT.match(self.text, position)):
+            position = match.end()
+        return position if position == len(self.text) or self.is_blank_line(position) else end
+
+    def skip_blank_lines_down(self, end: int) -> int:
+        """Return the end of the blank lines right below."""
+        while match := _BLANK_LINE.match(self.text, end):
+            end = match.end()
+        return end
