@@ -11,7 +11,7 @@ export class FakeApi {
   away = false;
   /** Answers get lost although the edit arrives. */
   deaf = false;
-  faults: Issue[] = [];
+  issues: Issue[] = [];
   /** So many answers come before the text has been read. */
   unread = 0;
   readonly received: Change[] = [];
@@ -26,7 +26,7 @@ export class FakeApi {
       text: JSON.stringify(this.data),
       data: this.unread > 0 ? null : this.data,
       checking: this.unread-- > 0,
-      faults: this.faults,
+      issues: this.issues,
       plan: null,
       file: "case.toml",
       dirty: this.version > 1,

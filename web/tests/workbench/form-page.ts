@@ -9,7 +9,7 @@ import { schema } from "./schema";
 /** A page with a form over data that every change is applied to. */
 export class Page {
   readonly changes: Change[] = [];
-  faults: Issue[] = [];
+  issues: Issue[] = [];
   readonly ctx: FormContext;
   update: () => void = () => undefined;
 
@@ -18,7 +18,7 @@ export class Page {
       schema,
       memory: new Map(),
       data: () => this.data,
-      issues: () => this.faults,
+      issues: () => this.issues,
       change: (change) => {
         this.changes.push(change);
         for (const edit of change.edits) this.data = applyOptimistic(this.data, edit);
@@ -53,8 +53,8 @@ export class Page {
 
 export const makeIssue = (
   path: Path,
-  got = '"30"',
+  found = '"30"',
   expected = 'a pressure such as "30 MPa"',
-  mend = "the unit is missing",
-): Issue => ({ where: "", path, got, expected, mend });
+  hint = "the unit is missing",
+): Issue => ({ location: "", path, found, expected, hint });
 export const PLATE: Table = { plate: { length_x: "6 m", length_y: "4 m", thickness: "250 mm", E: "30 GPa", nu: 0.2 } };

@@ -42,11 +42,11 @@ def issues_to_json(issues: Sequence[Issue]) -> list[dict[str, Any]]:
     """Return issues as data for the page."""
     return [
         {
-            "where": issue.location,
+            "location": issue.location,
             "path": list(parse_path(issue.location)),
-            "got": issue.found,
+            "found": issue.found,
             "expected": issue.expected,
-            "mend": issue.hint,
+            "hint": issue.hint,
         }
         for issue in issues
     ]

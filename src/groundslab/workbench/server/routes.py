@@ -117,7 +117,7 @@ def _add_error_handlers(app: FastAPI, session: Session) -> None:
     @app.exception_handler(RequestValidationError)
     async def handle_validation_error(_: Request, error: RequestValidationError) -> JSONResponse:
         messages = [f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors()]
-        return JSONResponse({"error": {"message": "; ".join(messages), "faults": []}}, 422)
+        return JSONResponse({"error": {"message": "; ".join(messages), "issues": []}}, 422)
 
     @app.exception_handler(Conflict)
     def handle_conflict(_: Request, error: Conflict) -> JSONResponse:
@@ -130,7 +130,7 @@ def _add_error_handlers(app: FastAPI, session: Session) -> None:
 def _error_to_json(issues: Sequence[Issue]) -> dict[str, Any]:
     """Return issues as data for the page; a single one also without the list."""
     data = diagnostics.issues_to_json(issues)
-    return {**(data[0] if len(data) == 1 else {"message": "\n".join(map(str, issues))}), "faults": data}
+    return {**(data[0] if len(data) == 1 else {"message": "\n".join(map(str, issues))}), "issues": data}
 
 
 def _add_ticket_routes(app: FastAPI, tickets: Tickets, token: str) -> None:

@@ -69,7 +69,7 @@ class Session:
                 "text": document.text,
                 "data": self._data,
                 "checking": result is None,
-                "faults": [] if result is None else result.issues_json,
+                "issues": [] if result is None else result.issues_json,
                 "plan": self._plan,
                 "file": None if path is None else str(path),
                 "dirty": document.to_bytes() != self._case_file.content,

@@ -278,7 +278,7 @@ class Solver:
             self._stop(job.run, 0.0)
             self._finish_run()
         elif kind == "refused":
-            self._finish_run("refused", job.to_json() | {"message": rest[0], "faults": issues_to_json(rest[1])})
+            self._finish_run("refused", job.to_json() | {"message": rest[0], "issues": issues_to_json(rest[1])})
         else:
             result = Result(job.run, job.version, job.fingerprint, rest[0], content)
             self._results[job.run] = result
@@ -307,7 +307,7 @@ class Solver:
                 job, self._requests.job = self._requests.job, None
             if job is not None:
                 message = f"the solver ended unexpectedly ({how}); nothing of the case is lost"
-                self._finish_run("refused", job.to_json() | {"message": message, "faults": []})
+                self._finish_run("refused", job.to_json() | {"message": message, "issues": []})
 
 
 def _describe_exit(code: int | None) -> str:

@@ -151,7 +151,7 @@ def test_a_text_that_takes_too_long_or_too_much(monkeypatch: pytest.MonkeyPatch)
             patch.setattr(parsing, "check", workers.check_slowly)
             found = checks.check(1, casefile.starter() + "# slow\n")
             assert "longer than 0.3 s" in found.issues[0].found
-            assert (found.fingerprint, found.plan, found.issues_json[0]["where"]) == ("", None, "the description")
+            assert (found.fingerprint, found.plan, found.issues_json[0]["location"]) == ("", None, "the description")
         assert checks.check(2, casefile.starter()).plan is not None
     finally:
         checks.checker.close()
@@ -170,7 +170,7 @@ def test_a_text_that_takes_long_holds_nobody_up(tmp_path: Path, monkeypatch: pyt
         start = time.monotonic()
         text = casefile.starter() + "# slow\n"
         state = session.edit([{"op": "text", "value": text}], "Text", 1)
-        assert (state["text"], state["checking"], state["faults"]) == (text, True, [])
+        assert (state["text"], state["checking"], state["issues"]) == (text, True, [])
         assert state["plan"] is not None, "the plan of before is shown meanwhile"
         with pytest.raises(InputError, match="still being checked"):
             session.solve()

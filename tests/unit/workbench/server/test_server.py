@@ -256,7 +256,7 @@ def test_the_state_says_all(bench: Bench, case: Path) -> None:
     state = bench.get("/api/state")
     assert state["text"] == CASE
     assert state["data"]["plate"]["thickness"] == "250 mm"
-    assert (state["faults"], state["dirty"], state["offer"]) == ([], False, None)
+    assert (state["issues"], state["dirty"], state["offer"]) == ([], False, None)
     assert (state["file"], state["autosolve"]) == (str(case), True)
     assert (state["can_undo"], state["can_redo"]) == (False, False)
     assert state["plan"]["bounds"] == [-3, -2, 3, 2]
@@ -299,8 +299,8 @@ def test_wrong_edits_are_reported(bench: Bench) -> None:
         ]
     }
     error = bench.post("/api/edits", body, 422)["error"]
-    assert error["where"] == "ground"
-    assert error["faults"][0]["got"] == error["got"]
+    assert error["location"] == "ground"
+    assert error["issues"][0]["found"] == error["found"]
     assert bench.get("/api/state")["text"] == CASE
 
 
@@ -309,14 +309,14 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     """A wrong value, then broken TOML: issues with paths or lines, no plan; the previous result stays."""
     run = bench.hub.wait("solved")["run"]
     state = bench.set(["plate", "thickness"], "25")
-    (issue,) = state["faults"]
+    (issue,) = state["issues"]
     assert (issue["path"], issue["line"]) == (["plate", "thickness"], 5)
     assert state["plan"] is None
     state = bench.post("/api/edits", {"edits": [{"op": "text", "value": "a = = 1"}], "text": "Text"})
     assert state["data"] is None
-    assert (state["faults"][0]["path"], state["faults"][0]["line"]) == ([], 1)
+    assert (state["issues"][0]["path"], state["issues"][0]["line"]) == ([], 1)
     assert bench.ask("GET", f"/api/results/{run}/scene").status == 200
-    assert bench.post("/api/solve", status=422)["error"]["faults"][0]["where"].startswith("the text, line 1")
+    assert bench.post("/api/solve", status=422)["error"]["issues"][0]["location"].startswith("the text, line 1")
     assert [name for name, _ in bench.session.get_current_events()] == ["state", "solved"]
     bench.post("/api/undo")
     assert bench.post("/api/undo")["text"] == CASE
@@ -331,7 +331,7 @@ def test_results_of_a_run(bench: Bench) -> None:
     assert answer.content == CASE.encode() * 1000
     assert bench.get(f"/api/results/{run}/summary") == {"text": CASE}
     assert bench.get("/api/results/99/summary", 404)["error"]["message"]
-    assert bench.get("/api/results/99/report", 422)["error"]["got"]
+    assert bench.get("/api/results/99/report", 422)["error"]["found"]
 
 
 @pytest.mark.slow
@@ -372,7 +372,7 @@ def test_a_file_changed_by_others_is_not_overwritten(bench: Bench, case: Path) -
     assert bench.get("/api/state")["outside"] is True
     error = bench.post("/api/save", status=409)["error"]
     assert error["kind"] == "changed"
-    assert "another program" in error["got"]
+    assert "another program" in error["found"]
     assert case.read_text(encoding="utf-8").endswith("# by others\n")
     assert case.with_name(".raft.toml.unsaved").exists()
     assert bench.post("/api/save", {"over": True})["outside"] is False
@@ -421,7 +421,7 @@ def test_a_full_disk(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) 
         patch.setattr(atomic, "write", full)
         state = bench.set(["plate", "nu"], 0.3)
         assert "no space left" in state["unkept"]
-        assert "no space left" in bench.post("/api/save", status=422)["error"]["got"]
+        assert "no space left" in bench.post("/api/save", status=422)["error"]["found"]
     assert case.read_text(encoding="utf-8") == CASE
     assert bench.set(["plate", "nu"], 0.31)["unkept"] == ""
 
@@ -430,7 +430,7 @@ def test_a_new_document(bench: Bench, case: Path, tmp_path: Path) -> None:
     """A new one starts with the commented case; it has no file until it is saved under a name."""
     state = bench.post("/api/new")
     assert (state["text"], state["file"], state["dirty"]) == (casefile.STARTER, None, False)
-    assert bench.post("/api/save", status=422)["error"]["where"] == "file"
+    assert bench.post("/api/save", status=422)["error"]["location"] == "file"
     bench.set(["title"], "mine")
     assert len(list((tmp_path / "state" / "unsaved").glob("*.unsaved"))) == 1
     state = bench.post("/api/save", {"file": str(case.parent / "mine")})
@@ -527,11 +527,11 @@ def test_only_regular_files_are_read(bench: Bench, case: Path, tmp_path: Path) -
         patch.chdir(folder)  # the names of sockets are short
         end.bind("socket.toml")
         for name in (*names, "socket.toml"):
-            assert bench.post("/api/open", {"file": name}, 422)["error"]["got"]
-            assert bench.post("/api/save", {"file": name, "over": True}, 422)["error"]["got"]
+            assert bench.post("/api/open", {"file": name}, 422)["error"]["found"]
+            assert bench.post("/api/save", {"file": name, "over": True}, 422)["error"]["found"]
             assert (folder / name).is_symlink() or not (folder / name).is_file()
-    assert "a pipe" in bench.post("/api/open", {"file": "pipe.toml"}, 422)["error"]["got"]
-    assert "a pipe" in bench.post("/api/open", {"file": os.devnull}, 422)["error"]["got"]
+    assert "a pipe" in bench.post("/api/open", {"file": "pipe.toml"}, 422)["error"]["found"]
+    assert "a pipe" in bench.post("/api/open", {"file": os.devnull}, 422)["error"]["found"]
     assert bench.get("/api/files")["files"] == ["raft.toml"]
     # work kept under such a name is none, and the file itself may become one
     os.mkfifo(folder / ".raft.toml.unsaved")
@@ -540,7 +540,7 @@ def test_only_regular_files_are_read(bench: Bench, case: Path, tmp_path: Path) -
     case.unlink()
     os.mkfifo(case)
     assert bench.get("/api/state")["outside"] is True
-    assert "a pipe" in bench.post("/api/save", {"over": True}, 422)["error"]["got"]
+    assert "a pipe" in bench.post("/api/save", {"over": True}, 422)["error"]["found"]
 
 
 @pytest.mark.parametrize(
@@ -550,7 +550,7 @@ def test_names_that_no_file_can_have(bench: Bench, name: str) -> None:
     """Too long, folders, zero characters, halves of letters: a refusal in words for opening, saving and listing."""
     for path in ("/api/open", "/api/save"):
         error = bench.post(path, {"file": name}, 422)["error"]
-        assert error.get("got") or error["message"]
+        assert error.get("found") or error["message"]
     if name.isascii() and "\0" not in name and not name.startswith((".", "/")):
         bench.get(f"/api/files?folder={name}", 422)
     assert bench.get("/api/state")["text"] == CASE
@@ -572,7 +572,7 @@ def test_folders_that_cannot_be_used(bench: Bench, case: Path, monkeypatch: pyte
             assert bench.ask("GET", "/api/files").status == (200 if place is Path else 422)
     with monkeypatch.context() as patch:
         patch.setattr(locks.Lock, "acquire", denied)
-        assert "permission denied" in bench.post("/api/save", {"file": "other.toml"}, 422)["error"]["got"]
+        assert "permission denied" in bench.post("/api/save", {"file": "other.toml"}, 422)["error"]["found"]
 
 
 def test_listing(bench: Bench, case: Path) -> None:
@@ -591,10 +591,10 @@ def test_an_error_of_the_program_is_an_issue(bench: Bench, monkeypatch: pytest.M
     with monkeypatch.context() as patch:
         patch.setattr(parsing.casefile, "from_table", broken)
         state = bench.set(["plate", "nu"], 0.3)
-        assert "ZeroDivisionError" in state["faults"][0]["got"]
-        assert "line" not in state["faults"][0]
+        assert "ZeroDivisionError" in state["issues"][0]["found"]
+        assert "line" not in state["issues"][0]
         bench.post("/api/save")
-    assert bench.set(["plate", "nu"], 0.31)["faults"] == []
+    assert bench.set(["plate", "nu"], 0.31)["issues"] == []
 
 
 def test_data_that_json_lacks(bench: Bench) -> None:

@@ -225,7 +225,7 @@ def test_what_cannot_be_solved_is_refused(make: Make, events: Events, word: str,
     data = events.wait("refused", run)
     assert words in data["message"]
     assert data["version"] == 5
-    assert [issue["path"] for issue in data["faults"]] == ([["mesh", "size"]] if word == "issue" else [])
+    assert [issue["path"] for issue in data["issues"]] == ([["mesh", "size"]] if word == "issue" else [])
     events.wait("solved", submit(solver, "go"))
 
 

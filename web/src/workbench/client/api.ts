@@ -20,7 +20,7 @@ export interface DocState {
   data: Table | null;
   /** Whether the server is still reading the text: issues are not known yet, the plan is the previous one. */
   checking?: boolean;
-  faults: Issue[];
+  issues: Issue[];
   plan: Table | null;
   file: string | null;
   dirty: boolean;
@@ -205,6 +205,7 @@ export function messageOf(body: unknown): string | null {
   if (Array.isArray(body)) return body.flatMap((each) => messageOf(each) ?? []).join("; ") || null;
   if (typeof body !== "object" || body === null) return null;
   const table = body as Record<string, unknown>;
-  if (typeof table.got === "string" && typeof table.expected === "string") return issueLine(table as unknown as Issue);
-  return messageOf(table.error ?? table.message ?? table.msg ?? table.detail ?? table.faults ?? null);
+  if (typeof table.found === "string" && typeof table.expected === "string")
+    return issueLine(table as unknown as Issue);
+  return messageOf(table.error ?? table.message ?? table.msg ?? table.detail ?? table.issues ?? null);
 }

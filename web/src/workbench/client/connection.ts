@@ -149,14 +149,14 @@ export class Connection {
       });
     });
     on("refused", (about) => {
-      const faults = Array.isArray(about.faults)
-        ? (about.faults as { where: string; got: string; expected: string; mend: string }[])
+      const issues = Array.isArray(about.issues)
+        ? (about.issues as { location: string; found: string; expected: string; hint: string }[])
         : [];
       this.store.setRun({
         kind: "refused",
         version: Number(about.version),
         message: String(about.message ?? ""),
-        faults,
+        issues,
       });
     });
     on("cancelled", () => this.store.setRun({ kind: "cancelled" }));

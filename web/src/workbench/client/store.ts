@@ -16,7 +16,7 @@ export type Run =
       kind: "refused";
       version: number;
       message: string;
-      faults: readonly { where: string; got: string; expected: string; mend: string }[];
+      issues: readonly { location: string; found: string; expected: string; hint: string }[];
     }
   | { kind: "cancelled" };
 

@@ -4,11 +4,11 @@ import type { Part } from "./schema";
 
 /** Something wrong in the case file; the names of its parts are the server's. */
 export interface Issue {
-  where: string;
+  location: string;
   path: Path;
-  got: string;
+  found: string;
   expected: string;
-  mend: string;
+  hint: string;
   line?: number;
 }
 
@@ -32,11 +32,11 @@ export function issuesOfList(issues: readonly Issue[], path: Path): Issue[] {
 }
 
 /** What an issue says, without its place. */
-export type IssueText = Pick<Issue, "got" | "expected" | "mend">;
+export type IssueText = Pick<Issue, "found" | "expected" | "hint">;
 
 /** Return what is wrong. */
-export function issueText({ got, expected, mend }: IssueText): string {
-  return `found ${got}, expected ${expected}${mend ? ` — ${mend}` : ""}`;
+export function issueText({ found, expected, hint }: IssueText): string {
+  return `found ${found}, expected ${expected}${hint ? ` — ${hint}` : ""}`;
 }
 
 /** Return what is wrong as a sentence. */
@@ -46,8 +46,8 @@ export function issueSentence(issue: IssueText): string {
 }
 
 /** Return where and what is wrong. */
-export function issueLine(issue: IssueText & Pick<Issue, "where">): string {
-  return `${issue.where ? `${issue.where}: ` : ""}${issueText(issue)}`;
+export function issueLine(issue: IssueText & Pick<Issue, "location">): string {
+  return `${issue.location ? `${issue.location}: ` : ""}${issueText(issue)}`;
 }
 
 /** Return how many issues there are, empty for none. */

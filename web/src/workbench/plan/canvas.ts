@@ -136,7 +136,7 @@ export class Canvas {
     const highlights = {
       selected: store.selection,
       hovered: this.hovered,
-      faulty: (store.doc?.faults ?? []).map((fault) => fault.path),
+      faulty: (store.doc?.issues ?? []).map((fault) => fault.path),
       loadCase: this.loadCase,
     };
     this.grid.replaceChildren(...drawGrid(camera));

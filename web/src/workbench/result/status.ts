@@ -19,7 +19,7 @@ export function statusText(
   run: Run,
   solved: Solved | null,
   autosolve: boolean,
-  faults: number,
+  issues: number,
 ): string {
   const old = fresh === "stale" ? "These results are of an earlier state of the model. " : "";
   switch (run.kind) {
@@ -31,7 +31,7 @@ export function statusText(
       return `${old}Solving was cancelled.`;
     default:
       if (fresh === "none") return "Not solved yet.";
-      if (fresh === "stale" && faults > 0) return `${old}Fix the ${faults === 1 ? "error" : "errors"} to update them.`;
+      if (fresh === "stale" && issues > 0) return `${old}Fix the ${issues === 1 ? "error" : "errors"} to update them.`;
       if (fresh === "stale") return autosolve ? old : `${old}Solve to update them.`;
       return [solved?.design ?? "", `Solved in ${formatSeconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
   }
@@ -49,7 +49,7 @@ export function statusLine(store: Store): HTMLElement {
   const update = () => {
     const { run, solved, doc } = store;
     const fresh = freshness(solved, doc?.version, store.waitingCount);
-    setText(words, statusText(fresh, run, solved, store.autosolve, doc?.faults.length ?? 0));
+    setText(words, statusText(fresh, run, solved, store.autosolve, doc?.issues.length ?? 0));
     words.title = words.textContent ?? "";
     const failing = fresh === "fresh" && Boolean(solved?.design);
     element.dataset.state =
@@ -70,10 +70,10 @@ export function emptyResult(store: Store, solve: () => void): { element: HTMLEle
     fill(element, h("h3", {}, title), h("p", {}, text), ...more);
   const update = () => {
     const { run, doc } = store;
-    const count = doc?.faults.length ?? 0;
+    const count = doc?.issues.length ?? 0;
     if (run.kind === "solving") return show("Solving …", "The first result appears here.");
     if (run.kind === "refused")
-      return show("Not solved", run.message, ...run.faults.map((each) => h("p", { class: "quiet" }, issueLine(each))));
+      return show("Not solved", run.message, ...run.issues.map((each) => h("p", { class: "quiet" }, issueLine(each))));
     if (count > 0)
       return show(
         "No result yet",

@@ -79,7 +79,7 @@ export class Commands {
   };
 
   solve = async (): Promise<void> => {
-    if ((this.store.doc?.faults.length ?? 0) > 0) return this.openIssues();
+    if ((this.store.doc?.issues.length ?? 0) > 0) return this.openIssues();
     await this.run(async () => void (await this.api.solve()));
   };
 

@@ -18,7 +18,7 @@ export function issueList(store: Store, onChoose: (issue: Issue) => void): Issue
   const makeRow = (issue: Issue) =>
     h("li", {}, h("button", { type: "button", onclick: () => onChoose(issue) }, issueLine(issue)));
   store.on(["doc"], () => {
-    const issues = store.doc?.faults ?? [];
+    const issues = store.doc?.issues ?? [];
     element.classList.toggle("bad", issues.length > 0);
     count.textContent = store.doc?.checking ? "Checking …" : issueCount(issues.length) || "No errors";
     first.textContent = issues[0] ? issueLine(issues[0]) : "";
@@ -28,7 +28,7 @@ export function issueList(store: Store, onChoose: (issue: Issue) => void): Issue
   element.addEventListener("click", (event) => {
     // nothing to open
     const isRow = event.target instanceof Node && rows.contains(event.target);
-    if (store.doc?.faults.length === 0 && !isRow) event.preventDefault();
+    if (store.doc?.issues.length === 0 && !isRow) event.preventDefault();
   });
   const open = () => {
     element.open = true;

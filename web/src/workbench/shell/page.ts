@@ -61,7 +61,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     schema,
     memory: new Map(),
     data: () => store.data,
-    issues: () => store.doc?.faults ?? [],
+    issues: () => store.doc?.issues ?? [],
     change: push,
   };
   const form = formPanel(ctx, openSections);

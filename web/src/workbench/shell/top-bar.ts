@@ -72,7 +72,7 @@ function solveControls(store: Store, commands: Commands): HTMLElement[] {
   const solve = h("button", { type: "button", class: "main solve", onclick });
   store.on(["doc", "run", "autosolve"], () => {
     const isSolving = store.run.kind === "solving";
-    const isFaulty = (store.doc?.faults.length ?? 0) > 0;
+    const isFaulty = (store.doc?.issues.length ?? 0) > 0;
     setText(solve, isSolving ? "Cancel" : "Solve");
     solve.classList.toggle("solving", isSolving);
     solve.title = isSolving ? "Stop solving" : isFaulty ? "Fix the errors first" : "Solve all combinations (F9)";

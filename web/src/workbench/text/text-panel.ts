@@ -76,7 +76,7 @@ export class TextPanel {
   draw(): void {
     if (this.element.closest("[hidden]")) return;
     const issues = new Map<number, Issue[]>();
-    for (const issue of this.typed ? [] : (this.store.doc?.faults ?? []))
+    for (const issue of this.typed ? [] : (this.store.doc?.issues ?? []))
       issues.set(issue.line ?? 1, [...(issues.get(issue.line ?? 1) ?? []), issue]);
     const key = JSON.stringify([this.area.value, [...issues]]);
     if (key === this.drawn) return;

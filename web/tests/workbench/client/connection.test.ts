@@ -191,9 +191,9 @@ describe("two texts", () => {
 
 describe("words", () => {
   it("of a refusal are found in what the server answers", () => {
-    expect(messageOf({ error: { where: "the edit", got: "a list", expected: "a table", mend: "edit the text" } })).toBe(
-      "the edit: found a list, expected a table — edit the text",
-    );
+    expect(
+      messageOf({ error: { location: "the edit", found: "a list", expected: "a table", hint: "edit the text" } }),
+    ).toBe("the edit: found a list, expected a table — edit the text");
     expect(messageOf({ error: { message: "no such file" } })).toBe("no such file");
     expect(messageOf({ detail: [{ msg: "field required" }, { msg: "too long" }] })).toBe("field required; too long");
     expect(messageOf({})).toBeNull();
@@ -211,7 +211,7 @@ describe("words", () => {
       statusText("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0),
     ).toMatch(/earlier state of the model.*Solving/);
     expect(
-      statusText("none", { kind: "refused", version: 1, message: "no equilibrium", faults: [] }, null, false, 0),
+      statusText("none", { kind: "refused", version: 1, message: "no equilibrium", issues: [] }, null, false, 0),
     ).toBe("Not solved: no equilibrium");
   });
 });

@@ -84,7 +84,7 @@ describe("a field", () => {
 describe("issues", () => {
   it("stand at their field in words, with what was found, expected and how to fix it", () => {
     const page = new Page(PLATE);
-    page.faults = [makeIssue(["plate", "E"])];
+    page.issues = [makeIssue(["plate", "E"])];
     page.show(["plate"]);
     const field = page.field(["plate", "E"]);
     expect(field.querySelector(".messages")?.textContent).toBe(
@@ -94,7 +94,7 @@ describe("issues", () => {
       'Found "g", expected a load case — did you mean "G"?',
     );
     expect(page.input(["plate", "E"]).getAttribute("aria-invalid")).toBe("true");
-    page.faults = [];
+    page.issues = [];
     page.update();
     expect(field.querySelector(".messages")?.textContent).toBe("");
     expect(page.input(["plate", "E"]).hasAttribute("aria-invalid")).toBe(false);
@@ -102,7 +102,7 @@ describe("issues", () => {
 
   it("of one value of a pair stand at the pair; of unknown keys and of a table itself at the table", () => {
     const page = new Page({ loads: [{ kind: "patch", q: "1 kPa", x: ["1", "2 m"], y: ["0 m", "1 m"] }] });
-    page.faults = [
+    page.issues = [
       makeIssue(["loads", 0, "x", 0]),
       makeIssue(["loads", 0, "colour"], '"red"', "no such key", ""),
       makeIssue(["loads", 0], "a load", "something else", ""),
@@ -110,7 +110,7 @@ describe("issues", () => {
     page.show(["loads", 0]);
     expect(page.field(["loads", 0, "x"]).classList.contains("faulty")).toBe(true);
     expect(document.querySelector("[data-part] > .messages")?.textContent).toContain("no such key");
-    expect(issuesOfPart(page.faults, ["loads", 0], schema.part("PatchLoad"))).toHaveLength(2);
+    expect(issuesOfPart(page.issues, ["loads", 0], schema.part("PatchLoad"))).toHaveLength(2);
   });
 
   it("lead to their field in the form, through folded sections and items", () => {
@@ -122,7 +122,7 @@ describe("issues", () => {
         { kind: "point", P: "5" },
       ],
     });
-    page.faults = [makeIssue(["loads", 1, "P"])];
+    page.issues = [makeIssue(["loads", 1, "P"])];
     const form = formPanel(page.ctx, { read: () => [], write: () => undefined });
     document.body.replaceChildren(form.element);
     form.update();
