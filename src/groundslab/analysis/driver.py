@@ -252,7 +252,7 @@ def _outcome(
         effect = _margin_effect(margins, combination.name, factors) if _infinite(model) else None
         frame, before = finest.frame(solution), _under_their_share(earlier)
         proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
-        increments = tuple(increment(model, each, frame, share) for share, each in before)
+        increments = tuple(increment(each, frame, share) for share, each in before)
         results = recover(model, combination, solution, frame, proof, tuple(steps), solver, increments)
         return results if results.certificate.holds else NotCertified(results)
     except (IllConditioned, NoEquilibrium, NotConverged, SingularMatrix) as refusal:

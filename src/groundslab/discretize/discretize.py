@@ -38,7 +38,8 @@ def discretise(
     if what acts on it is the same. `factors` multiply constants of the ground from place to place. Not `loaded`, it is
     the problem with nothing acting on it.
     """
-    plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
+    profiles = grounds_of(model)
+    plan = layout(model, profiles, coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
@@ -58,7 +59,9 @@ def discretise(
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
         shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
         section=plan.section,
+        thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
+        profiles=tuple(profiles),
         constants=constants,
         rank=plan.rank,
         unknown=unknown,

@@ -105,8 +105,10 @@ class Problem:
     element: plate.PlateElement
     bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections
     shear: Array  # (k,) [N/m]
-    section: Integers  # (mp,): which section each plate element has
+    section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
+    thickness: Array  # (mp,) [m]: of each plate element
     ground: Soil | Column
+    profiles: tuple[Soil | Column, ...]  # each described ground as if it lay everywhere: boreholes, or ground and zones
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
