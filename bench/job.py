@@ -33,7 +33,7 @@ import numpy as np
 from groundslab.analysis import driver, mesh_hierarchy
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretise
-from groundslab.fem import problem
+from groundslab.fem import system
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.solvers import contact, factor_reuse, factorization, pardiso
@@ -136,9 +136,9 @@ def timed(function: Callable[..., Any], phase: str, spent: dict[str, float]) -> 
 def bare(model: Model) -> Callable[[], float]:
     """Return what times PARDISO alone on the glued matrix of the finest mesh."""
     glued = model.replace(contact={"tensionless": False})
-    s = problem.system(discretise(glued))
-    upper = problem.stiffness(s, s.problem.ground)
-    f = problem.right_hand_side(s, 1.0)
+    s = system.system(discretise(glued))
+    upper = system.stiffness(s, s.problem.ground)
+    f = system.right_hand_side(s, 1.0)
     from pypardiso import PyPardisoSolver
     from scipy.sparse import csr_array
 
@@ -182,9 +182,9 @@ def assembly(model: Model) -> float:
     """Return the time [s] that pattern, element matrices, matrix and right-hand side of the finest mesh take."""
     found = discretise(model)
     start = time.perf_counter()
-    s = problem.system(found)
-    problem.stiffness(s, s.problem.ground)
-    problem.right_hand_side(s, 1.0)
+    s = system.system(found)
+    system.stiffness(s, s.problem.ground)
+    system.right_hand_side(s, 1.0)
     return time.perf_counter() - start
 
 

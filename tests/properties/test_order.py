@@ -16,7 +16,8 @@ from groundslab.discretize.discretize import discretise
 from groundslab.errors import InputError, NoEquilibrium
 from groundslab.fem.bearings import CLOSED
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import Problem, bearings, nodal, right_hand_side, stiffness, system
+from groundslab.fem.problem import Problem
+from groundslab.fem.system import bearings, nodal, right_hand_side, stiffness, system
 from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.load_types import LineLoad
 from groundslab.model.model import Model

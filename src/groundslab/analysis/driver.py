@@ -28,7 +28,8 @@ from groundslab.errors import (
 )
 from groundslab.fem.bearings import CLOSED, YIELDING, Contact, slipped
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import System, W, bearings, nodal, right_hand_side
+from groundslab.fem.problem import W
+from groundslab.fem.system import System, bearings, nodal, right_hand_side
 from groundslab.model.combinations import combinations_of
 from groundslab.model.consistency import plate_elements
 from groundslab.model.loads.load_cases import Combination

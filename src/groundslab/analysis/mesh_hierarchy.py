@@ -11,8 +11,8 @@ from groundslab.discretize.discretize import discretise
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import System, stiffness, system
 from groundslab.fem.sparse import Symmetric
+from groundslab.fem.system import System, stiffness, system
 from groundslab.model.model import Model
 from groundslab.results.certificate import moved_as_a_whole
 from groundslab.results.result_mesh import Frame, frame

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
+from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh, locate, place_in
 from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, q9
 from groundslab.geometry.plan import Segment
@@ -63,6 +64,11 @@ def over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> A
     q = pressure(np.einsum("pa,eax->epx", N, xy))
     shares: Array = (q * jacobian(dN, xy)[2] * weights) @ N
     return shares
+
+
+def nodal_area(mesh: Mesh, elements: Integers) -> Array:
+    """Return each node's share of the area of some elements, int N dA (n,) [m2]."""
+    return scatter(mesh.elements[elements], over_elements(mesh, elements), len(mesh.nodes))
 
 
 def near(mesh: Mesh, part: Polygon) -> Integers:

@@ -11,20 +11,8 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    TOP,
-    Problem,
-    System,
-    W,
-    edge_lengths,
-    fields_of,
-    planes,
-    surface_settlement,
-    tails,
-    without_rigid_motion,
-)
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, without_rigid_motion
+from groundslab.fem.system import System, edge_lengths, fields_of, surface_settlement, tails
 from groundslab.results.results import Certificate
 from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution

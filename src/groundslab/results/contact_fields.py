@@ -6,8 +6,9 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
-from groundslab.fem.problem import MIDSIDES, TOP, plate_settlement
+from groundslab.fem.problem import MIDSIDES, TOP
 from groundslab.fem.shape_functions import areas
+from groundslab.fem.system import plate_settlement
 from groundslab.results.certificate import ground_forces
 from groundslab.results.edge_forces import ground_shear, parted, pressed
 from groundslab.results.result_mesh import Frame

@@ -6,15 +6,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    Problem,
-    W,
-    plate_settlement,
-    surface_settlement,
-    without_rigid_motion,
-)
+from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, without_rigid_motion
+from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model

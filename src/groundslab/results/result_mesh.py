@@ -10,8 +10,9 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import congruent
+from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import Mesh, mirror, row_by_row
-from groundslab.fem.problem import Problem, nodal_area
+from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import distinct, gauss, jacobian, q9
 from groundslab.model.model import Model
 from groundslab.results import patch_recovery

@@ -14,18 +14,9 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.bearings import CLOSED, LAWS, OPEN, YIELDING, Bearings
 from groundslab.fem.mesh import Whereabouts, between, interpolated, whereabouts
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    TOP,
-    Problem,
-    System,
-    W,
-    on_lines,
-    plate_settlement,
-    surface_settlement,
-)
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
+from groundslab.fem.system import System, on_lines, plate_settlement, surface_settlement
 from groundslab.solvers import contact
 from groundslab.solvers.factor_reuse import Latest
 from groundslab.solvers.protocols import Solver

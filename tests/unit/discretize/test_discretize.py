@@ -18,8 +18,10 @@ from groundslab.discretize.ground import winkler_modulus
 from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column, interface_stack, single
+from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import Mesh as NodeMesh
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, nodal_area, stiffness, system
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
+from groundslab.fem.system import stiffness, system
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void

@@ -13,7 +13,7 @@ from groundslab.discretize.ground import ground_under, grounds_of, layer_of
 from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column, Layer, consistent_stack, tail
-from groundslab.fem.problem import tails
+from groundslab.fem.system import tails
 from groundslab.fem.vlasov import Soil, parameters, parameters_as_printed, profile, profiles
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import UniformLoad

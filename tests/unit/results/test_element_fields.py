@@ -11,7 +11,8 @@ import pytest
 
 from groundslab.analysis.driver import solve
 from groundslab.discretize.discretize import discretise
-from groundslab.fem.problem import BETA_X, BETA_Y, nodal_area
+from groundslab.fem.load_vectors import nodal_area
+from groundslab.fem.problem import BETA_X, BETA_Y
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_types import PatchLoad, UniformLoad
 from groundslab.model.model import Model

@@ -12,17 +12,8 @@ from groundslab.arrays import Array
 from groundslab.discretize.discretize import discretise
 from groundslab.fem.bearings import CLOSED, OPEN, Contact
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    TOP,
-    W,
-    bearings,
-    right_hand_side,
-    stiffness,
-    surface_settlement,
-    system,
-)
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, W
+from groundslab.fem.system import bearings, right_hand_side, stiffness, surface_settlement, system
 from groundslab.model.model import Model
 from groundslab.solvers import contact, factor_reuse, factorization, warm_start
 from groundslab.solvers.solution import Solution
