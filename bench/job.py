@@ -70,11 +70,11 @@ PHASES: list[tuple[str, Any, str]] = [
     ("assembly", mesh_hierarchy, "system"),
     ("assembly", mesh_hierarchy, "stiffness"),
     ("assembly", driver, "right_hand_side"),
-    ("forecast", driver.forecast, "from_coarser"),
-    ("forecast", driver.forecast, "along_the_border"),
+    ("forecast", driver.warm_start, "from_coarser"),
+    ("forecast", driver.warm_start, "solve_contact_border"),
     ("contact, all meshes and strips", contact, "solve"),
-    ("of which analysis and factorisations", factor_reuse.Latest, "factor"),
-    ("of which solutions with the factor", pardiso._Pardiso, "solve"),
+    ("of which analysis and factorisations", factor_reuse.CachedFactorization, "factorize"),
+    ("of which solutions with the factor", pardiso.Pardiso, "solve"),
     ("recovery", driver, "recover"),
     ("certificate", driver, "certificate"),
 ]
@@ -205,7 +205,7 @@ def memory(model: Model) -> dict[str, float]:
     Of an MPI run with another solver each process tells its own.
     """
     held: list[float] = []
-    factor = pardiso._Pardiso.factor
+    factor = pardiso.Pardiso.factor
 
     def watched(self: Any, data: Any) -> Any:
         found = factor(self, data)
@@ -213,7 +213,7 @@ def memory(model: Model) -> dict[str, float]:
         held.append((int(self.handle.get_iparm(16)) + int(self.handle.get_iparm(17))) / 1024)
         return found
 
-    pardiso._Pardiso.factor = watched  # type: ignore[method-assign]
+    pardiso.Pardiso.factor = watched  # type: ignore[method-assign]
     start = time.perf_counter()
     results = driver.solve(model)
     spent, peak = time.perf_counter() - start, largest_memory()

@@ -17,7 +17,7 @@ from groundslab.errors import InputError, NoEquilibrium
 from groundslab.fem.bearings import CLOSED
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import Problem
-from groundslab.fem.system import bearings, nodal, right_hand_side, stiffness, system
+from groundslab.fem.system import current_bearings, nodal, right_hand_side, stiffness, system
 from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.load_types import LineLoad
 from groundslab.model.model import Model
@@ -86,8 +86,8 @@ def solved(problem: Problem) -> Array:
     assert isinstance(problem.ground, Column)
     s = system(problem)
     A = stiffness(s, problem.ground)
-    law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
-    latest = factor_reuse.Latest(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
+    law = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
+    latest = factor_reuse.CachedFactorization(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), CLOSED)
     f = right_hand_side(s, 1.0)
     return nodal(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)

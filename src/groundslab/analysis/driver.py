@@ -26,10 +26,10 @@ from groundslab.errors import (
     NotConverged,
     SingularMatrix,
 )
-from groundslab.fem.bearings import CLOSED, YIELDING, Contact, slipped
+from groundslab.fem.bearings import CLOSED, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import W
-from groundslab.fem.system import System, bearings, nodal, right_hand_side
+from groundslab.fem.system import System, current_bearings, nodal, right_hand_side
 from groundslab.model.combinations import combinations_of
 from groundslab.model.consistency import plate_elements
 from groundslab.model.loads.load_cases import Combination
@@ -367,7 +367,7 @@ def _equilibrium(
     """
     ground = s.problem.ground
     slip = np.zeros(len(s.problem.bearing.law)) if slip is None else slip
-    law = bearings(s.problem, factor, slip)
+    law = current_bearings(s.problem, factor, slip)
     expected: Array | None = None  # from a coarser mesh
     near: Array | None = None  # from another solution on this one
     if start is None:
@@ -376,11 +376,11 @@ def _equilibrium(
         state, near = start.contact.state, start.contact.u if start.system is s else None
     else:
         if level.places is None:
-            level.places = warm_start.places(start.system.problem, s.problem)
+            level.places = warm_start.locate_nodes(start.system.problem, s.problem)
         state, expected = warm_start.from_coarser(start, s.problem, level.places)
 
     # what it was started from may have had a limit where there is none now
-    state = np.where((state == YIELDING) & np.isinf(law.capacity), CLOSED, state)
+    state = np.where((state == YIELDING) & np.isinf(law.limit_force), CLOSED, state)
 
     def solved(column: Column, gamma: float | None) -> tuple[Array, Contact]:
         def told(iteration: int, in_contact: int, changed: int) -> None:
@@ -390,8 +390,10 @@ def _equilibrium(
         A = level.stiffness(column, gamma)
         f = right_hand_side(s, factor)
         if expected is not None and near is None:
-            state = warm_start.along_the_border(s, A, f, law, state, expected, level.solver)
-        c = contact.solve(A, f, level.latest, law, state, model.analysis.max_iterations, told, near, level.motions)
+            state = warm_start.solve_contact_border(s, A, f, law, state, expected, level.solver)
+        c = contact.solve(
+            A, f, level.factorization, law, state, model.analysis.max_iterations, told, near, level.motions
+        )
         near = c.u
         return nodal(s.problem, c.u), c
 
@@ -400,7 +402,7 @@ def _equilibrium(
     ) -> Solution:
         if finest:
             require_hold(s.problem, c)
-        return Solution(s, U, c, column, gamma, change, slope, iterations, law, slip + slipped(law, c))
+        return Solution(s, U, c, column, gamma, change, slope, iterations, law, slip + plastic_slip(law, c))
 
     if isinstance(ground, Column):
         U, c = solved(ground, None)

@@ -19,7 +19,7 @@ from groundslab.results.result_mesh import Frame, frame
 from groundslab.solvers import warm_start
 from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio
 from groundslab.solvers.equilibrium import rigid_motions
-from groundslab.solvers.factor_reuse import Latest
+from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
@@ -34,9 +34,9 @@ class Level:
     model: Model
     system: System
     solver: Solver
-    latest: Latest
+    factorization: CachedFactorization
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
-    places: warm_start.Places | None = None  # of its nodes in the mesh before
+    places: warm_start.NodeLocations | None = None  # of its nodes in the mesh before
     rigid: Array | None = None  # the plate's rigid motions
     framed: tuple[Model, Frame] | None = None  # the frame of results, and a model that has it
 
@@ -45,7 +45,7 @@ class Level:
         if self.matrix is None or self.matrix[0] != gamma:
             A = stiffness(self.system, column)
             if stiffness_ratio(self.system, column) > NEARLY_RIGID:
-                A = replace(A, known=moved_as_a_whole(self.system, column))
+                A = replace(A, exact_products=moved_as_a_whole(self.system, column))
             self.matrix = gamma, A
         return self.matrix[1]
 
@@ -73,7 +73,7 @@ class Level:
     def beside(self) -> Level:
         """Return the same level with an analysis and a factor of its own, to be used at the same time."""
         pattern = self.system.pattern
-        return replace(self, latest=Latest(self.solver(pattern.indptr, pattern.indices)))
+        return replace(self, factorization=CachedFactorization(self.solver(pattern.indptr, pattern.indices)))
 
 
 @dataclass(slots=True)
@@ -120,9 +120,11 @@ class Ladder:
         problem = discretise(self.model, coarsening, self.margin, known.meshes, self.factors, earlier)
         s = system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
-            level = Level(self.model, s, self.solver, like.latest, places=like.places, framed=like.framed)
+            level = Level(self.model, s, self.solver, like.factorization, places=like.places, framed=like.framed)
         else:
-            level = Level(self.model, s, self.solver, Latest(self.solver(s.pattern.indptr, s.pattern.indices)))
+            level = Level(
+                self.model, s, self.solver, CachedFactorization(self.solver(s.pattern.indptr, s.pattern.indices))
+            )
         if self.keep:
             self.levels[coarsening] = level
         if self.known is not None and not self.known.closed:

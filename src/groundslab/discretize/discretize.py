@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Flags, Integers
-from groundslab.discretize.constraints import fixed_nodes, ground_bearing, joined, support_bearing
+from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
@@ -69,7 +69,9 @@ def discretise(
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.first],
         depths=below,
-        bearing=joined(ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)),
+        bearing=concatenate(
+            ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)
+        ),
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,

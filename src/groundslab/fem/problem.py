@@ -125,14 +125,6 @@ class Problem:
         """Return the nodal loads (n, F) [N, N m]."""
         return self.loading.load
 
-    @property
-    def gaps(self) -> Integers:
-        """Return the unknowns that open the gaps, one for each plate node (none if it is glued to the ground)."""
-        if not self.tensionless:
-            return np.zeros(0, dtype=np.int64)
-        numbers: Integers = self.unknown[self.plate_nodes, TOP]
-        return numbers
-
     def under(self, factors: Array) -> Problem:
         """Return the problem with its load cases multiplied by factors (cases,) and added up."""
         first, *others = (case.times(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)

@@ -17,20 +17,20 @@ from groundslab.fem.problem import TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
 
 
-def bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
-    """Return what bears under a share of the loading, having slipped (c,) [m] at its capacity before.
+def current_bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
+    """Return the bearings under a share of the loading, with their plastic slip (c,) [m] of earlier increments.
 
     Along the plate's edge the limit of the ground's pressure does not limit the line force.
     """
     law, support = problem.bearing.law, problem.bearing.support
     settled = np.append(problem.loading.settlement, 0.0)[support]  # none for the ground, whose support is -1
     settled = np.where(problem.bearing.field == W, factor * settled, 0.0)
-    capacity = np.where(on_lines(problem) & (law.capacity > 0), np.inf, law.capacity)
-    return replace(law, level=law.level + settled - law.sign * slip, capacity=capacity)
+    limit_force = np.where(on_plate_edge(problem) & (law.limit_force > 0), np.inf, law.limit_force)
+    return replace(law, offset=law.offset + settled - law.sign * slip, limit_force=limit_force)
 
 
-def on_lines(problem: Problem) -> Flags:
-    """Return which bearings (c,) are those of ground that carries shear at nodes on the plate's edge."""
+def on_plate_edge(problem: Problem) -> Flags:
+    """Return which bearings (c,) are ground that carries shear at nodes on the plate's edge."""
     if not problem.shear_at_edges:
         return np.zeros(len(problem.bearing.law), dtype=bool)
     on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)

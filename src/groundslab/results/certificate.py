@@ -163,7 +163,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
     # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
     springs = np.abs(c.force[np.isfinite(solution.law.stiffness)])
-    way = np.abs(solution.law.level[c.state == CLOSED]).max(initial=0.0)
+    way = np.abs(solution.law.offset[c.state == CLOSED]).max(initial=0.0)
     rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
     residual = float(
         np.abs((rest - borne)[~held]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
@@ -229,12 +229,12 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     scale[ground] = area * np.abs(c.force[ground][area > 0] / area[area > 0]).max(initial=0.0)
     scale = np.maximum(scale, nothing)
     elastic = np.isfinite(law.stiffness)
-    way = law.driven(c.u)
+    way = law.penetration(c.u)
     way[elastic] -= c.force[elastic] / law.stiffness[elastic]
-    one_sided = ~law.both_ways
+    one_sided = ~law.bilateral
     yielding = c.state == YIELDING
-    broken = np.where(law.both_ways, np.abs(way), np.where(yielding, -way, way))[law.capacity > 0]
-    force = np.where(one_sided, np.maximum(-c.force, c.force - law.capacity), 0.0) / scale
+    broken = np.where(law.bilateral, np.abs(way), np.where(yielding, -way, way))[law.limit_force > 0]
+    force = np.where(one_sided, np.maximum(-c.force, c.force - law.limit_force), 0.0) / scale
     product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
     return max(0.0, float(broken.max(initial=0.0))), max(0.0, float(force.max())), float(product.max())
 

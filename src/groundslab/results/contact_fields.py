@@ -64,7 +64,7 @@ def _at_depths(solution: Solution, frame: Frame) -> tuple[Array, Array, Array, A
     ground = np.flatnonzero(b.support < 0)
     at = b.node[ground], b.depth[ground]
     pressure[at] = solution.contact.force[ground] / below.area[at]
-    touching[at] = solution.contact.closed[ground] & (b.law.capacity[ground] > 0)
+    touching[at] = solution.contact.closed[ground] & (b.law.limit_force[ground] > 0)
     for k in range(1, len(below.depth)):
         # the bottom of a void that takes a part of an element bears at its sides only
         part = problem.mesh.elements[problem.plate_elements]

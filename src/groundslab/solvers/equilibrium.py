@@ -73,7 +73,7 @@ def require_hold(problem: Problem, contact: Contact) -> None:
     if free.shape[1] == 0:
         return
     b = problem.bearing
-    touching = np.flatnonzero((contact.state == CLOSED) & ~b.law.both_ways)
+    touching = np.flatnonzero((contact.state == CLOSED) & ~b.law.bilateral)
     places, force = problem.mesh.nodes[b.node[touching]], np.maximum(contact.force[touching], 0.0)
     rows = np.column_stack([np.ones(len(touching)), places])
     for field in (BETA_X, BETA_Y):
@@ -137,8 +137,8 @@ def _only_pushed(problem: Problem) -> bool:
     Supports that push up then add nothing to the ground.
     """
     b = problem.bearing
-    pulls = (b.law.sign > 0) & (b.support >= 0) & ~b.law.both_ways
-    return not (pulls.any() or np.isfinite(b.law.capacity).any())
+    pulls = (b.law.sign > 0) & (b.support >= 0) & ~b.law.bilateral
+    return not (pulls.any() or np.isfinite(b.law.limit_force).any())
 
 
 def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array, room: float) -> tuple[float, Flags]:
@@ -151,14 +151,14 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
 
     b, law = problem.bearing, problem.bearing.law
     full = np.zeros(len(law), dtype=bool)
-    use = np.flatnonzero(~law.both_ways & (law.capacity > 0))
+    use = np.flatnonzero(~law.bilateral & (law.limit_force > 0))
     size = problem.loading.size
     if not len(use) or size == 0:
         return 0.0, full
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
     places = problem.mesh.nodes[b.node[use]]
     generators = up[:, None] * (np.column_stack([np.ones(len(use)), places * scale[1:]]) @ motions)
-    capacity = law.capacity[use] / size
+    capacity = law.limit_force[use] / size
     little = room * np.minimum(capacity, 1 / len(use))
     bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
     found = linprog(
@@ -181,7 +181,7 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     """
     nodes, b = problem.plate_nodes, problem.bearing
     held = problem.unknown[:, : BETA_Y + 1] < 0
-    both = b.law.both_ways
+    both = b.law.bilateral
     held[b.node[both], b.field[both]] = True
     for axis in (0, 1):
         if mirrored and problem.symmetry[axis]:
@@ -259,9 +259,9 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
     F = 0.0 if abs(F) <= MARGIN * problem.loading.size else F
     share = 2.0 ** sum(problem.symmetry)
     b, law = problem.bearing, problem.bearing.law
-    pushing = ~law.both_ways & ((b.support < 0) | (law.sign < 0))
-    pulling = ~law.both_ways & ~pushing
-    most, least = law.capacity[pushing].sum(), law.capacity[pulling].sum()
+    pushing = ~law.bilateral & ((b.support < 0) | (law.sign < 0))
+    pulling = ~law.bilateral & ~pushing
+    most, least = law.limit_force[pushing].sum(), law.limit_force[pulling].sum()
     if most <= F * (1 + ROOM):
         return (
             f"the loads of {F * share / 1e3:.6g} kN are more than ground and supports can carry at their limits, "
@@ -307,10 +307,10 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
 def _limits(problem: Problem, bearings: Flags) -> str:
     """Return the names of the limits that some bearings (c,) have, as the file calls them."""
     b = problem.bearing
-    limited = bearings & np.isfinite(b.law.capacity)
+    limited = bearings & np.isfinite(b.law.limit_force)
     supports = b.support[limited]
     names = [f"supports[{number + 1}].limit" for number in np.unique(supports[supports >= 0])]
     if (supports < 0).any():
-        lasting = b.law.capacity[limited][supports < 0] > 0
+        lasting = b.law.limit_force[limited][supports < 0] > 0
         names += ["contact.limit_pressure"] * bool(lasting.any()) + ["voids without depth"] * bool((~lasting).any())
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
