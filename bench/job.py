@@ -30,7 +30,7 @@ from typing import Any
 
 import numpy as np
 
-from groundslab.analysis import driver, mesh_hierarchy
+from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretise
 from groundslab.fem import system
@@ -66,12 +66,12 @@ COMBINATIONS = {
 #: What is timed inside an analysis: the name of the phase, where the function lives, its name there.
 PHASES: list[tuple[str, Any, str]] = [
     ("mesh, loads, supports", mesh_hierarchy, "discretise"),
-    ("equilibrium possible", driver, "require_equilibrium"),
-    ("assembly", mesh_hierarchy, "system"),
+    ("equilibrium possible", nested, "require_equilibrium"),
+    ("assembly", mesh_hierarchy, "build_system"),
     ("assembly", mesh_hierarchy, "stiffness"),
-    ("assembly", driver, "right_hand_side"),
-    ("forecast", driver.warm_start, "from_coarser"),
-    ("forecast", driver.warm_start, "solve_contact_border"),
+    ("assembly", gamma_iteration, "right_hand_side"),
+    ("forecast", gamma_iteration.warm_start, "from_coarser"),
+    ("forecast", gamma_iteration.warm_start, "solve_contact_border"),
     ("contact, all meshes and strips", contact, "solve"),
     ("of which analysis and factorisations", factor_reuse.CachedFactorization, "factorize"),
     ("of which solutions with the factor", pardiso.Pardiso, "solve"),
@@ -136,7 +136,7 @@ def timed(function: Callable[..., Any], phase: str, spent: dict[str, float]) -> 
 def bare(model: Model) -> Callable[[], float]:
     """Return what times PARDISO alone on the glued matrix of the finest mesh."""
     glued = model.replace(contact={"tensionless": False})
-    s = system.system(discretise(glued))
+    s = system.build_system(discretise(glued))
     upper = system.stiffness(s, s.problem.ground)
     f = system.right_hand_side(s, 1.0)
     from pypardiso import PyPardisoSolver
@@ -182,7 +182,7 @@ def assembly(model: Model) -> float:
     """Return the time [s] that pattern, element matrices, matrix and right-hand side of the finest mesh take."""
     found = discretise(model)
     start = time.perf_counter()
-    s = system.system(found)
+    s = system.build_system(found)
     system.stiffness(s, s.problem.ground)
     system.right_hand_side(s, 1.0)
     return time.perf_counter() - start

@@ -17,7 +17,7 @@ from groundslab.errors import InputError, NoEquilibrium
 from groundslab.fem.bearings import CLOSED
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import Problem
-from groundslab.fem.system import current_bearings, nodal, right_hand_side, stiffness, system
+from groundslab.fem.system import build_system, current_bearings, nodal, right_hand_side, stiffness
 from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.load_types import LineLoad
 from groundslab.model.model import Model
@@ -84,7 +84,7 @@ def test_combination_by_itself(model: Model) -> None:
 def solved(problem: Problem) -> Array:
     """Return the nodal unknowns (n, F) of a problem on a ground of constants, by the kernels alone."""
     assert isinstance(problem.ground, Column)
-    s = system(problem)
+    s = build_system(problem)
     A = stiffness(s, problem.ground)
     law = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
     latest = factor_reuse.CachedFactorization(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))

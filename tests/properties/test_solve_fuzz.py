@@ -110,7 +110,7 @@ def judge(model: Model) -> tuple[int, int]:
     for combination in wanted:
         given_factors = dict(combination.factors)
         factors = np.array([given_factors.get(case.name, 0.0) for case in model.cases] or [1.0])
-        under = problem.under(factors)
+        under = problem.combine(factors)
         refusal = combined.refused.get(combination.name)
         if refusal is None:
             assert combined.results[combination.name].certificate.holds

@@ -35,13 +35,13 @@ class Loading:
     size: float  # [N]: the sizes of all forces, and of moments over the plate's length, whatever they cancel
 
     def __add__(self, other: Loading) -> Loading:
-        """Return both together."""
+        """Return the sum of two loadings."""
         return Loading(
             self.load + other.load, self.warp + other.warp, self.settlement + other.settlement, self.size + other.size
         )
 
-    def times(self, factor: float) -> Loading:
-        """Return it multiplied by a factor."""
+    def scale(self, factor: float) -> Loading:
+        """Return the loading multiplied by a factor."""
         return Loading(factor * self.load, factor * self.warp, factor * self.settlement, abs(factor) * self.size)
 
 
@@ -125,9 +125,9 @@ class Problem:
         """Return the nodal loads (n, F) [N, N m]."""
         return self.loading.load
 
-    def under(self, factors: Array) -> Problem:
-        """Return the problem with its load cases multiplied by factors (cases,) and added up."""
-        first, *others = (case.times(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
+    def combine(self, factors: Array) -> Problem:
+        """Return the problem under the sum of its load cases times factors (cases,)."""
+        first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
         return replace(self, loading=sum(others, first))
 
 

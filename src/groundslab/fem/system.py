@@ -95,8 +95,8 @@ class System:
     blocks: Blocks
 
 
-def system(problem: Problem, like: System | None = None) -> System:
-    """Return the system of a problem; of one on the same mesh it takes over what is the same."""
+def build_system(problem: Problem, like: System | None = None) -> System:
+    """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
     if like is None or like.problem.mesh is not problem.mesh:
         return System(problem, _pattern(problem), blocks(problem))
     known = like.problem

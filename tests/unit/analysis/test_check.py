@@ -37,7 +37,7 @@ ACROSS = {"kind": "line", "points": [(1, -2), (1, 2)]}
 
 
 @pytest.mark.parametrize(
-    ("changes", "where", "got"),
+    ("changes", "where", "found"),
     [
         ({"supports": [line(0), {**ACROSS, "acts": "in compression"}]}, "supports[2]", "a rigid support that meets"),
         ({"supports": [line(0), {"kind": "point", "x": 1, "y": 0, "acts": "in tension"}]}, "supports[2]", "a rigid"),

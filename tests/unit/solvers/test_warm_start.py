@@ -13,7 +13,7 @@ from groundslab.discretize.discretize import discretise
 from groundslab.fem.bearings import CLOSED, OPEN, Contact
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, W
-from groundslab.fem.system import current_bearings, right_hand_side, stiffness, surface_settlement, system
+from groundslab.fem.system import build_system, current_bearings, right_hand_side, stiffness, surface_settlement
 from groundslab.model.model import Model
 from groundslab.solvers import contact, factor_reuse, factorization, warm_start
 from groundslab.solvers.solution import Solution
@@ -37,7 +37,7 @@ def model(**changes: object) -> Model:
 def solution_with(coarse: Model, fields: dict[int, Array], states: np.ndarray, coarsening: int) -> Solution:
     """Return a made-up solution on a coarser mesh: nodal fields and states of the bearings."""
     problem = discretise(coarse, coarsening)
-    s = system(problem)
+    s = build_system(problem)
     U = np.zeros(problem.unknown.shape)
     for field, values in fields.items():
         U[:, field] = values
@@ -83,7 +83,7 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     start = solution_with(given, {}, states, 1)
     state, U = warm_start.from_coarser(start, fine, warm_start.locate_nodes(coarse, fine))
     assert (state == states[0]).all()
-    s = system(fine)
+    s = build_system(fine)
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)
     f = right_hand_side(s, 1.0)
@@ -97,7 +97,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     """From states that are off by some nodes along the border, the strip alone leads to the zone of the solution."""
     given = model()
     fine = discretise(given, 0)
-    s = system(fine)
+    s = build_system(fine)
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)
     f = right_hand_side(s, 1.0)
