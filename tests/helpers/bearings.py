@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.fem.assembly import Pattern, pattern
+from groundslab.fem.assembly import Pattern, build_pattern
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.sparse import Symmetric
 
@@ -13,7 +13,7 @@ NODES = np.arange(9)
 
 def one_element(fields: int = 1) -> Pattern:
     """Return the pattern of nine nodes that all see each other."""
-    return pattern(NODES[None], NODES, np.arange(9 * fields).reshape(9, fields))
+    return build_pattern(NODES[None], NODES, np.arange(9 * fields).reshape(9, fields))
 
 
 def entries(p: Pattern, A: np.ndarray) -> Symmetric:

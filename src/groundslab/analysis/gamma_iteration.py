@@ -12,7 +12,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
-from groundslab.fem.system import System, current_bearings, nodal, right_hand_side
+from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import Soil
 from groundslab.results.certificate import decay_squared
 from groundslab.results.results import Step
@@ -28,7 +28,7 @@ GAMMA_TOLERANCE_COARSE = 1e-3
 GAMMA_SMALL = 0.01
 MAX_GAMMA_ITERATIONS = 60
 GAMMA_START = 1.0
-#: A contact force this small against the largest nodal load is rounding: the plate does not touch the ground.
+#: A contact force this small against the largest nodal_table load is rounding: the plate does not touch the ground.
 NO_CONTACT = 1e-9
 
 OnStep = Callable[[Step], None]
@@ -99,7 +99,7 @@ class _ContactIteration:
             require_hold(step.system.problem, found)
         return Solution(
             system=step.system,
-            U=nodal(step.system.problem, found.u),
+            U=nodal_table(step.system.problem, found.u),
             contact=found,
             column=column,
             gamma=gamma,
@@ -134,7 +134,7 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
     while len(history) < MAX_GAMMA_ITERATIONS:
         column = soil.column(gamma)
         found = iteration.solve(column, gamma)
-        U = nodal(problem, found.u)
+        U = nodal_table(problem, found.u)
         # a plate that its supports carry clear of the ground leaves nothing to find gamma from
         pushed = found.force[problem.bearing.support < 0].max(initial=0.0)
         touches = pushed > NO_CONTACT * np.abs(step.factor * problem.load).max() or not problem.tensionless

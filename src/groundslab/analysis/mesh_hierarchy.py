@@ -62,7 +62,7 @@ class Level:
         if (
             self.framed is None
             or any(getattr(model, name) != getattr(self.framed[0], name) for name in FRAME_SECTIONS)
-            or not np.array_equal(problem.depths.most, self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
+            or not np.array_equal(problem.depths.dominant, self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
         ):
             self.framed = model, frame(model, problem)
         return self.framed[1]

@@ -40,12 +40,12 @@ def ground_bearing(
     """
     under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
     limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
-    depth, area = found.first[under], found.at_first(found.area, under)
+    depth, area = found.shallowest[under], found.at_shallowest(found.area, under)
     bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]
     limit_force = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
     law = replace(gap_bearings(unknown[under, TOP], gap[under] + bottom), limit_force=limit_force)
     gaps = Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), np.zeros(len(under)), depth)
-    if not (found.steps and len(under)):
+    if not (found.stepped and len(under)):
         return gaps
     assert isinstance(ground, Column)
     node, depth, stiffness, area = bottoms(plan, found, ground)

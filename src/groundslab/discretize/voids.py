@@ -119,9 +119,9 @@ def bottoms(plan: Layout, found: Depths, column: Column) -> tuple[Integers, Inte
     k0 = np.broadcast_to(column.A0[..., 0, 0], len(mesh.elements))[plan.plate_elements]
     nodes, which, stiffness, areas = [], [], [], []
     for k in np.flatnonzero(np.isfinite(found.depth) & (found.depth > 0)):
-        deeper: Flags = (found.share[:, [k]] > 0) & (found.first[elements] < k)
-        own = np.where(deeper, found.share[:, [k]] * area, 0.0)
-        # the settlement of an element's centre may hang on that of its other nodes
+        deeper: Flags = (found.area_fraction[:, [k]] > 0) & (found.shallowest[elements] < k)
+        own = np.where(deeper, found.area_fraction[:, [k]] * area, 0.0)
+        # the settlement of an element's center may hang on that of its other nodes
         own[:, MIDSIDES] += own[:, [8]] / 4
         own[:, 8] = 0.0
         at = np.unique(elements[own > 0])

@@ -30,19 +30,24 @@ class Loading:
     """What acts together: forces, the curvature that temperature would give, settlements of supports."""
 
     load: Array  # (n, F) [N, N m]
-    warp: Array  # (mp,) [1/m]: curvature beta_x,x = beta_y,y that each plate element would take freely
+    thermal_curvature: Array  # (mp,) [1/m]: beta_x,x = beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
     size: float  # [N]: the sizes of all forces, and of moments over the plate's length, whatever they cancel
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
         return Loading(
-            self.load + other.load, self.warp + other.warp, self.settlement + other.settlement, self.size + other.size
+            self.load + other.load,
+            self.thermal_curvature + other.thermal_curvature,
+            self.settlement + other.settlement,
+            self.size + other.size,
         )
 
     def scale(self, factor: float) -> Loading:
         """Return the loading multiplied by a factor."""
-        return Loading(factor * self.load, factor * self.warp, factor * self.settlement, abs(factor) * self.size)
+        return Loading(
+            factor * self.load, factor * self.thermal_curvature, factor * self.settlement, abs(factor) * self.size
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,21 +77,21 @@ class Depths:
     """
 
     depth: Array  # (d,) [m], ascending: 0 first, infinite for cavities
-    share: Array  # (mp, d): of the area of each plate element
-    first: Integers  # (n,): the least depth at each node
+    area_fraction: Array  # (mp, d): of each plate element
+    shallowest: Integers  # (n,): number of the least depth at each node
     area: Array  # (n, d) [m2]: each node's share of the area in each depth
-    masses: Array  # (k, 10): what counts of the mass matrix, and of each node's share of the area, on the diagonal
-    mass: Integers  # (m,): which of these each element has
-    steps: bool  # whether the ground is without shear
+    mass_kinds: Array  # (k, 10): factor on the mass matrix, and share of each node's area on the diagonal
+    mass_kind: Integers  # (m,): which of these each element has
+    stepped: bool  # whether the ground is without shear, so that depths may differ within an element
 
     @property
-    def most(self) -> Integers:
-        """Return which depth takes most of each plate element (mp,)."""
-        return largest_share(self.share)
+    def dominant(self) -> Integers:
+        """Return the number of the depth that takes most of each plate element, (mp,)."""
+        return largest_share(self.area_fraction)
 
-    def at_first(self, values: Array, nodes: Integers) -> Array:
-        """Return from values (n, d) those of the least depth at some nodes (k,)."""
-        own: Array = values[nodes, self.first[nodes]]
+    def at_shallowest(self, values: Array, nodes: Integers) -> Array:
+        """Return the values (n, d) for the least depth at some nodes (k,)."""
+        own: Array = values[nodes, self.shallowest[nodes]]
         return own
 
 

@@ -12,7 +12,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import assembly, plate
 from groundslab.fem.assembly import Pattern, congruent
 from groundslab.fem.bearings import Bearings
-from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
+from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay, mass_and_slope
 from groundslab.fem.problem import TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
 
@@ -44,7 +44,7 @@ class Blocks:
     """Element matrices of the different kinds of elements (shape, section or none, voids), and the kind of each one.
 
     Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
-    column; with a plate whose centre w hangs on its other nodes, T makes rows and columns of w from them.
+    column; with a plate whose center w hangs on its other nodes, T makes rows and columns of w from them.
     """
 
     kind: Integers  # (m,)
@@ -54,7 +54,7 @@ class Blocks:
     T: Array  # (u, 9, 9)
 
     def of(self, kinds: Integers) -> Blocks:
-        """Return the blocks of some kinds (k,), which are numbered anew."""
+        """Return the blocks of some kinds (k,), renumbered."""
         return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T)))
 
     def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
@@ -69,11 +69,13 @@ class Blocks:
 
 def blocks(problem: Problem) -> Blocks:
     """Return the element matrices of a problem, each computed once for all elements of its kind."""
-    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.masses
+    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.mass_kinds
     shapes, shape = congruent(xy)
     section = np.full(len(xy), sections)  # none
     section[problem.plate_elements] = problem.section
-    kinds, kind = np.unique((shape * (sections + 1) + section) * len(masses) + problem.depths.mass, return_inverse=True)
+    kinds, kind = np.unique(
+        (shape * (sections + 1) + section) * len(masses) + problem.depths.mass_kind, return_inverse=True
+    )
     kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
     xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
     under = np.flatnonzero(section < sections)
@@ -105,7 +107,7 @@ def build_system(problem: Problem, like: System | None = None) -> System:
         np.array_equal(a, b)
         for a, b in (
             (known.section, problem.section), (known.bending, problem.bending), (known.shear, problem.shear),
-            (known.depths.mass, problem.depths.mass), (known.depths.masses, problem.depths.masses),
+            (known.depths.mass_kind, problem.depths.mass_kind), (known.depths.mass_kinds, problem.depths.mass_kinds),
         )
     )  # fmt: skip
     return System(
@@ -116,10 +118,10 @@ def build_system(problem: Problem, like: System | None = None) -> System:
 
 
 def _pattern(problem: Problem) -> Pattern:
-    return assembly.pattern(problem.mesh.elements, problem.rank, problem.unknown)
+    return assembly.build_pattern(problem.mesh.elements, problem.rank, problem.unknown)
 
 
-def fields_of(surface: int) -> tuple[int, ...]:
+def surface_fields(surface: int) -> tuple[int, ...]:
     """Return the fields whose sum is the settlement of a surface of the ground."""
     return (W, TOP) if surface == 0 else (TOP + surface,)
 
@@ -138,7 +140,7 @@ def stiffness(s: System, column: Column) -> Symmetric:
             K[..., i, j] += A0 * mass + A1 * slope
         return K
 
-    return assembly.assembled(s.pattern, kind, matrices, *_tail_blocks(s, column))
+    return assembly.assemble(s.pattern, kind, matrices, *_tail_blocks(s, column))
 
 
 def _ground(
@@ -150,24 +152,24 @@ def _ground(
         for c in range(column.surfaces):
             A0, A1 = column.A0[..., a, c, None, None], column.A1[..., a, c, None, None]
             if A0.any() or A1.any():
-                for i in fields_of(a):
-                    for j in fields_of(c):
+                for i in surface_fields(a):
+                    for j in surface_fields(c):
                         of_w = (field == W and not element.centre_w for field in (i, j))
                         yield i, j, A0, A1, *between(*of_w)
 
 
-def tails(problem: Problem, column: Column) -> tuple[Tail, Tail]:
+def edge_decays(problem: Problem, column: Column) -> tuple[EdgeDecay, EdgeDecay]:
     """Return the infinite ground beyond the outer edges and at their corners.
 
     Where the ground varies, each edge and each corner continues the column of the element inside it.
     """
     if not column.varies:
-        everywhere = tail(column)
+        everywhere = edge_decay(column)
         return everywhere, everywhere
     elements = problem.mesh.elements
     inside = np.empty(len(problem.mesh.nodes), dtype=np.int64)
     inside[elements] = np.arange(len(elements))[:, None]
-    return tail(column.at(inside[problem.edges[:, 2]])), tail(column.at(inside[problem.corners]))
+    return edge_decay(column.at(inside[problem.edges[:, 2]])), edge_decay(column.at(inside[problem.corners]))
 
 
 def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
@@ -179,7 +181,7 @@ def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
     F = p.unknown.shape[1]
     if not len(problem.edges):
         return np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
-    t, at_corners = tails(problem, column)
+    t, at_corners = edge_decays(problem, column)
     length = edge_lengths(problem)
     a, b = np.triu_indices(3)
     pair = p.pairs(problem.edges[:, a], problem.edges[:, b])
@@ -214,7 +216,7 @@ def right_hand_side(s: System, factor: float) -> Array:
     return f
 
 
-def nodal(problem: Problem, u: Array) -> Array:
+def nodal_table(problem: Problem, u: Array) -> Array:
     """Return unknowns (size,) as a table (n, F), with zeros where there is no unknown."""
     table = np.zeros(problem.unknown.shape)
     has = problem.unknown >= 0
@@ -231,7 +233,7 @@ def surface_settlement(s: System, U: Array) -> Array:
 
 
 def plate_settlement(s: System, U: Array) -> Array:
-    """Return the plate's settlement at every node (n,) [m], dependent centres included."""
+    """Return the plate's settlement at every node (n,) [m], dependent centers included."""
     problem = s.problem
     w: Array = U[:, W].copy()
     if not problem.element.centre_w:

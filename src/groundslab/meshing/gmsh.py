@@ -15,7 +15,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment
-from groundslab.meshing.cells import Cells, Drawn, onto
+from groundslab.meshing.cells import Cells, FixedSides, project_onto
 from groundslab.meshing.sizing import Sources, along
 
 #: Gmsh's geometry merges places less than 1e-7 apart, whatever the extent: plans are scaled to this extent.
@@ -115,7 +115,7 @@ def cells_of(gmsh: Any, plan: Plan, size: float, smaller: Sources, scale: float)
     points = np.concatenate([gmsh.model.mesh.getNodes(0, tag)[0] for _, tag in gmsh.model.getEntities(0)])
     points = index[points.astype(np.int64)]
     _snap_corners(plan, nodes, points)
-    drawn = _edge_sides(geometry, plan, nodes, points, lambda tag: elements(tag, 1, 2))
+    drawn = _fixed_sides(geometry, plan, nodes, points, lambda tag: elements(tag, 1, 2))
     return Cells(nodes, np.concatenate(triangles), np.concatenate(quadrilaterals), drawn)
 
 
@@ -234,9 +234,9 @@ def _snap_corners(plan: Plan, nodes: Array, corners: Integers) -> None:
         nodes[corners[distance <= FLAT * plan.extent]] = place
 
 
-def _edge_sides(
+def _fixed_sides(
     geometry: PlanGeometry, plan: Plan, nodes: Array, points: Integers, sides_on: Callable[[int], Integers]
-) -> Drawn:
+) -> FixedSides:
     """Return the sides on edges of the plan, after moving the nodes on arcs exactly onto these."""
     gmsh = geometry.gmsh
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
@@ -252,8 +252,8 @@ def _edge_sides(
             on_it = on_it / geometry.scale + geometry.middle
             edge = arcs[int(np.argmin([arc.distance(on_it).max() for arc in arcs]))]
             inner = np.setdiff1d(own, points)
-            nodes[inner] = onto(nodes[inner], np.array(edge.centre), edge.radius)
+            nodes[inner] = project_onto(nodes[inner], np.array(edge.centre), edge.radius)
         ends.append(own)
         centre.append(np.tile(edge.centre, (len(own), 1)))
         radius.append(np.full(len(own), edge.radius))
-    return Drawn(np.concatenate(ends), np.concatenate(centre), np.concatenate(radius), points)
+    return FixedSides(np.concatenate(ends), np.concatenate(centre), np.concatenate(radius), points)

@@ -12,7 +12,7 @@ from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, without_rigid_motion
-from groundslab.fem.system import System, edge_lengths, fields_of, surface_settlement, tails
+from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
 from groundslab.results.results import Certificate
 from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
@@ -33,16 +33,16 @@ def decay_squared(s: System, U: Array, column: Column) -> float:
     varying = we - we[:, 8:]  # else rounding makes slopes of a settlement that is everywhere the same
     slopes = _by_kind(b.slope, b.kind, varying, varying)
     if len(problem.edges):
-        t, at_corners = tails(problem, column)
+        t, at_corners = edge_decays(problem, column)
         X, Y, _, _ = t.square_integrals()
         _, _, Xc, Yc = at_corners.square_integrals()
         length = edge_lengths(problem)
         # the amplitudes' products are summed over edges and corners where the tails are the same
         products = "emn" if t.varies else "mn"
-        c = np.einsum("...ms,s...k->...km", t.share, w[:, problem.edges])
+        c = np.einsum("...ms,s...k->...km", t.projection, w[:, problem.edges])
         along = np.einsum(f"e,ekm,kl,eln->{products}", length, c, EDGE_MASS, c)
         across = np.einsum(f"e,ekm,kl,eln->{products}", 1 / length, c, EDGE_SLOPE, c)
-        c = np.einsum("...ms,s...->...m", at_corners.share, w[:, problem.corners])
+        c = np.einsum("...ms,s...->...m", at_corners.projection, w[:, problem.corners])
         corner = np.einsum(f"em,en->{products}", c, c)
         squares += float((X * along).sum() + (Xc * corner).sum())
         slopes += float((Y * along).sum() + (X * across).sum() + (Yc * corner).sum())
@@ -118,7 +118,7 @@ def moved_as_a_whole(s: System, column: Column) -> tuple[Array, Array]:
         ground = ground_forces(s, U, column)
         resisting = np.zeros_like(U)
         for surface in range(column.surfaces):
-            for field in fields_of(surface):
+            for field in surface_fields(surface):
                 resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
         motions[problem.unknown[has], number] = U[has]
         forces[problem.unknown[has], number] = resisting[has]
@@ -128,7 +128,7 @@ def moved_as_a_whole(s: System, column: Column) -> tuple[Array, Array]:
 
 def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     """Return the forces (n, S) that infinite ground puts on the outer edges."""
-    (t, at_corners), length = tails(problem, column), edge_lengths(problem)
+    (t, at_corners), length = edge_decays(problem, column), edge_lengths(problem)
     we = w[:, problem.edges]
     f = np.einsum("...ij,...,kl,j...l->i...k", t.spring, length, EDGE_MASS, we)
     f += np.einsum("...ij,...,kl,j...l->i...k", t.slope, 1 / length, EDGE_SLOPE, we)
@@ -145,7 +145,7 @@ def resistance(solution: Solution) -> tuple[Array, Array]:
     inner = np.zeros_like(U)
     inner[:, :TOP] = plate_forces(s, U)
     for surface in range(column.surfaces):
-        for field in fields_of(surface):
+        for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
     return inner, ground
 

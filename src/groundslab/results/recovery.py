@@ -151,9 +151,9 @@ def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
     U = without_rigid_motion(problem, U)
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
     forces = apply(frame.matrices, frame.kind, u).reshape(len(elements), 4, 5)
-    if problem.loading.warp.any():
+    if problem.loading.thermal_curvature.any():
         # what bends freely carries nothing
-        free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.warp[:, None]
+        free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.thermal_curvature[:, None]
         forces[..., :3] += free[:, None]
     return forces
 
@@ -188,8 +188,8 @@ def _constants(solution: Solution) -> Constants:
     if isinstance(ground, Soil):
         assert gamma is not None
         k0, k1 = ground.layer_parameters(gamma)
-        if ground.share is not None:
-            k0, k1 = ground.share @ k0, ground.share @ k1
+        if ground.area_fraction is not None:
+            k0, k1 = ground.area_fraction @ k0, ground.area_fraction @ k1
     else:
         k0, k1 = problem.constants
     return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations)

@@ -99,7 +99,7 @@ class Frame:
 def frame(model: Model, problem: Problem) -> Frame:
     """Return the frame of the results of a model on one mesh."""
     supported = walls(model, problem)
-    depth = problem.depths.most
+    depth = problem.depths.dominant
     mesh, node = by_section(problem, supported, depth)
     smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
     matrices, kind = section_matrices(problem)

@@ -13,7 +13,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings
-from groundslab.fem.mesh import Whereabouts, between, interpolated, whereabouts
+from groundslab.fem.mesh import Whereabouts, interpolate_bilinear, interpolated, whereabouts
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, on_plate_edge, plate_settlement, surface_settlement
@@ -62,10 +62,10 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
     state[(b.support < 0) & (b.field != TOP)] = OPEN
     if len(ground):
-        touching = between(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
+        touching = interpolate_bilinear(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
         state[ground] = np.where(touching, CLOSED, OPEN)
         if (start.contact.state == YIELDING).any():
-            yielding = between(coarse, start.nodes_in(YIELDING), at.on_plate) <= CLOSED_AT
+            yielding = interpolate_bilinear(coarse, start.nodes_in(YIELDING), at.on_plate) <= CLOSED_AT
             limited = np.isfinite(b.law.limit_force[ground]) & ~on_plate_edge(problem)[ground]
             state[ground[yielding & limited]] = YIELDING
     for support in np.unique(b.support[b.support >= 0]):
