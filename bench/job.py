@@ -5,7 +5,7 @@
     mpirun -n 2 python bench/job.py memory pasternak 250000 mumps
 
 Kinds: linear (Winkler, glued), winkler and pasternak (tensionless), raft (an L-shaped one, tensionless, meshed by Gmsh
-or Netgen). The bare solve, PARDISO's analysis, factorization and one solution of the glued matrix on the finest mesh,
+or Netgen). The bare solve, PARDISO's analysis, factorisation and one solution of the glued matrix on the finest mesh,
 is taken in turn with the whole analysis; medians are printed. And kinds of their own: gamma (iterated, in turn with the
 gamma that comes out given), combinations (of three load cases, in turn with the first of them alone), variants (of the
 ground, each in turn with a cold solution of the same model, on one thread as in a study), and study (the same variants
@@ -30,10 +30,10 @@ from typing import Any
 
 import numpy as np
 
-from groundslab.analysis import driver, mesh_hierarchy
+from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested
 from groundslab.case import casefile
-from groundslab.discretize.discretize import discretize
-from groundslab.fem import problem
+from groundslab.discretize.discretize import discretise
+from groundslab.fem import system
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.solvers import contact, factor_reuse, factorization, pardiso
@@ -65,16 +65,16 @@ COMBINATIONS = {
 }
 #: What is timed inside an analysis: the name of the phase, where the function lives, its name there.
 PHASES: list[tuple[str, Any, str]] = [
-    ("mesh, loads, supports", mesh_hierarchy, "discretize"),
-    ("equilibrium possible", driver, "require_equilibrium"),
-    ("assembly", mesh_hierarchy, "system"),
+    ("mesh, loads, supports", mesh_hierarchy, "discretise"),
+    ("equilibrium possible", nested, "require_equilibrium"),
+    ("assembly", mesh_hierarchy, "build_system"),
     ("assembly", mesh_hierarchy, "stiffness"),
-    ("assembly", driver, "right_hand_side"),
-    ("forecast", driver.forecast, "from_coarser"),
-    ("forecast", driver.forecast, "along_the_border"),
+    ("assembly", gamma_iteration, "right_hand_side"),
+    ("forecast", gamma_iteration.warm_start, "from_coarser"),
+    ("forecast", gamma_iteration.warm_start, "solve_contact_border"),
     ("contact, all meshes and strips", contact, "solve"),
-    ("of which analysis and factorizations", factor_reuse.Latest, "factor"),
-    ("of which solutions with the factor", pardiso._Pardiso, "solve"),
+    ("of which analysis and factorisations", factor_reuse.CachedFactorization, "factorize"),
+    ("of which solutions with the factor", pardiso.Pardiso, "solve"),
     ("recovery", driver, "recover"),
     ("certificate", driver, "certificate"),
 ]
@@ -136,9 +136,9 @@ def timed(function: Callable[..., Any], phase: str, spent: dict[str, float]) -> 
 def bare(model: Model) -> Callable[[], float]:
     """Return what times PARDISO alone on the glued matrix of the finest mesh."""
     glued = model.replace(contact={"tensionless": False})
-    s = problem.system(discretize(glued))
-    upper = problem.stiffness(s, s.problem.ground)
-    f = problem.right_hand_side(s, 1.0)
+    s = system.build_system(discretise(glued))
+    upper = system.stiffness(s, s.problem.ground)
+    f = system.right_hand_side(s, 1.0)
     from pypardiso import PyPardisoSolver
     from scipy.sparse import csr_array
 
@@ -167,7 +167,7 @@ def settlements(results: Results) -> dict[str, float]:
 
 
 def keep_memory() -> None:
-    """Let freed memory stay with the process, as far as the C library allows.
+    """Let freed memory stay with the process, as far as the C library lets itself be told.
 
     Where a machine is itself a guest on another, the first touch of memory can take longer than all computing, and
     differently from run to run. Both sides of every ratio here profit alike.
@@ -180,11 +180,11 @@ def keep_memory() -> None:
 
 def assembly(model: Model) -> float:
     """Return the time [s] that pattern, element matrices, matrix and right-hand side of the finest mesh take."""
-    found = discretize(model)
+    found = discretise(model)
     start = time.perf_counter()
-    s = problem.system(found)
-    problem.stiffness(s, s.problem.ground)
-    problem.right_hand_side(s, 1.0)
+    s = system.build_system(found)
+    system.stiffness(s, s.problem.ground)
+    system.right_hand_side(s, 1.0)
     return time.perf_counter() - start
 
 
@@ -205,7 +205,7 @@ def memory(model: Model) -> dict[str, float]:
     Of an MPI run with another solver each process tells its own.
     """
     held: list[float] = []
-    factor = pardiso._Pardiso.factor
+    factor = pardiso.Pardiso.factor
 
     def watched(self: Any, data: Any) -> Any:
         found = factor(self, data)
@@ -213,7 +213,7 @@ def memory(model: Model) -> dict[str, float]:
         held.append((int(self.handle.get_iparm(16)) + int(self.handle.get_iparm(17))) / 1024)
         return found
 
-    pardiso._Pardiso.factor = watched  # type: ignore[method-assign]
+    pardiso.Pardiso.factor = watched  # type: ignore[method-assign]
     start = time.perf_counter()
     results = driver.solve(model)
     spent, peak = time.perf_counter() - start, largest_memory()

@@ -11,7 +11,7 @@ from groundslab.fem.shape_functions import gauss, jacobian, q9
 from groundslab.geometry.plan import Plan, Ring, circle, rectangle
 from groundslab.meshing import mesh
 from groundslab.meshing.backends import Maker, with_gmsh, with_netgen
-from groundslab.meshing.gmsh_door import load as load_gmsh
+from groundslab.meshing.gmsh import load as load_gmsh
 from groundslab.meshing.netgen import load as load_netgen
 from groundslab.meshing.plan_mesh import PlanMesh
 

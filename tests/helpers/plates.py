@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import Mesh
-from groundslab.fem.problem import nodal_area
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import PlateResult
 from helpers.quads import mesh as crooked_mesh

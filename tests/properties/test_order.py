@@ -16,7 +16,8 @@ from groundslab.discretize.discretize import discretise
 from groundslab.errors import InputError, NoEquilibrium
 from groundslab.fem.bearings import CLOSED
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import Problem, bearings, nodal, right_hand_side, stiffness, system
+from groundslab.fem.problem import Problem
+from groundslab.fem.system import build_system, current_bearings, nodal_table, right_hand_side, stiffness
 from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.load_types import LineLoad
 from groundslab.model.model import Model
@@ -83,30 +84,30 @@ def test_combination_by_itself(model: Model) -> None:
 
 
 def solved(problem: Problem) -> Array:
-    """Return the nodal unknowns (n, F) of a problem on a ground of constants, by the kernels alone."""
+    """Return the nodal_table unknowns (n, F) of a problem on a ground of constants, by the kernels alone."""
     assert isinstance(problem.ground, Column)
-    s = system(problem)
+    s = build_system(problem)
     A = stiffness(s, problem.ground)
-    law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
-    latest = factor_reuse.Latest(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
+    law = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
+    latest = factor_reuse.CachedFactorization(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), CLOSED)
     f = right_hand_side(s, 1.0)
-    return nodal(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
+    return nodal_table(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
 
 
 def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
     """Return the problem with its nodes, elements and unknowns in a random order, and each node's new number (n,)."""
-    from groundslab.fem.assembly import number
+    from groundslab.fem.assembly import number_unknowns
 
     random = np.random.default_rng(seed)
     mesh, n = problem.mesh, len(problem.mesh.nodes)
     new, turn = random.permutation(n), random.permutation(len(mesh.elements))
     back = np.argsort(new)
     rank = random.permutation(n)
-    unknown = number(rank, problem.unknown[back] >= 0)
+    unknown = number_unknowns(rank, problem.unknown[back] >= 0)
     where = np.argsort(turn)  # new number of each element
     b, below = problem.bearing, problem.depths
-    law = replace(b.law, at=unknown[new[b.node], b.field])
+    law = replace(b.law, unknown=unknown[new[b.node], b.field])
     loading = replace(problem.loading, load=problem.loading.load[back])
     changed = replace(
         problem,
@@ -118,7 +119,9 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
         cases=(loading,),
         loading=loading,
         initial_gap=problem.initial_gap[back],
-        depths=replace(below, first=below.first[back], area=below.area[back], mass=below.mass[turn]),
+        depths=replace(
+            below, shallowest=below.shallowest[back], area=below.area[back], mass_kind=below.mass_kind[turn]
+        ),
         bearing=replace(b, law=law, node=new[b.node]),
         plate_edges=new[problem.plate_edges],
         edges=new[problem.edges],

@@ -92,7 +92,7 @@ def room_for_balance(problem: Problem) -> float:
     A linear programme over single forces at the nodes, with no regard to how the program decides.
     """
     b, law = problem.bearing, problem.bearing.law
-    use = np.flatnonzero(~law.both_ways & (law.capacity > 0))
+    use = np.flatnonzero(~law.bilateral & (law.limit_force > 0))
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
     nodes = problem.mesh.nodes
     size, length = np.abs(problem.load[:, W]).sum() or 1.0, np.ptp(nodes, axis=0).max()
@@ -101,7 +101,7 @@ def room_for_balance(problem: Problem) -> float:
     x, y = nodes.T / length
     F, turning = problem.load[:, 0], problem.load[:, 1:3] / length
     wanted = np.array([F.sum(), F @ x + turning[:, 0].sum(), F @ y + turning[:, 1].sum()]) / size
-    capacity = law.capacity[use] / size
+    capacity = law.limit_force[use] / size
     limited = np.isfinite(capacity)
     # forces p + r s, p >= 0, below capacity - r s, with r as large as it can be
     share = np.minimum(capacity, 1 / len(use))

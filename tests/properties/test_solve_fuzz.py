@@ -84,11 +84,11 @@ def room(problem: Problem) -> float:
     free = np.isin(place, problem.plate_nodes)
     if not problem.element.centre_w:
         free &= ~(np.isin(place, problem.mesh.elements[problem.plate_elements, 8]) & (kind == W))
-    two_sided = np.hstack([rows(place[free], kind[free]), rows(b.node[law.both_ways], b.field[law.both_ways])])
-    use = ~law.both_ways & (law.capacity > 0)
+    two_sided = np.hstack([rows(place[free], kind[free]), rows(b.node[law.bilateral], b.field[law.bilateral])])
+    use = ~law.bilateral & (law.limit_force > 0)
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])  # the ground pushes up whatever the sign of its gap
     one_sided = rows(b.node[use], np.full(use.sum(), W)) * up
-    capacity = np.minimum(law.capacity[use] / total, 1e3)
+    capacity = np.minimum(law.limit_force[use] / total, 1e3)
     wanted = rows(np.arange(len(nodes)), np.full(len(nodes), W)) @ F[:, 0] + [0.0, *F[:, 1:].sum(axis=0)]
     # forces are r = t * share + s with s >= 0 and r <= capacity - t * share
     share = np.minimum(capacity, 1 / max(use.sum(), 1))
@@ -112,7 +112,7 @@ def judge(model: Model) -> tuple[int, int]:
     for combination in wanted:
         given_factors = dict(combination.factors)
         factors = np.array([given_factors.get(case.name, 0.0) for case in model.cases] or [1.0])
-        under = problem.under(factors)
+        under = problem.combine(factors)
         refusal = combined.refused.get(combination.name)
         if refusal is None:
             assert combined.results[combination.name].certificate.holds
@@ -142,7 +142,7 @@ def is_true(refusal: NoEquilibrium, problem: Problem) -> None:
         assert not inside.contains(Point(place)), said
     elif "more than ground and supports can carry" in said:
         law, b = problem.bearing.law, problem.bearing
-        assert law.capacity[~law.both_ways & ((b.support < 0) | (law.sign < 0))].sum() <= F.sum() * (1 + 1e-5)
+        assert law.limit_force[~law.bilateral & ((b.support < 0) | (law.sign < 0))].sum() <= F.sum() * (1 + 1e-5)
     else:
         assert "cannot be balanced" in said
 

@@ -10,7 +10,7 @@ import pytest
 from groundslab import Model, NotCertified, Results, solve
 from groundslab.discretize.discretize import discretise
 from groundslab.fem.foundation import Layer as GroundLayer
-from groundslab.fem.foundation import consistent_stack, edge_decay, interface_stack, single
+from groundslab.fem.foundation import consistent_stack, decay_length, interface_stack, single
 from groundslab.views.summary import single as summary
 
 pytestmark = pytest.mark.slow
@@ -55,7 +55,7 @@ def test_the_plates_elements_are_fine_at_its_edges_only() -> None:
     """Beside the edges elements are shorter than the ground's decay, in the middle as large as allowed."""
     problem = discretise(slab(size=1.25))
     sides = np.ptp(problem.mesh.xy[problem.plate_elements], axis=1)
-    decay = edge_decay(problem.ground.column(1.0))
+    decay = decay_length(problem.ground.column(1.0))
     at_corner = np.abs(problem.mesh.xy[problem.plate_elements]).max(axis=1).min(axis=1) == 5.0
     assert sides[at_corner].max() <= 0.7 * decay
     assert sides.max() > 1.0
@@ -145,8 +145,8 @@ def test_a_rigid_block_on_point_supports_is_the_same_with_any_margin() -> None:
 
 def test_edge_decay() -> None:
     """One surface dies out over sqrt(k1/k0); a stack that is cut into more layers hardly changes its length."""
-    assert edge_decay(single(4e6, 9e6)) == pytest.approx(1.5)
-    assert edge_decay(interface_stack(np.array([4e6]), np.array([9e6]))) == pytest.approx(1.5)
+    assert decay_length(single(4e6, 9e6)) == pytest.approx(1.5)
+    assert decay_length(interface_stack(np.array([4e6]), np.array([9e6]))) == pytest.approx(1.5)
     whole = GroundLayer(2.0, (30e6, 0.0, 0.0), 0.3)
-    few, many = (edge_decay(consistent_stack(whole.split(n))) for n in (4, 16))
+    few, many = (decay_length(consistent_stack(whole.split(n))) for n in (4, 16))
     assert few == pytest.approx(many, rel=0.1)

@@ -1,4 +1,4 @@
-"""The nested meshes of an analysis with all that its combinations of loads, and models like it, have in common."""
+"""The nested meshes of an analysis, with everything that combinations of loads and similar models share."""
 
 from __future__ import annotations
 
@@ -11,41 +11,41 @@ from groundslab.discretize.discretize import discretise
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import System, stiffness, system
 from groundslab.fem.sparse import Symmetric
+from groundslab.fem.system import System, build_system, stiffness
 from groundslab.model.model import Model
 from groundslab.results.certificate import moved_as_a_whole
 from groundslab.results.result_mesh import Frame, frame
 from groundslab.solvers import warm_start
 from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio
 from groundslab.solvers.equilibrium import rigid_motions
-from groundslab.solvers.factor_reuse import Latest
+from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
-#: Parts of a model on which the frame of its results depends.
-FRAMING = ("plate", "supports", "columns", "loads")
+#: Sections of a model on which the frame of its results depends.
+FRAME_SECTIONS = ("plate", "supports", "columns", "loads")
 
 
 @dataclass(slots=True)
 class Level:
-    """One of the nested meshes with all that the combinations have in common on it."""
+    """One of the nested meshes, with everything that the combinations share on it."""
 
     model: Model
     system: System
     solver: Solver
-    latest: Latest
+    factorization: CachedFactorization
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
-    places: warm_start.Places | None = None  # of its nodes in the mesh before
+    locations: warm_start.NodeLocations | None = None  # of its nodes in the next coarser mesh
     rigid: Array | None = None  # the plate's rigid motions
     framed: tuple[Model, Frame] | None = None  # the frame of results, and a model that has it
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
-        """Return the matrix for the column that belongs to a gamma, the same one when asked for it again."""
+        """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
         if self.matrix is None or self.matrix[0] != gamma:
             A = stiffness(self.system, column)
             if stiffness_ratio(self.system, column) > NEARLY_RIGID:
-                A = replace(A, known=moved_as_a_whole(self.system, column))
+                A = replace(A, exact_products=moved_as_a_whole(self.system, column))
             self.matrix = gamma, A
         return self.matrix[1]
 
@@ -57,100 +57,99 @@ class Level:
         return self.rigid
 
     def frame(self, model: Model) -> Frame:
-        """Return the frame of a model's results, the same one for a model with the same plate, supports and loads.
-
-        And with voids under the same elements.
-        """
+        """Return the frame of a model's results, cached for models with the same plate, supports, loads and voids."""
         problem = self.system.problem
         if (
             self.framed is None
-            or any(getattr(model, name) != getattr(self.framed[0], name) for name in FRAMING)
-            or not np.array_equal(problem.depths.most, self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
+            or any(getattr(model, name) != getattr(self.framed[0], name) for name in FRAME_SECTIONS)
+            or not np.array_equal(problem.depths.dominant, self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
         ):
             self.framed = model, frame(model, problem)
         return self.framed[1]
 
-    def beside(self) -> Level:
-        """Return the same level with an analysis and a factor of its own, to be used at the same time."""
+    def clone(self) -> Level:
+        """Return the same level with an analysis and a factor of its own, for use on another thread."""
         pattern = self.system.pattern
-        return replace(self, latest=Latest(self.solver(pattern.indptr, pattern.indices)))
+        return replace(self, factorization=CachedFactorization(self.solver(pattern.indptr, pattern.indices)))
 
 
 @dataclass(slots=True)
-class Known:
-    """What is known of a model that others are like: meshes, levels, and solutions on the finest mesh of a ladder.
+class ReferenceSolutions:
+    """Meshes, levels and solutions of a base case from which similar models start.
 
-    By coarsening and margin; the solutions, one for each load increment, by the combination too.
+    Levels by coarsening and margin; solutions, one for each load increment, by the combination too.
     """
 
     meshes: Meshes = field(default_factory=Meshes)
     levels: dict[tuple[int, float], Level] = field(default_factory=dict)
     solutions: dict[tuple[str, int, float], list[Solution]] = field(default_factory=dict)
-    closed: bool = False  # whether nothing more is taken in
+    closed: bool = False  # whether nothing more is stored
 
     def close(self) -> None:
-        """Take nothing more in."""
+        """Store nothing more."""
         self.closed = self.meshes.closed = True
 
 
 @dataclass(slots=True)
-class Ladder:
-    """The nested meshes of a model up to one of them, kept while there are further combinations to solve."""
+class MeshHierarchy:
+    """The nested meshes of a model up to its finest one, kept while there are further combinations to solve."""
 
     model: Model
     solver: Solver
-    finest: int  # how often the mesh that is asked for is coarsened
-    margin: float  # by which the meshed strip of ground beyond is widened
+    finest: int  # how often the finest of these meshes is coarsened
+    margin: float  # factor on the width of the meshed ground beyond the plate
     keep: bool
-    factors: Factors | None = None  # of constants of the ground
-    known: Known | None = None  # of a model like this one
+    factors: Factors | None = None  # on constants of the ground
+    reference: ReferenceSolutions | None = None  # of a similar model
     levels: dict[int, Level] = field(default_factory=dict)
 
     def level(self, coarsening: int) -> Level:
         """Return one of the meshes with its system.
 
-        Of a model like this one the mesh, the pattern and its analysis are taken over where they are the same.
+        Mesh, pattern and analysis of the reference are reused where they are the same.
         """
         level = self.levels.get(coarsening)
         if level is not None:
             return level
-        known = self.known or Known()
-        like = known.levels.get((coarsening, self.margin))
+        reference = self.reference or ReferenceSolutions()
+        like = reference.levels.get((coarsening, self.margin))
         earlier = None if like is None else (like.model, like.system.problem)
-        problem = discretise(self.model, coarsening, self.margin, known.meshes, self.factors, earlier)
-        s = system(problem, None if like is None else like.system)
+        problem = discretise(self.model, coarsening, self.margin, reference.meshes, self.factors, earlier)
+        s = build_system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
-            level = Level(self.model, s, self.solver, like.latest, places=like.places, framed=like.framed)
+            level = Level(self.model, s, self.solver, like.factorization, locations=like.locations, framed=like.framed)
         else:
-            level = Level(self.model, s, self.solver, Latest(self.solver(s.pattern.indptr, s.pattern.indices)))
+            level = Level(
+                self.model, s, self.solver, CachedFactorization(self.solver(s.pattern.indptr, s.pattern.indices))
+            )
         if self.keep:
             self.levels[coarsening] = level
-        if self.known is not None and not self.known.closed:
-            self.known.levels[coarsening, self.margin] = level
+        if self.reference is not None and not self.reference.closed:
+            self.reference.levels[coarsening, self.margin] = level
         return level
 
-    def beside(self) -> Ladder:
-        """Return the same ladder with factors of its own, to be climbed at the same time."""
-        return replace(self, levels={number: level.beside() for number, level in self.levels.items()})
+    def clone(self) -> MeshHierarchy:
+        """Return the same hierarchy with factors of its own, for use on another thread."""
+        return replace(self, levels={number: level.clone() for number, level in self.levels.items()})
 
     def frame(self, solution: Solution) -> Frame:
         """Return the frame of the results of a solution on the finest mesh."""
         level = self.levels.get(self.finest)
         return frame(self.model, solution.system.problem) if level is None else level.frame(self.model)
 
-    def remember(self, combination: str, solutions: list[Solution]) -> None:
-        """Keep the solutions of a combination, of each load increment, for models like this one."""
-        if self.known is not None and not self.known.closed:
-            self.known.solutions[combination, self.finest, self.margin] = solutions
+    def store(self, combination: str, solutions: list[Solution]) -> None:
+        """Store the solutions of a combination, one for each load increment, for similar models."""
+        if self.reference is not None and not self.reference.closed:
+            self.reference.solutions[combination, self.finest, self.margin] = solutions
 
-    def knows(self, combination: str) -> bool:
-        """Return whether a model like this one has solutions of a combination."""
-        return self.known is not None and (combination, self.finest, self.margin) in self.known.solutions
+    def has_reference(self, combination: str) -> bool:
+        """Return whether a similar model has solutions of a combination."""
+        return self.reference is not None and (combination, self.finest, self.margin) in self.reference.solutions
 
-    def like(self, combination: str, s: System) -> list[Solution]:
-        """Return the solutions of a model like this one, if they are on the same mesh with the same bearings."""
-        assert self.known is not None
-        found = self.known.solutions[combination, self.finest, self.margin]
+    def matching(self, combination: str, s: System) -> list[Solution]:
+        """Return the solutions of a similar model, if they are on the same mesh with the same bearings."""
+        assert self.reference is not None
+        found = self.reference.solutions[combination, self.finest, self.margin]
         bearings = len(s.problem.bearing.law)
         alike = all(
             each.system.problem.mesh is s.problem.mesh and len(each.contact.state) == bearings for each in found

@@ -1,4 +1,4 @@
-"""Tasks on several threads, in lanes: what they report and what they return is heard in the order of the tasks."""
+"""Tasks on several threads whose reports and results arrive in the order of the tasks."""
 
 from __future__ import annotations
 
@@ -9,49 +9,49 @@ from queue import SimpleQueue
 from threading import Event
 from typing import TypeVar
 
-Said = TypeVar("Said")
-Returned = TypeVar("Returned")
+Report = TypeVar("Report")
+Result = TypeVar("Result")
 
 
 class Stopped(Exception):
-    """Nobody waits for a task any more."""
+    """The caller no longer waits for the task."""
 
 
-def side_by_side(
-    lanes: Sequence[Sequence[Callable[[Callable[[Said], None]], Returned]]],
-    hear: Callable[[Said], None],
-    begin: Callable[[], None],
-) -> Iterator[Returned]:
-    """Yield what the tasks of all lanes return: the first of each lane, then the second of each, and so on.
+def run_parallel(
+    lanes: Sequence[Sequence[Callable[[Callable[[Report], None]], Result]]],
+    on_report: Callable[[Report], None],
+    initialize: Callable[[], None],
+) -> Iterator[Result]:
+    """Yield the results of the tasks of all lanes: the first of each lane, then the second of each, and so on.
 
-    Each lane is a thread, which calls begin and then its tasks one after the other with what they report by. hear is
-    told on the thread that asks, while it waits for the task that reports. Whatever a task raises is raised there too.
-    Once it is asked no more, a task ends with its next report.
+    Each lane is a thread, which calls `initialize` and then its tasks one after the other with a function to report by.
+    `on_report` is called on the caller's thread while it waits for the task that reports, and exceptions of tasks are
+    raised there. When the iteration is closed, running tasks end with their next report.
     """
     stop = Event()
 
-    def run(task: Callable[[Callable[[Said], None]], Returned], said: SimpleQueue[Said | None]) -> Returned:
-        def report(what: Said) -> None:
+    def run(task: Callable[[Callable[[Report], None]], Result], reports: SimpleQueue[Report | None]) -> Result:
+        def report(item: Report) -> None:
             if stop.is_set():
                 raise Stopped
-            said.put(what)
+            reports.put(item)
 
         try:
             return task(report)
         finally:
-            said.put(None)
+            reports.put(None)
 
     with ExitStack() as stack:
-        pools = [stack.enter_context(ThreadPoolExecutor(1, initializer=begin)) for _ in lanes]
-        under_way = []
+        pools = [stack.enter_context(ThreadPoolExecutor(1, initializer=initialize)) for _ in lanes]
+        submitted = []
         for turn in range(max(map(len, lanes))):
             for pool, tasks in zip(pools, lanes, strict=True):
                 if turn < len(tasks):
-                    said = SimpleQueue[Said | None]()
-                    under_way.append((said, pool.submit(run, tasks[turn], said)))
-        stack.callback(lambda: [future.cancel() for _, future in under_way])
+                    reports = SimpleQueue[Report | None]()
+                    submitted.append((reports, pool.submit(run, tasks[turn], reports)))
+        stack.callback(lambda: [future.cancel() for _, future in submitted])
         stack.callback(stop.set)
-        for said, future in under_way:
-            for what in iter(said.get, None):
-                hear(what)
+        for reports, future in submitted:
+            for item in iter(reports.get, None):
+                on_report(item)
             yield future.result()

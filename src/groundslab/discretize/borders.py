@@ -125,7 +125,7 @@ def _coarse_enough(ring: Ring, plan: Plan) -> bool:
 def shares(xy: Array, rings: Sequence[Ring], followed: Sequence[Ring], extent: float) -> Array:
     """Return the share (m, 1 + r) of the area of each element (m, 9, 2) in no ring, and in each of r rings.
 
-    Where rings overlap, the last one counts. A ring that the mesh follows along arcs is judged by the centres of the
+    Where rings overlap, the last one counts. A ring that the mesh follows along arcs is judged by the centers of the
     elements, whose sides are parabolas there; all others by area.
     """
     import shapely

@@ -1,9 +1,10 @@
-"""From described contact and supports to what bears on single unknowns: initial gaps, limits, points, lines."""
+"""Bearings of a problem from the described contact and supports: initial gaps, limits, points, lines."""
 
 from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.discretize.voids import bottoms
 from groundslab.errors import InputError, Issue
 from groundslab.fem import bearings
-from groundslab.fem.bearings import Bearings
+from groundslab.fem.bearings import Bearings, gap_bearings
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import SAME_PLACE, sides_along
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
@@ -23,6 +24,8 @@ from groundslab.model.supports import LineSupport, PointSupport
 
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
 SIMPSON = np.array([1.0, 1.0, 4.0]) / 6
+#: What a bearing has besides its law.
+LOCATION = ("node", "field", "support", "length", "depth")
 
 
 def ground_bearing(
@@ -30,20 +33,19 @@ def ground_bearing(
 ) -> Bearing:
     """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure; none if glued.
 
-    The largest force is the limit pressure times the area that bears, and none over a cavity. Along edges of ground
-    that carries shear it holds for the balance of the whole only: see problem.bearings. Where ground without shear lies
-    deeper beside a node than under it, what lies deeper is a spring on the plate's settlement, at the depth below the
+    The limit force is the limit pressure times the area that bears, zero over a cavity. Along edges of ground that
+    carries shear it limits the overall balance only: see system.current_bearings. Where ground without shear lies
+    deeper beside a node than under it, the deeper part is a spring on the plate's settlement, at its depth below the
     gap (n,) [m].
     """
     under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
     limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
-    depth, area = found.first[under], found.at_first(found.area, under)
+    depth, area = found.shallowest[under], found.at_shallowest(found.area, under)
     bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]
-    law = bearings.gaps(unknown[under, TOP], gap[under] + bottom)
-    capacity = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
-    law = Bearings(law.at, law.sign, law.level, law.stiffness, capacity, law.both_ways)
+    limit_force = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
+    law = replace(gap_bearings(unknown[under, TOP], gap[under] + bottom), limit_force=limit_force)
     gaps = Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), np.zeros(len(under)), depth)
-    if not (found.steps and len(under)):
+    if not (found.stepped and len(under)):
         return gaps
     assert isinstance(ground, Column)
     node, depth, stiffness, area = bottoms(plan, found, ground)
@@ -51,14 +53,14 @@ def ground_bearing(
     node, depth, stiffness, area = (each[there] for each in (node, depth, stiffness, area))
     one = np.ones(len(node))
     law = Bearings(
-        at=unknown[node, W],
+        unknown=unknown[node, W],
         sign=-one,
-        level=gap[node] + found.depth[depth],
+        offset=gap[node] + found.depth[depth],
         stiffness=stiffness,
-        capacity=limit * area,
-        both_ways=np.zeros(len(node), dtype=bool),
+        limit_force=limit * area,
+        bilateral=np.zeros(len(node), dtype=bool),
     )
-    return joined(gaps, Bearing(law, node, np.full(len(node), W), np.full(len(node), -1), 0 * one, depth))
+    return concatenate(gaps, Bearing(law, node, np.full(len(node), W), np.full(len(node), -1), 0 * one, depth))
 
 
 def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
@@ -80,33 +82,26 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
         nodes, share = nodes[there], share[there]
         one, pulls = np.ones(len(nodes)), support.acts == "in tension"
         law = Bearings(
-            at=unknown[nodes, W],
+            unknown=unknown[nodes, W],
             sign=one if pulls else -one,
-            level=-support.gap * one if pulls else support.gap * one,
+            offset=-support.gap * one if pulls else support.gap * one,
             stiffness=np.full(len(nodes), np.inf) if support.stiffness is None else support.stiffness * share,
-            capacity=np.full(len(nodes), np.inf) if support.limit is None else support.limit * share,
-            both_ways=np.full(len(nodes), support.acts == "both ways"),
+            limit_force=np.full(len(nodes), np.inf) if support.limit is None else support.limit * share,
+            bilateral=np.full(len(nodes), support.acts == "both ways"),
         )
         length = np.zeros(len(nodes)) if isinstance(support, PointSupport) else share
         field, own = np.full(len(nodes), W), np.full(len(nodes), number)
         parts.append(Bearing(law, nodes, field, own, length, 0 * nodes))
-    return _without_doubles(model, joined(*parts)) if parts else joined()
+    return _without_doubles(model, concatenate(*parts)) if parts else concatenate()
 
 
-def joined(*parts: Bearing) -> Bearing:
+def concatenate(*parts: Bearing) -> Bearing:
     """Return several lists of bearings as one."""
     none = np.zeros(0, dtype=np.int64)
-
-    def each(name: str) -> list[Integers]:
-        return [none, *(getattr(part, name) for part in parts)]
-
+    parts = (Bearing(gap_bearings(none, np.zeros(0)), none, none, none, np.zeros(0), none), *parts)
     return Bearing(
-        law=bearings.joined(bearings.gaps(none, np.zeros(0)), *(part.law for part in parts)),
-        node=np.concatenate(each("node")),
-        field=np.concatenate(each("field")),
-        support=np.concatenate(each("support")),
-        length=np.concatenate([np.zeros(0), *(part.length for part in parts)]),
-        depth=np.concatenate(each("depth")),
+        bearings.concatenate(*(part.law for part in parts)),
+        *(np.concatenate([getattr(part, name) for part in parts]) for name in LOCATION),
     )
 
 
@@ -126,7 +121,7 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
     settled = [{(load.case, load.w) for load in model.loads if isinstance(load, SettlementLoad)
                 and load.support == support.name} for support in model.supports]  # fmt: skip
     for i in np.flatnonzero(rigid):
-        other = first.setdefault(int(b.law.at[i]), int(i))
+        other = first.setdefault(int(b.law.unknown[i]), int(i))
         if other == i:
             continue
         keep[i] = False
@@ -140,9 +135,7 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
             )
     if issues:
         raise InputError(list(issues.values()))
-    names = ("at", "sign", "level", "stiffness", "capacity", "both_ways")
-    law = Bearings(*(getattr(b.law, name)[keep] for name in names))
-    return Bearing(law, b.node[keep], b.field[keep], b.support[keep], b.length[keep], b.depth[keep])
+    return Bearing(b.law.select(keep), *(getattr(b, name)[keep] for name in LOCATION))
 
 
 def fixed_nodes(model: Model, plan: Layout) -> Integers:

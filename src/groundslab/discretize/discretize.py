@@ -1,17 +1,17 @@
-"""From the description of a problem to its arrays: the one door between Model and Problem."""
+"""Converts a Model into the arrays of a Problem."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from groundslab.arrays import Flags, Integers
-from groundslab.discretize.constraints import fixed_nodes, ground_bearing, joined, support_bearing
+from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
 from groundslab.discretize.voids import depths, initial_gap
 from groundslab.fem import plate
-from groundslab.fem.assembly import number
+from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.model.model import Model
@@ -32,13 +32,13 @@ def discretise(
     like: tuple[Model, Problem] | None = None,
     loaded: bool = True,
 ) -> Problem:
-    """Return the arrays of a model; `coarsening` halves the counts so many times, `margin` widens the ground beyond.
+    """Return the arrays of a model; `coarsening` halves the counts so many times; `margin` widens the ground beyond.
 
-    The mesh is taken from `meshes` if one of that shape was made before, the loading from a model that is like this one
-    if what acts on it is the same. `factors` multiply constants of the ground from place to place. Not `loaded`, it is
-    the problem with nothing acting on it.
+    The mesh is reused from `meshes` if it has one of that shape, the loading from a similar model if its loads are the
+    same. `factors` multiply constants of the ground from place to place. Without `loaded` nothing acts on the problem.
     """
-    plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
+    profiles = grounds_of(model)
+    plan = layout(model, profiles, coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
@@ -46,7 +46,7 @@ def discretise(
     cases = _known_cases(model, plan, element, fields, like) or (
         loadings(model, plan, element, fields) if loaded else (_nothing(model, plan, fields),)
     )
-    unknown = number(plan.rank, present)
+    unknown = number_unknowns(plan.rank, present)
     below = depths(model, plan, ground, coarsening == 0)
     gap = initial_gap(model, plan)
     edges, corners = _infinite_edges(model, plan)
@@ -58,15 +58,19 @@ def discretise(
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
         shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
         section=plan.section,
+        thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
+        profiles=tuple(profiles),
         constants=constants,
         rank=plan.rank,
         unknown=unknown,
         cases=cases,
         loading=sum(cases[1:], cases[0]),
-        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.first],
+        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
         depths=below,
-        bearing=joined(ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)),
+        bearing=concatenate(
+            ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)
+        ),
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
@@ -87,7 +91,7 @@ def _nothing(model: Model, plan: Layout, fields: int) -> Loading:
 def _known_cases(
     model: Model, plan: Layout, element: plate.PlateElement, fields: int, like: tuple[Model, Problem] | None
 ) -> tuple[Loading, ...]:
-    """Return the loading of each case of a model that is like this one, nothing if it is another one; fields is F."""
+    """Return the loading of each case if a similar model has the same loads, else none; fields is F."""
     if like is None:
         return ()
     known, problem = like
@@ -109,7 +113,7 @@ def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
 
 
 def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: int) -> Flags:
-    """Return which unknowns exist and are not held at zero, (n, F)."""
+    """Return which unknowns exist and are not fixed at zero, (n, F)."""
     mesh, plate_elements, symmetry = plan.mesh, plan.plate_elements, plan.symmetry
     n = len(mesh.nodes)
     under = np.zeros(n, dtype=bool)
@@ -130,17 +134,17 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
             continue
         kind = getattr(model.plate.edges, side)
         on_edge = under & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
-        _hold(present, on_edge, kind, along)
+        _fix(present, on_edge, kind, along)
     if model.plate.support != "free":
-        _hold_outline(present, model.plate, plan)
+        _fix_outline(present, model.plate, plan)
     present[fixed_nodes(model, plan), BETA_X : BETA_Y + 1] = False
     if model.beyond.kind == "margin" and model.beyond.edge == "fixed":
         present[plan.outer, TOP:] = False
     return present
 
 
-def _hold(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> None:
-    """Take away the unknowns that a support along an axis holds at nodes."""
+def _fix(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> None:
+    """Remove the unknowns that a support along an axis fixes at nodes."""
     if kind in ("hinged", "soft", "clamped"):
         present[nodes, W] = False
     if kind in ("hinged", "clamped"):
@@ -149,12 +153,12 @@ def _hold(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> Non
         present[nodes, BETA_X + 1 - along] = False
 
 
-def _hold_outline(present: Flags, sheet: Plate, plan: Layout) -> None:
-    """Take away the unknowns that a support of the whole outline holds."""
+def _fix_outline(present: Flags, sheet: Plate, plan: Layout) -> None:
+    """Remove the unknowns that a support of the entire outline fixes."""
     sides = sides_on_boundary(plan.mesh.elements[plan.plate_elements])
     ring, nodes = sheet.ring(), plan.mesh.nodes
     near = SAME_PLACE * max(sheet.sides)
     for edge in ring.segments():
         on_edge = sides[(edge.distance(nodes[sides].reshape(-1, 2)) <= near).reshape(-1, 3).all(axis=1)]
         # a hinged edge runs along x or y; the others hold all rotations or none
-        _hold(present, on_edge.ravel(), sheet.support, 0 if edge.start[1] == edge.end[1] else 1)
+        _fix(present, on_edge.ravel(), sheet.support, 0 if edge.start[1] == edge.end[1] else 1)

@@ -2,7 +2,7 @@
 
 A table holds what describes the layers of a column, (L, 2): k0 and k1, or (L, 5): thickness, c0, c1, c2 and nu. Where
 the ground varies over the plan, (c, L, ...) are the tables of the c columns that differ. Between boreholes each element
-has the column at its centre; of zones it has the mean of their constants by the share of its area in each, which is one
+has the column at its center; of zones it has the mean of their constants by the share of its area in each, which is one
 of them where the mesh follows their borders.
 """
 
@@ -198,7 +198,7 @@ def _share(parts: Parts, mesh: Mesh, plate_elements: Integers) -> Array:
     """Return the part of the plate's area on each column (c,)."""
     area = np.zeros(len(mesh.elements))
     area[plate_elements] = areas(mesh.xy[plate_elements])
-    on_each: Array = np.bincount(parts.column, weights=area[parts.element] * parts.share) / area.sum()
+    on_each: Array = np.bincount(parts.column, weights=area[parts.element] * parts.area_fraction) / area.sum()
     return on_each
 
 

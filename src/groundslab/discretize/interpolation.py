@@ -1,4 +1,4 @@
-"""Values between the places where they are known: of boreholes, of measured gaps."""
+"""Interpolation of scattered values over the plan: boreholes, measured gaps."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from groundslab.arrays import Array
 
 #: Places whose spread across a line is less than this share of that along it lie on the line.
 ON_A_LINE = 1e-6
-#: Decimals to which places are told apart, relative to their extent.
+#: Decimals to which places are distinguished, relative to their extent.
 APART = 6
 
 
@@ -59,7 +59,7 @@ def interpolate_smoothly(places: Array, values: Array, wanted: Array) -> Array:
 
 
 def _merged(places: Array, values: Array) -> tuple[Array, Array]:
-    """Return places (u, 2) and values (u,), those too close to be told apart replaced by their means."""
+    """Return places (u, 2) and values (u,), with those too close to distinguish replaced by their means."""
     group = np.unique(np.round(places, APART), axis=0, return_inverse=True)[1].ravel()
     count = np.bincount(group)
     x, y, value = (np.bincount(group, weights=each) / count for each in (*places.T, values))

@@ -75,7 +75,7 @@ def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.P
     table[:, W] = scatter(mesh.elements[elements], forces, n)
     if warp.any():
         D = np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in materials(model)])[plan.section]
-        couples = couples + plate.warping_couples(mesh.xy[elements], D, warp)
+        couples = couples + plate.thermal_couples(mesh.xy[elements], D, warp)
     for axis in (0, 1):
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)

@@ -11,14 +11,14 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.borders import on_lines, void_rings, with_borders, zone_rings
 from groundslab.discretize.symmetry import symmetries
-from groundslab.fem.foundation import Column, edge_decay, tail
+from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.mesh import (
     GRADING,
     Mesh,
+    divide_graded,
     elimination_order,
-    extruded,
-    graded,
-    graded_towards,
+    extrude,
+    graded_size,
     grid,
     sides_on_boundary,
 )
@@ -134,7 +134,7 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
 
 
 def uniform(model: Model, width: float) -> bool:
-    """Return whether a plate's mesh is a grid of equal rectangles: one that is asked for, or on which all borders lie.
+    """Return whether a plate's mesh is a grid of equal rectangles: one with given counts, or on which all borders lie.
 
     width [m] is that of the ground beyond.
     """
@@ -203,7 +203,7 @@ def _columns(grounds: list[Soil | Column]) -> list[Column]:
 
 def _longest_decay(model: Model, grounds: list[Soil | Column]) -> float:
     """Return the longest length over which a mode of the ground dies out [m], at most twice the plate's longer side."""
-    longest = max((1 / float(tail(column).decay.min()) for column in _columns(grounds)), default=0.0)
+    longest = max((1 / float(edge_decay(column).decay.min()) for column in _columns(grounds)), default=0.0)
     return min(longest, 2 * max(model.plate.sides))
 
 
@@ -213,7 +213,7 @@ def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> f
     if model.mesh.counts is not None:
         largest = max(length / count for length, count in zip(model.plate.sides, model.mesh.counts, strict=True))
     if model.ground_reaches:
-        wanted = [EDGE_SHARE * edge_decay(column) for column in _columns(grounds)]
+        wanted = [EDGE_SHARE * decay_length(column) for column in _columns(grounds)]
         largest = min(largest, max(min(wanted, default=largest), EDGE_LEAST * largest))
     return largest * 2.0**coarsening
 
@@ -241,12 +241,12 @@ def _plain_mesh(
 
 def _towards_edges(low: float, high: float, size: float, edges: Array, edge_size: float) -> Array:
     """Return lines from low to high [m], at most `size` apart, which come as close as `edge_size` at the edges (e,)."""
-    limit = graded_towards(edges, edge_size)
+    limit = graded_size(edges, edge_size)
 
     def wanted(x: Array) -> Array:
         return np.minimum(size, limit(x))
 
-    return np.append(low, graded(wanted, low, high))
+    return np.append(low, divide_graded(wanted, low, high))
 
 
 def _distances_beyond(width: float, first: float, size: float, scale: float) -> Array:
@@ -260,7 +260,7 @@ def _distances_beyond(width: float, first: float, size: float, scale: float) -> 
         most: Array = np.minimum(first + GRADING * d, size * (1 + d / scale))
         return np.minimum(most, width / 2)
 
-    return graded(limit, 0.0, width)
+    return divide_graded(limit, 0.0, width)
 
 
 def _widened(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: float) -> tuple[Mesh, Integers]:
@@ -276,7 +276,7 @@ def _widened(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: f
         across = outward * mesh.xy[:, :, axis]
         outermost = across.max(axis=1) == across.max()
         last = float(np.ptp(across[outermost], axis=1).max())
-        mesh = extruded(mesh, axis, outward, _distances_beyond(wider, last, np.inf, 1.0))
+        mesh = extrude(mesh, axis, outward, _distances_beyond(wider, last, np.inf, 1.0))
     return mesh, np.concatenate([section, np.full(len(mesh.elements) - len(section), -1)])
 
 

@@ -14,7 +14,8 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import MIDSIDES, Depths, largest_share, nodal_areas
+from groundslab.fem.load_vectors import over_elements
+from groundslab.fem.problem import MIDSIDES, Depths, largest_share
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Ring
 from groundslab.model.model import Model
@@ -79,7 +80,7 @@ def depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> D
 def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:
     """Return depths from the share (mp, d) of each plate element that each depth (d,) takes."""
     mesh, elements = plan.mesh, plan.mesh.elements[plan.plate_elements]
-    area = nodal_areas(mesh.nodes[elements])
+    area = over_elements(mesh, plan.plate_elements)
     first = np.zeros(len(mesh.nodes), dtype=np.int64)
     for k in range(len(depth) - 1, -1, -1):
         first[elements[share[:, k] > 0]] = k
@@ -114,13 +115,13 @@ def bottoms(plan: Layout, found: Depths, column: Column) -> tuple[Integers, Inte
     Nodes (s,), which depth each lies at (s,), stiffnesses (s,) [N/m] and areas (s,) [m2]; none for cavities.
     """
     mesh, elements = plan.mesh, plan.mesh.elements[plan.plate_elements]
-    area = nodal_areas(mesh.nodes[elements])
+    area = over_elements(mesh, plan.plate_elements)
     k0 = np.broadcast_to(column.A0[..., 0, 0], len(mesh.elements))[plan.plate_elements]
     nodes, which, stiffness, areas = [], [], [], []
     for k in np.flatnonzero(np.isfinite(found.depth) & (found.depth > 0)):
-        deeper: Flags = (found.share[:, [k]] > 0) & (found.first[elements] < k)
-        own = np.where(deeper, found.share[:, [k]] * area, 0.0)
-        # the settlement of an element's centre may hang on that of its other nodes
+        deeper: Flags = (found.area_fraction[:, [k]] > 0) & (found.shallowest[elements] < k)
+        own = np.where(deeper, found.area_fraction[:, [k]] * area, 0.0)
+        # the settlement of an element's center may hang on that of its other nodes
         own[:, MIDSIDES] += own[:, [8]] / 4
         own[:, 8] = 0.0
         at = np.unique(elements[own > 0])

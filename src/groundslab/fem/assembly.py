@@ -54,7 +54,7 @@ class Pattern:
         return np.searchsorted(self.keys, keys)
 
 
-def number(rank: Integers, present: Flags) -> Integers:
+def number_unknowns(rank: Integers, present: Flags) -> Integers:
     """Return unknown numbers (n, F) for the fields present at each node (n, F), node by node in the order of rank."""
     ordered = np.empty_like(present, dtype=bool)
     ordered[rank] = present
@@ -63,14 +63,14 @@ def number(rank: Integers, present: Flags) -> Integers:
     return result
 
 
-def pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:
+def build_pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:
     """Return the pattern of a mesh (m, 9) whose nodes, of the given rank (n,), carry the unknowns (n, F)."""
     n = len(rank)
     r = rank[elements].astype(np.int32)
     a, b = r[:, _A].ravel(), r[:, _B].ravel()
     low, high = np.minimum(a, b), np.maximum(a, b)
-    order = _counted(high, n)
-    order = order[_counted(low[order], n)]
+    order = _counting_sort(high, n)
+    order = order[_counting_sort(low[order], n)]
     low, high = low[order], high[order]
     new = np.flatnonzero(np.concatenate([[True], (low[1:] != low[:-1]) | (high[1:] != high[:-1])]))
     starts = np.append(new, len(order)).astype(np.int32)
@@ -86,7 +86,7 @@ def pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:
     return Pattern(unknown, rank, first, second, keys, starts, element, place, *_entries(rows, first, second, unknown))
 
 
-def _counted(key: Indices, size: int) -> Indices:
+def _counting_sort(key: Indices, size: int) -> Indices:
     """Return the order (k,) that sorts keys (k,) from 0 to size - 1, equal ones as they came: a sort by counting."""
     from scipy.sparse import csr_array
 
@@ -135,7 +135,7 @@ def _entries(
     return indptr, indices, cuts, entries, taken
 
 
-def assembled(
+def assemble(
     p: Pattern, kind: Integers, matrices: Callable[[Integers], Array], pairs: Integers, blocks: Array
 ) -> Symmetric:
     """Return the matrix that element matrices and further blocks of node pairs add up to.

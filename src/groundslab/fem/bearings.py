@@ -1,50 +1,54 @@
-"""What bears on single unknowns and pushes one way only: the ground under a plate, supports.
+"""One-sided bearings on single unknowns: the ground under a plate that may lift off, and supports.
 
-A bearing on the unknown u_i, with sign s, level l, stiffness k (infinite if rigid) and capacity F, is driven in by
-d = s (l - u_i) and pushes u_i in the direction s with the force clip(k d, 0, F). The ground under a gap g0 is a rigid
-bearing with s = 1 and l = -g0: u >= l, force >= 0, force times (u - l) = 0, and with a capacity the force that yields.
+A bearing on the unknown u_i, with sign s, offset l, stiffness k (infinite if rigid) and limit force F, has the
+penetration d = s (l - u_i) and pushes u_i in the direction s with the force clip(k d, 0, F). The ground under a gap g0
+is a rigid bearing with s = 1 and l = -g0: u >= l, force >= 0, force times (u - l) = 0; at its limit force it yields.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 
-#: States of a bearing: it touches nothing, it bears, it has reached its capacity.
+#: States of a bearing: free, bearing, yielding at its limit force.
 OPEN, CLOSED, YIELDING = range(3)
 
 
 @dataclass(frozen=True, slots=True)
 class Bearings:
-    """What bears on one unknown each, (c,); the unknown's unit is m or rad, the force's N or N m."""
+    """Laws of c bearings on one unknown each, (c,); the unknown's unit is m or rad, the force's N or N m."""
 
-    at: Integers  # number of the unknown
-    sign: Array  # 1.0 or -1.0: the direction of the force
-    level: Array  # value of the unknown at which it begins to bear
-    stiffness: Array  # force per way; infinite if rigid
-    capacity: Array  # largest force; infinite if there is none, 0 if it never bears
-    both_ways: Flags  # closed for ever, whatever the sign of the force
+    unknown: Integers  # number of the unknown
+    sign: Array  # 1.0 or -1.0: direction of the force
+    offset: Array  # value of the unknown at which it begins to bear
+    stiffness: Array  # force per penetration; infinite if rigid
+    limit_force: Array  # infinite without a limit, 0 if it never bears
+    bilateral: Flags  # always closed, whatever the sign of the force
 
     def __len__(self) -> int:
         """Return the number of bearings."""
-        return len(self.at)
+        return len(self.unknown)
 
-    def driven(self, u: Array) -> Array:
-        """Return how far each is driven in, d (c,)."""
-        d: Array = self.sign * (self.level - u[self.at])
+    def penetration(self, u: Array) -> Array:
+        """Return the penetration d (c,) for the unknowns u (size,)."""
+        d: Array = self.sign * (self.offset - u[self.unknown])
         return d
 
-    def lasting(self, state: Integers) -> Integers:
-        """Return states (c,) in which those that act both ways are closed, and those without capacity open."""
-        return np.where(self.both_ways, CLOSED, np.where(self.capacity == 0, OPEN, state))
+    def admissible(self, state: Integers) -> Integers:
+        """Return states (c,) with bilateral bearings closed and those without a limit force above zero open."""
+        return np.where(self.bilateral, CLOSED, np.where(self.limit_force == 0, OPEN, state))
+
+    def select(self, which: Integers | Flags) -> Bearings:
+        """Return some of the bearings, by number (k,) or mask (c,)."""
+        return Bearings(*(getattr(self, each.name)[which] for each in fields(self)))
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A solution: unknowns u (size,), states of the bearings (c,), and their forces (c,), >= 0 unless both ways."""
+    """A solution: unknowns u (size,), states of the bearings (c,), and their forces (c,), >= 0 unless bilateral."""
 
     u: Array
     state: Integers
@@ -52,36 +56,25 @@ class Contact:
 
     @property
     def closed(self) -> Flags:
-        """Return which bearings touch (c,), be it that they yield."""
+        """Return which bearings touch (c,), whether they yield or not."""
         touching: Flags = self.state != OPEN
         return touching
 
 
-def slipped(b: Bearings, c: Contact) -> Array:
-    """Return how far each bearing (c,) has slipped at its capacity."""
+def plastic_slip(b: Bearings, c: Contact) -> Array:
+    """Return how far each bearing (c,) has slipped at its limit force."""
     elastic = np.isfinite(b.stiffness)
-    way = b.driven(c.u)
-    way[elastic] -= c.force[elastic] / b.stiffness[elastic]
-    return np.where(c.state == YIELDING, np.maximum(way, 0.0), 0.0)
+    slip = b.penetration(c.u)
+    slip[elastic] -= c.force[elastic] / b.stiffness[elastic]
+    return np.where(c.state == YIELDING, np.maximum(slip, 0.0), 0.0)
 
 
-#: All that is known of a bearing but the unknown on which it bears.
-LAWS = ("sign", "level", "stiffness", "capacity", "both_ways")
+def gap_bearings(unknown: Integers, initial_gap: Array) -> Bearings:
+    """Return rigid bearings without limits on unknowns (c,) that open gaps of some initial width (c,)."""
+    one, infinite = np.ones(len(unknown)), np.full(len(unknown), np.inf)
+    return Bearings(unknown, one, -initial_gap, infinite, infinite, np.zeros(len(unknown), dtype=bool))
 
 
-def gaps(at: Integers, initial: Array) -> Bearings:
-    """Return the bearings of gaps, initially `initial` (c,) wide: unknowns that are pushed up from -initial."""
-    one, without_end = np.ones(len(at)), np.full(len(at), np.inf)
-    return Bearings(at, one, -initial, without_end, without_end, np.zeros(len(at), dtype=bool))
-
-
-def joined(*parts: Bearings) -> Bearings:
+def concatenate(*parts: Bearings) -> Bearings:
     """Return the bearings of several parts as one list."""
-    return Bearings(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", *LAWS)))
-
-
-def total(at: Integers, values: Array, size: int) -> Array:
-    """Return the sum of values (c,) at each unknown, (size,)."""
-    sums = np.zeros(size)
-    np.add.at(sums, at, values)
-    return sums
+    return Bearings(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Bearings)))

@@ -24,11 +24,11 @@ class Parts:
 
     element: Integers  # (p,), ascending
     column: Integers  # (p,)
-    share: Array  # (p,): of the element's area
+    area_fraction: Array  # (p,): of the element's area
 
     def mean(self, values: Array) -> Array:
         """Return the mean (m, ...) over each element of what the columns have (c, ...)."""
-        weighted = self.share.reshape(-1, *(1,) * (values.ndim - 1)) * values[self.column]
+        weighted = self.area_fraction.reshape(-1, *(1,) * (values.ndim - 1)) * values[self.column]
         means: Array = np.add.reduceat(weighted, np.flatnonzero(np.diff(self.element, prepend=-1)), axis=0)
         return means
 
@@ -82,7 +82,7 @@ class Layer:
         return c0 + c1 / 2 + c2 / 3
 
     @property
-    def constrained(self) -> Values:
+    def oedometric_ratio(self) -> Values:
         """Return Ec / E for confined compression, (1 - nu) / ((1 + nu)(1 - 2 nu))."""
         return (1 - self.nu) / ((1 + self.nu) * (1 - 2 * self.nu))
 
@@ -94,7 +94,7 @@ class Layer:
     @property
     def stiffnesses(self) -> tuple[Values, Values]:
         """Return Ec / h [Pa/m] and G h [Pa m] for the mean of E."""
-        return self.constrained * self.mean / self.thickness, self.shear * self.mean * self.thickness
+        return self.oedometric_ratio * self.mean / self.thickness, self.shear * self.mean * self.thickness
 
     def split(self, n: int) -> list[Layer]:
         """Return n equal parts of the layer, each with the moduli of its own depths."""
@@ -132,7 +132,7 @@ def consistent_stack(layers: list[Layer]) -> Column:
         of_columns = (slice(None), *(None,) * h.ndim)
         E = layer.E(s[of_columns]) * weight[of_columns]
         slope = np.array([[1.0, -1.0], [-1.0, 1.0]]) / h[..., None, None]
-        A0.append(np.asarray(layer.constrained * E.sum(axis=0))[..., None, None] * slope)
+        A0.append(np.asarray(layer.oedometric_ratio * E.sum(axis=0))[..., None, None] * slope)
         A1.append(np.asarray(layer.shear * h)[..., None, None] * np.einsum("is,js,s...->...ij", psi, psi, E))
     return Column(_stack(np.stack(A0, axis=-3)), _stack(np.stack(A1, axis=-3)))
 
@@ -177,15 +177,15 @@ EDGE_SLOPE = np.array([[7.0, 1.0, -8.0], [1.0, 7.0, -8.0], [-8.0, -8.0, 16.0]]) 
 
 
 @dataclass(frozen=True, slots=True)
-class Tail:
-    """The infinite ground beyond a straight edge: modes phi exp(-a d) with A0 phi = a^2 A1 phi, phi.A1 phi = 1.
+class EdgeDecay:
+    """Decay of the infinite ground beyond a straight edge, in modes phi exp(-a d): A0 phi = a^2 A1 phi, phi.A1 phi = 1.
 
-    The amplitudes of the modes at an edge that settles by w are `share` w (docs/theory.md, infinite ground). Where the
-    ground varies, all arrays have an axis of edges, (e, ...), in front.
+    The amplitudes of the modes at an edge that settles by w are `projection` w (docs/theory.md, infinite ground). All
+    arrays have a leading axis of edges, (e, ...), where the ground varies.
     """
 
     phi: Array  # (S, S): a mode in each column
-    share: Array  # (S, S): phi^T A1
+    projection: Array  # (S, S): phi^T A1
     decay: Array  # (S,) [1/m]: a
 
     @property
@@ -196,17 +196,17 @@ class Tail:
     @property
     def spring(self) -> Array:
         """Return the edge spring (S, S) [Pa] on w along the edge; sqrt(k0 k1) for one surface."""
-        return self.share.swapaxes(-1, -2) @ (self.decay[..., None] * self.share)
+        return self.projection.swapaxes(-1, -2) @ (self.decay[..., None] * self.projection)
 
     @property
     def slope(self) -> Array:
         """Return the edge stiffness (S, S) [Pa m2] on the tangential derivative of w; k1 / 2a for one surface."""
-        return self.share.swapaxes(-1, -2) @ (self.share / (2 * self.decay[..., None]))
+        return self.projection.swapaxes(-1, -2) @ (self.projection / (2 * self.decay[..., None]))
 
     @property
     def corner(self) -> Array:
         """Return the spring (S, S) [Pa m] of the quarter plane between two edges; 3 k1 / 4 for one surface."""
-        return 0.75 * self.share.swapaxes(-1, -2) @ self.share
+        return 0.75 * self.projection.swapaxes(-1, -2) @ self.projection
 
     def square_integrals(self) -> tuple[Array, Array, Array, Array]:
         """Return matrices (S, S) on the amplitudes c that integrate the top surface's w0 over the ground beyond.
@@ -222,21 +222,21 @@ class Tail:
         return top / total, top * product / total, top / total**2, 2 * top * product / total**2
 
 
-def tail(column: Column) -> Tail:
+def edge_decay(column: Column) -> EdgeDecay:
     """Return the tail of a column whose layers all carry shear, or the tails of columns (e, S, S)."""
     L = np.linalg.cholesky(column.A1)
     inner = np.linalg.solve(L, np.linalg.solve(L, column.A0).swapaxes(-1, -2))
     a2, V = np.linalg.eigh((inner + inner.swapaxes(-1, -2)) / 2)
-    return Tail(np.linalg.solve(L.swapaxes(-1, -2), V), (L @ V).swapaxes(-1, -2), np.sqrt(a2))
+    return EdgeDecay(np.linalg.solve(L.swapaxes(-1, -2), V), (L @ V).swapaxes(-1, -2), np.sqrt(a2))
 
 
-def edge_decay(column: Column) -> float:
+def decay_length(column: Column) -> float:
     """Return the length [m] over which the ground's surface dies out beyond an edge that presses it down.
 
     It is sqrt(k1/k0) for one surface. Of several, which are taken to settle along the edge as they do under a load
     everywhere, the modes count by their share in the edge's force: 1/L is the mean of their decays a, each weighed by
     the square of its amplitude.
     """
-    t = tail(column)
-    amplitudes = t.share @ np.linalg.solve(column.A0, np.eye(column.surfaces)[0])
+    t = edge_decay(column)
+    amplitudes = t.projection @ np.linalg.solve(column.A0, np.eye(column.surfaces)[0])
     return float(amplitudes @ amplitudes / (amplitudes @ (t.decay * amplitudes)))

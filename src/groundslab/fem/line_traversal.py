@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem.mesh import SIDES, Mesh, locate, place_in
+from groundslab.fem.mesh import SIDES, Mesh, local_coordinates, locate
 from groundslab.fem.shape_functions import gauss_line, q9
 
 #: Nodes closer than this to the line, relative to its length, lie on it; shorter pieces are nothing but rounding.
@@ -91,7 +91,7 @@ def interpolation(mesh: Mesh, line: Pieces, piece: Integers, s: Array) -> tuple[
     At the end of a piece this is the limit from within its element.
     """
     element = line.element[piece]
-    N, _ = q9(place_in(mesh.xy[element], line.points(piece, s)))
+    N, _ = q9(local_coordinates(mesh.xy[element], line.points(piece, s)))
     return mesh.elements[element], N
 
 

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.mesh import Mesh, locate, place_in
+from groundslab.fem.assembly import scatter
+from groundslab.fem.mesh import Mesh, local_coordinates, locate
 from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, q9
 from groundslab.geometry.plan import Segment
 
@@ -42,14 +43,14 @@ def one(places: Array) -> Array:
 
 
 def inertia(part: Polygon) -> tuple[Array, Array]:
-    """Return the centre (2,) [m] of a polygon and its second moments of area about it (2, 2) [m4]."""
+    """Return the center (2,) [m] of a polygon and its second moments of area about it (2, 2) [m4]."""
     from shapely import get_coordinates
 
     centre = get_coordinates(part.centroid)[0]
     x = get_coordinates(part.exterior) - centre
     a, b = x[:-1], x[1:]
     cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    # each edge makes a triangle with the centre, whose moments its corners give
+    # each edge makes a triangle with the center, whose moments its corners give
     total = np.einsum("e,ei,ej->ij", cross, a + b, a + b)
     total += np.einsum("e,ei,ej->ij", cross, a, a) + np.einsum("e,ei,ej->ij", cross, b, b)
     return centre, total / 24 * np.sign(cross.sum())
@@ -63,6 +64,11 @@ def over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> A
     q = pressure(np.einsum("pa,eax->epx", N, xy))
     shares: Array = (q * jacobian(dN, xy)[2] * weights) @ N
     return shares
+
+
+def nodal_area(mesh: Mesh, elements: Integers) -> Array:
+    """Return each node's share of the area of some elements, int N dA (n,) [m2]."""
+    return scatter(mesh.elements[elements], over_elements(mesh, elements), len(mesh.nodes))
 
 
 def near(mesh: Mesh, part: Polygon) -> Integers:
@@ -95,7 +101,7 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressu
         x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
         dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
         element = np.repeat(elements[cut[owner]], len(weights))
-        N, _ = q9(place_in(mesh.nodes[mesh.elements[element]], x.reshape(-1, 2)))
+        N, _ = q9(local_coordinates(mesh.nodes[mesh.elements[element]], x.reshape(-1, 2)))
         np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
     return shares
 

@@ -26,7 +26,7 @@ NEAR = 1e-9
 #: Places closer than this, relative to the mesh, are the same.
 SAME_PLACE = 1e-9
 
-#: Elements may grow by this much of the distance from what asks for smaller ones.
+#: Elements may grow by this share of the distance from where smaller ones are required.
 GRADING = 0.35
 
 Place = tuple[float, float]
@@ -62,7 +62,7 @@ def with_midpoints(x: Array) -> Array:
     return out
 
 
-def graded_towards(edges: Array, size: float) -> Callable[[Array], Array]:
+def graded_size(edges: Array, size: float) -> Callable[[Array], Array]:
     """Return a function from coordinates (p,) to the largest size (p,) [m] of elements that grow from the edges (e,).
 
     At the edges they have the given size [m]; without edges there is no limit.
@@ -76,7 +76,7 @@ def graded_towards(edges: Array, size: float) -> Callable[[Array], Array]:
     return limit
 
 
-def graded(size: Callable[[Array], Array], low: float, high: float) -> Array:
+def divide_graded(size: Callable[[Array], Array], low: float, high: float) -> Array:
     """Return lines that divide low .. high [m] into intervals of at most size(x) [m], low left out."""
     x = _samples(low, high)
     wanted = size(x)
@@ -89,7 +89,7 @@ def graded(size: Callable[[Array], Array], low: float, high: float) -> Array:
     return lines
 
 
-def intervals(size: Callable[[Array], Array], low: float, high: float) -> float:
+def count_intervals(size: Callable[[Array], Array], low: float, high: float) -> float:
     """Return how many intervals of the length size(x) [m] fit between low and high [m], as a fraction."""
     x = _samples(low, high)
     return float(_sum(1 / size(x), x)[-1])
@@ -105,7 +105,7 @@ def _sum(density: Array, x: Array) -> Array:
     return np.concatenate([[0.0], np.cumsum(np.diff(x) * (density[1:] + density[:-1]) / 2)])
 
 
-def extruded(mesh: Mesh, axis: int, outward: int, distances: Array) -> Mesh:
+def extrude(mesh: Mesh, axis: int, outward: int, distances: Array) -> Mesh:
     """Return the mesh with rows of elements added along its outermost straight edge across an axis.
 
     The rows end at the distances [m], ascending, from that edge to the side `outward` (1 or -1) of the axis. The mesh's
@@ -157,14 +157,14 @@ def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None
     """Return the element that holds each point (p, 2) and the point's place in it, (p, 2) on the reference square.
 
     A point on a common side belongs to one of the elements. A point that lies outside the mesh by more than `reach`
-    times an element's size gets the element -1. Who asks often passes the mesh's `bounding_boxes` of that reach.
+    times an element's size gets the element -1. For repeated calls pass the mesh's `bounding_boxes` of that reach.
     """
     import shapely
 
     points = np.asarray(points, dtype=float)
     boxes = bounding_boxes(mesh, reach) if boxes is None else boxes
     which, candidate = boxes.query(shapely.points(points))
-    local = place_in(mesh.nodes[mesh.elements[candidate]], points[which])
+    local = local_coordinates(mesh.nodes[mesh.elements[candidate]], points[which])
     beside = np.abs(local).max(axis=1, initial=0)
     order = np.lexsort((candidate, beside, which))
     best = order[np.unique(which[order], return_index=True)[1]]
@@ -184,10 +184,10 @@ def _nearest(mesh: Mesh, points: Array) -> Integers:
     return nearest
 
 
-def place_in(xy: Array, points: Array) -> Array:
+def local_coordinates(xy: Array, points: Array) -> Array:
     """Return where points (c, 2) lie in elements with nodes xy (c, 9, 2), on the reference square, by Newton's method.
 
-    Points far outside their element are only followed to its neighbourhood.
+    Points far outside their element are only followed to its neighborhood.
     """
     local, left, linear = np.zeros(points.shape), np.arange(len(points)), parallelograms(xy)
     for _ in range(20):
@@ -220,7 +220,7 @@ def whereabouts(mesh: Mesh, points: Array, elements: Integers | None = None) -> 
     outside = element < 0
     if outside.any():
         element[outside] = _nearest(part, points[outside])
-        place[outside] = place_in(part.xy[element[outside]], points[outside])
+        place[outside] = local_coordinates(part.xy[element[outside]], points[outside])
     return (element if elements is None else elements[element]), place
 
 
@@ -231,8 +231,8 @@ def interpolated(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
     return result
 
 
-def between(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
-    """Return nodal values (n,) at places in elements, bilinear between neighbouring nodes, (p,)."""
+def interpolate_bilinear(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
+    """Return nodal values (n,) at places in elements, bilinear between neighboring nodes, (p,)."""
     element, place = where
     hat = np.maximum(0.0, 1 - np.abs(np.clip(place, -1, 1)[:, None, :] - np.array([-1.0, 0.0, 1.0])[:, None]))
     result: Array = np.einsum("pa,pa,pa->p", hat[:, COLUMN, 0], hat[:, ROW, 1], values[mesh.elements[element]])
@@ -269,7 +269,7 @@ def sides_along(mesh: Mesh, elements: Integers, lines: Sequence[tuple[Place, Pla
 def elimination_order(mesh: Mesh) -> Integers:
     """Return the rank of each node in a nested dissection of the mesh by its coordinates, (n,).
 
-    Elements are halved again and again at the median of their centres' longer extent. A node belongs to the smallest
+    Elements are halved again and again at the median of their centers' longer extent. A node belongs to the smallest
     part that holds all its elements; parts are eliminated before the part that they are halves of.
     """
     centre = mesh.nodes[mesh.elements[:, 8]]
@@ -300,7 +300,7 @@ def elimination_order(mesh: Mesh) -> Integers:
     height = np.where(differing > 0, np.floor(np.log2(np.maximum(differing, 1))).astype(np.int64) + 1, 0)
     last_of_part = highest | ((np.int64(1) << height) - 1)
     rank = np.empty(len(mesh.nodes), dtype=np.int64)
-    # within a separator, along its longer extent, so that neighbours stay neighbours
+    # within a separator, along its longer extent, so that neighbors stay neighbors
     rank[np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1], height, last_of_part))] = np.arange(len(mesh.nodes))
     return rank
 

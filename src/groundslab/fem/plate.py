@@ -3,7 +3,7 @@
 Unknowns of an element, field after field: w (9), beta_x (9), beta_y (9). Every element is a value of PlateElement;
 ELEMENTS lists them, and the tests put each entry of the list through the same trials.
 
-Sources: the paper (2.1); Hughes and Cohen 1978 (heterosis); Kikuchi, Okabe and Fujio 1999 (its centre value on
+Sources: the paper (2.1); Hughes and Cohen 1978 (heterosis); Kikuchi, Okabe and Fujio 1999 (its center value on
 quadrilaterals that are no parallelograms); Bathe, Brezzi and Cho 1989 (MITC9). See docs/bibliography.md.
 """
 
@@ -29,10 +29,10 @@ class PlateElement:
     name: str
     shear_strain: Callable[[Array, Array, Array], Array]
     shear_points: int
-    centre_w: bool  # whether the centre node has a w of its own
+    centre_w: bool  # whether the center node has a w of its own
 
     def w_functions(self, xy: Array) -> Array:
-        """Return T (m, 9, 9) with w = N T w: the identity, or the centre's w from the eight others."""
+        """Return T (m, 9, 9) with w = N T w: the identity, or the center's w from the eight others."""
         T = np.broadcast_to(np.eye(9), (len(xy), 9, 9))
         return T if self.centre_w else _centre_from_boundary(xy)
 
@@ -72,7 +72,7 @@ def tied_shear(points: Array, xy: Array, T: Array) -> Array:
     The strain along xi lies in span(1, xi, eta, xi eta, eta^2); it takes the values of w,xi - beta . x,xi at the Gauss
     points of the sides eta = -1 and 1, and its mean over the reference square; along eta likewise (Bathe, Brezzi and
     Cho 1989). Two elements share what is tied on their common side, which is why the element does not lock on
-    distorted meshes either. A bubble of w has no part in this strain: the centre's w hangs on the eight others.
+    distorted meshes either. A bubble of w has no part in this strain: the center's w hangs on the eight others.
     """
     along_xi, along_eta = _covariant_shear(_TIED, xy, T)[:, :, 0], _covariant_shear(_TIED[:, ::-1], xy, T)[:, :, 1]
     tied = np.stack(
@@ -96,7 +96,7 @@ def _tying_functions(points: Array) -> Array:
 
 
 def _centre_from_boundary(xy: Array) -> Array:
-    """Return T (m, 9, 9) whose last row gives the centre's w such that every quadratic in x, y is met.
+    """Return T (m, 9, 9) whose last row gives the center's w such that every quadratic in x, y is met.
 
     On a parallelogram this is the serendipity rule. On other quadrilaterals the smallest correction of it is taken
     that keeps 1, x, y, x^2, xy, y^2 exact (in the manner of Kikuchi, Okabe and Fujio 1999), without which no element
@@ -150,14 +150,14 @@ def stiffness(element: PlateElement, xy: Array, D: Array, S: Array) -> Array:
     return K
 
 
-def warping_couples(xy: Array, D: Array, warp: Array) -> Array:
-    """Return the couples (2, m, 9) [N m] on beta_x and beta_y that bend free elements to beta_x,x = beta_y,y = warp.
+def thermal_couples(xy: Array, D: Array, curvature: Array) -> Array:
+    """Return the couples (2, m, 9) [N m] on beta_x and beta_y that bend free elements to a curvature.
 
-    int B_b^T D (warp, warp, 0) dA for curvatures warp (m,) [1/m], as temperature gives them.
+    int B_b^T D (curvature, curvature, 0) dA with the curvature beta_x,x = beta_y,y (m,) [1/m] of free thermal bending.
     """
     points, weights = gauss(3)
     dA = jacobian(q9(points)[1], xy)[2] * weights
-    moment = D[:, :, :2].sum(axis=2) * warp[:, None]
+    moment = D[:, :, :2].sum(axis=2) * curvature[:, None]
     f = np.einsum("ep,epcu,ec->eu", dA, bending_strain(points, xy), moment)
     couples: Array = f[:, 9:].reshape(-1, 2, 9).swapaxes(0, 1)
     return couples

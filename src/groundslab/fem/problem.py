@@ -1,4 +1,4 @@
-"""The arrays that an analysis works on, and the matrices made of them.
+"""The arrays that an analysis works on.
 
 Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement of the ground's surface, under the plate
 relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
@@ -7,20 +7,15 @@ What bears on single unknowns (the ground where the plate may lift off, supports
 
 from __future__ import annotations
 
-import functools
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem import assembly, plate
-from groundslab.fem.assembly import Pattern, congruent, scatter
+from groundslab.arrays import Array, Integers
+from groundslab.fem import plate
 from groundslab.fem.bearings import Bearings
-from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, Tail, mass_and_slope, tail
+from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
-from groundslab.fem.shape_functions import gauss, jacobian, q9
-from groundslab.fem.sparse import Symmetric
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
@@ -35,19 +30,24 @@ class Loading:
     """What acts together: forces, the curvature that temperature would give, settlements of supports."""
 
     load: Array  # (n, F) [N, N m]
-    warp: Array  # (mp,) [1/m]: curvature beta_x,x = beta_y,y that each plate element would take freely
+    thermal_curvature: Array  # (mp,) [1/m]: beta_x,x = beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
     size: float  # [N]: the sizes of all forces, and of moments over the plate's length, whatever they cancel
 
     def __add__(self, other: Loading) -> Loading:
-        """Return both together."""
+        """Return the sum of two loadings."""
         return Loading(
-            self.load + other.load, self.warp + other.warp, self.settlement + other.settlement, self.size + other.size
+            self.load + other.load,
+            self.thermal_curvature + other.thermal_curvature,
+            self.settlement + other.settlement,
+            self.size + other.size,
         )
 
-    def times(self, factor: float) -> Loading:
-        """Return it multiplied by a factor."""
-        return Loading(factor * self.load, factor * self.warp, factor * self.settlement, abs(factor) * self.size)
+    def scale(self, factor: float) -> Loading:
+        """Return the loading multiplied by a factor."""
+        return Loading(
+            factor * self.load, factor * self.thermal_curvature, factor * self.settlement, abs(factor) * self.size
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,21 +77,21 @@ class Depths:
     """
 
     depth: Array  # (d,) [m], ascending: 0 first, infinite for cavities
-    share: Array  # (mp, d): of the area of each plate element
-    first: Integers  # (n,): the least depth at each node
+    area_fraction: Array  # (mp, d): of each plate element
+    shallowest: Integers  # (n,): number of the least depth at each node
     area: Array  # (n, d) [m2]: each node's share of the area in each depth
-    masses: Array  # (k, 10): what counts of the mass matrix, and of each node's share of the area, on the diagonal
-    mass: Integers  # (m,): which of these each element has
-    steps: bool  # whether the ground is without shear
+    mass_kinds: Array  # (k, 10): factor on the mass matrix, and share of each node's area on the diagonal
+    mass_kind: Integers  # (m,): which of these each element has
+    stepped: bool  # whether the ground is without shear, so that depths may differ within an element
 
     @property
-    def most(self) -> Integers:
-        """Return which depth takes most of each plate element (mp,)."""
-        return largest_share(self.share)
+    def dominant(self) -> Integers:
+        """Return the number of the depth that takes most of each plate element, (mp,)."""
+        return largest_share(self.area_fraction)
 
-    def at_first(self, values: Array, nodes: Integers) -> Array:
-        """Return from values (n, d) those of the least depth at some nodes (k,)."""
-        own: Array = values[nodes, self.first[nodes]]
+    def at_shallowest(self, values: Array, nodes: Integers) -> Array:
+        """Return the values (n, d) for the least depth at some nodes (k,)."""
+        own: Array = values[nodes, self.shallowest[nodes]]
         return own
 
 
@@ -105,8 +105,10 @@ class Problem:
     element: plate.PlateElement
     bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections
     shear: Array  # (k,) [N/m]
-    section: Integers  # (mp,): which section each plate element has
+    section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
+    thickness: Array  # (mp,) [m]: of each plate element
     ground: Soil | Column
+    profiles: tuple[Soil | Column, ...]  # each described ground as if it lay everywhere: boreholes, or ground and zones
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
@@ -128,228 +130,10 @@ class Problem:
         """Return the nodal loads (n, F) [N, N m]."""
         return self.loading.load
 
-    @property
-    def gaps(self) -> Integers:
-        """Return the unknowns that open the gaps, one for each plate node (none if it is glued to the ground)."""
-        if not self.tensionless:
-            return np.zeros(0, dtype=np.int64)
-        numbers: Integers = self.unknown[self.plate_nodes, TOP]
-        return numbers
-
-    def under(self, factors: Array) -> Problem:
-        """Return the problem with its load cases multiplied by factors (cases,) and added up."""
-        first, *others = (case.times(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
+    def combine(self, factors: Array) -> Problem:
+        """Return the problem under the sum of its load cases times factors (cases,)."""
+        first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
         return replace(self, loading=sum(others, first))
-
-
-def bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
-    """Return what bears under a share of the loading, having slipped (c,) [m] at its capacity before.
-
-    Along the plate's edge the limit of the ground's pressure does not limit the line force.
-    """
-    law, support = problem.bearing.law, problem.bearing.support
-    settled = np.append(problem.loading.settlement, 0.0)[support]  # none for the ground, whose support is -1
-    settled = np.where(problem.bearing.field == W, factor * settled, 0.0)
-    capacity = np.where(on_lines(problem) & (law.capacity > 0), np.inf, law.capacity)
-    return replace(law, level=law.level + settled - law.sign * slip, capacity=capacity)
-
-
-def on_lines(problem: Problem) -> Flags:
-    """Return which bearings (c,) are those of ground that carries shear at nodes on the plate's edge."""
-    if not problem.shear_at_edges:
-        return np.zeros(len(problem.bearing.law), dtype=bool)
-    on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    on_edge[problem.plate_edges] = True
-    found: Flags = (problem.bearing.support < 0) & on_edge[problem.bearing.node]
-    return found
-
-
-def nodal_area(mesh: Mesh, elements: Integers) -> Array:
-    """Return each node's share of the area of some elements, int N dA (n,) [m2]."""
-    return scatter(mesh.elements[elements], nodal_areas(mesh.xy[elements]), len(mesh.nodes))
-
-
-def nodal_areas(xy: Array) -> Array:
-    """Return the share int N dA of each node in the area of its element (m, 9) [m2]; xy (m, 9, 2)."""
-    points, weights = gauss(3)
-    N, dN = q9(points)
-    areas: Array = (jacobian(dN, xy)[2] * weights) @ N
-    return areas
-
-
-@dataclass(frozen=True, slots=True)
-class Blocks:
-    """Element matrices of the different kinds of elements (shape, section or none, voids), and the kind of each one.
-
-    Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
-    column; with a plate whose centre w hangs on its other nodes, T makes rows and columns of w from them.
-    """
-
-    kind: Integers  # (m,)
-    plate: Array  # (u, 27, 27), zero beside the plate
-    mass: Array  # (u, 9, 9)
-    slope: Array  # (u, 9, 9)
-    T: Array  # (u, 9, 9)
-
-    def of(self, kinds: Integers) -> Blocks:
-        """Return the blocks of some kinds (k,), which are numbered anew."""
-        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T)))
-
-    def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
-        """Return mass and slope (u, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
-        mass, slope = self.mass, self.slope
-        if plate_rows:
-            mass, slope = np.swapaxes(self.T, 1, 2) @ mass, np.swapaxes(self.T, 1, 2) @ slope
-        if plate_columns:
-            mass, slope = mass @ self.T, slope @ self.T
-        return mass, slope
-
-
-def blocks(problem: Problem) -> Blocks:
-    """Return the element matrices of a problem, each computed once for all elements of its kind."""
-    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.masses
-    shapes, shape = congruent(xy)
-    section = np.full(len(xy), sections)  # none
-    section[problem.plate_elements] = problem.section
-    kinds, kind = np.unique((shape * (sections + 1) + section) * len(masses) + problem.depths.mass, return_inverse=True)
-    kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
-    xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
-    under = np.flatnonzero(section < sections)
-    K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
-    section = section[under]
-    K[under] = plate.stiffness(problem.element, xy[under], problem.bending[section], problem.shear[section])
-    T[under] = problem.element.w_functions(xy[under])
-    mass, slope = mass_and_slope(xy)
-    on_diagonal = masses[:, 1:] * mass.sum(axis=2)
-    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T)
-
-
-@dataclass(frozen=True, slots=True)
-class System:
-    """A problem with its pattern and its element matrices; both hold for every column of ground."""
-
-    problem: Problem
-    pattern: Pattern
-    blocks: Blocks
-
-
-def system(problem: Problem, like: System | None = None) -> System:
-    """Return the system of a problem; of one on the same mesh it takes over what is the same."""
-    if like is None or like.problem.mesh is not problem.mesh:
-        return System(problem, _pattern(problem), blocks(problem))
-    known = like.problem
-    same_unknowns = np.array_equal(known.unknown, problem.unknown)
-    same_plate = known.element is problem.element and all(
-        np.array_equal(a, b)
-        for a, b in (
-            (known.section, problem.section), (known.bending, problem.bending), (known.shear, problem.shear),
-            (known.depths.mass, problem.depths.mass), (known.depths.masses, problem.depths.masses),
-        )
-    )  # fmt: skip
-    return System(
-        problem,
-        like.pattern if same_unknowns else _pattern(problem),
-        like.blocks if same_plate else blocks(problem),
-    )
-
-
-def _pattern(problem: Problem) -> Pattern:
-    return assembly.pattern(problem.mesh.elements, problem.rank, problem.unknown)
-
-
-def fields_of(surface: int) -> tuple[int, ...]:
-    """Return the fields whose sum is the settlement of a surface of the ground."""
-    return (W, TOP) if surface == 0 else (TOP + surface,)
-
-
-def stiffness(s: System, column: Column) -> Symmetric:
-    """Return the matrix of plate and ground together; the ground's column may differ between elements."""
-    b, F = s.blocks, s.pattern.unknown.shape[1]
-    kind = np.arange(len(b.kind)) if column.varies else b.kind
-
-    def matrices(kinds: Integers) -> Array:
-        own = b.of(b.kind[kinds] if column.varies else kinds)
-        K = np.zeros((len(kinds), 9, 9, F, F))
-        K[..., :TOP, :TOP] = own.plate.reshape(-1, TOP, 9, TOP, 9).transpose(0, 2, 4, 1, 3)
-        here = column.at(kinds)
-        for i, j, A0, A1, mass, slope in _ground(own, here, s.problem.element):
-            K[..., i, j] += A0 * mass + A1 * slope
-        return K
-
-    return assembly.assembled(s.pattern, kind, matrices, *_tail_blocks(s, column))
-
-
-def _ground(
-    b: Blocks, column: Column, element: plate.PlateElement
-) -> Iterator[tuple[int, int, Array, Array, Array, Array]]:
-    """Yield fields i, j that the ground couples, A0 and A1 for their blocks, (u, 1, 1) if they vary, mass and slope."""
-    between = functools.cache(b.ground)
-    for a in range(column.surfaces):
-        for c in range(column.surfaces):
-            A0, A1 = column.A0[..., a, c, None, None], column.A1[..., a, c, None, None]
-            if A0.any() or A1.any():
-                for i in fields_of(a):
-                    for j in fields_of(c):
-                        of_w = (field == W and not element.centre_w for field in (i, j))
-                        yield i, j, A0, A1, *between(*of_w)
-
-
-def tails(problem: Problem, column: Column) -> tuple[Tail, Tail]:
-    """Return the infinite ground beyond the outer edges and at their corners.
-
-    Where the ground varies, each edge and each corner continues the column of the element inside it.
-    """
-    if not column.varies:
-        everywhere = tail(column)
-        return everywhere, everywhere
-    elements = problem.mesh.elements
-    inside = np.empty(len(problem.mesh.nodes), dtype=np.int64)
-    inside[elements] = np.arange(len(elements))[:, None]
-    return tail(column.at(inside[problem.edges[:, 2]])), tail(column.at(inside[problem.corners]))
-
-
-def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
-    """Return the infinite ground's springs on outer edges and corners (docs/theory.md, infinite ground).
-
-    Which node pairs (t,) they belong to, ascending, and their blocks (t, F, F).
-    """
-    problem, p = s.problem, s.pattern
-    F = p.unknown.shape[1]
-    if not len(problem.edges):
-        return np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
-    t, at_corners = tails(problem, column)
-    length = edge_lengths(problem)
-    a, b = np.triu_indices(3)
-    pair = p.pairs(problem.edges[:, a], problem.edges[:, b])
-    mass, slope = length[:, None] * EDGE_MASS[a, b], EDGE_SLOPE[a, b] / length[:, None]
-    at_corner = p.pairs(problem.corners, problem.corners)
-    spring, along, corner = t.spring, t.slope, at_corners.corner
-
-    pairs, number = np.unique(np.concatenate([pair.ravel(), at_corner]), return_inverse=True)
-    on_edges, on_corners = number[: pair.size].reshape(pair.shape), number[pair.size :]
-    blocks = np.zeros((len(pairs), F, F))
-    for i in range(column.surfaces):
-        for j in range(column.surfaces):
-            own = blocks[:, TOP + i, TOP + j]
-            np.add.at(own, on_edges, spring[..., i, j, None] * mass + along[..., i, j, None] * slope)
-            np.add.at(own, on_corners, corner[..., i, j])
-    return pairs, blocks
-
-
-def edge_lengths(problem: Problem) -> Array:
-    """Return the lengths (e,) [m] of the outer sides on which infinite ground follows."""
-    ends = problem.mesh.nodes[problem.edges[:, :2]]
-    length: Array = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    return length
-
-
-def right_hand_side(s: System, factor: float) -> Array:
-    """Return f (size,): the loads times a factor."""
-    p = s.pattern
-    f = np.zeros(p.size)
-    has = p.unknown >= 0
-    f[p.unknown[has]] = factor * s.problem.load[has]
-    return f
 
 
 def without_rigid_motion(problem: Problem, U: Array) -> Array:
@@ -371,30 +155,3 @@ def planes(problem: Problem) -> Array:
     motions[:, W] = np.column_stack([np.ones_like(x), x, y])
     motions[:, BETA_X, 1] = motions[:, BETA_Y, 2] = 1.0
     return motions
-
-
-def nodal(problem: Problem, u: Array) -> Array:
-    """Return unknowns (size,) as a table (n, F), with zeros where there is no unknown."""
-    table = np.zeros(problem.unknown.shape)
-    has = problem.unknown >= 0
-    table[has] = u[problem.unknown[has]]
-    return table
-
-
-def surface_settlement(s: System, U: Array) -> Array:
-    """Return the settlement of every surface of the ground at every node, (S, n) [m], from the table U (n, F)."""
-    top = U[:, TOP].copy()
-    under = s.problem.plate_nodes
-    top[under] += plate_settlement(s, U)[under]
-    return np.vstack([top, U[:, TOP + 1 :].T])
-
-
-def plate_settlement(s: System, U: Array) -> Array:
-    """Return the plate's settlement at every node (n,) [m], dependent centres included."""
-    problem = s.problem
-    w: Array = U[:, W].copy()
-    if not problem.element.centre_w:
-        elements = problem.mesh.elements[problem.plate_elements]
-        at_centre = s.blocks.T[:, 8][s.blocks.kind[problem.plate_elements]]
-        w[elements[:, 8]] = np.einsum("ea,ea->e", at_centre, w[elements])
-    return w

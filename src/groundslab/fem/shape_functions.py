@@ -1,7 +1,7 @@
 """Shape functions and Gauss rules of the nine-node quadrilateral.
 
 Node order everywhere: the corners (-1,-1), (1,-1), (1,1), (-1,1), the midsides (0,-1), (1,0), (0,1), (-1,0),
-the centre (0,0).
+the center (0,0).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from groundslab.arrays import Array, Flags, Integers
 #: Place of each node on the 3 x 3 grid of one-dimensional nodes (-1, 0, 1).
 COLUMN = np.array([0, 2, 2, 0, 1, 2, 1, 0, 1])
 ROW = np.array([0, 0, 2, 2, 0, 1, 2, 1, 1])
-#: The centre's value in the serendipity family: minus a quarter of the corners, half of the midsides.
+#: The center's value in the serendipity family: minus a quarter of the corners, half of the midsides.
 SERENDIPITY_CENTRE = np.array([-0.25, -0.25, -0.25, -0.25, 0.5, 0.5, 0.5, 0.5])
 
 

@@ -1,4 +1,4 @@
-"""A symmetric sparse matrix as a value: its upper half, row by row, the diagonal first in each row."""
+"""Symmetric sparse matrices, stored as their upper half."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from groundslab.arrays import Array, Flags, Indices, Integers
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Symmetric:
-    """The upper half of a symmetric matrix as CSR; every row has its diagonal."""
+    """The upper half of a symmetric matrix in CSR format; every row stores its diagonal."""
 
     indptr: Indices  # (size + 1,)
     indices: Indices  # (entries,), ascending in each row
     data: Array  # (entries,)
-    #: Orthonormal vectors (size, m) and what the matrix makes of them (size, m), known better than the entries tell:
-    #: sums of large entries that nearly cancel.
-    known: tuple[Array, Array] | None = None
+    #: Orthonormal vectors (size, m) and their products with the matrix (size, m), more exact than the entries give,
+    #: where sums of large entries nearly cancel.
+    exact_products: tuple[Array, Array] | None = None
 
     @property
     def size(self) -> int:
@@ -34,13 +34,13 @@ class Symmetric:
 
     def __matmul__(self, u: Array) -> Array:
         """Return the product with u (size,)."""
-        if self.known is not None:
-            Q, AQ = self.known
-            share = Q.T @ u
-            return self._times(u - Q @ share) + AQ @ share
-        return self._times(u)
+        if self.exact_products is not None:
+            Q, AQ = self.exact_products
+            coefficients = Q.T @ u
+            return self._multiply(u - Q @ coefficients) + AQ @ coefficients
+        return self._multiply(u)
 
-    def _times(self, u: Array) -> Array:
+    def _multiply(self, u: Array) -> Array:
         upper = self._upper()
         product: Array = upper @ u + upper.T @ u - self.diagonal * u
         return product
@@ -50,21 +50,21 @@ class Symmetric:
 
         return csr_array((self.data, self.indices, self.indptr), shape=(self.size, self.size))
 
-    def held(self, at: Flags, added: Array) -> Array:
-        """Return the entries (entries,) with `added` (size,) on the diagonal, and unknowns (size,) held.
+    def constrain(self, fixed: Flags, diagonal_shift: Array) -> Array:
+        """Return the entries (entries,) with some unknowns fixed (size,) and a shift (size,) of the diagonal.
 
-        Rows and columns of held unknowns are zero beside the diagonal, which stays as it was.
+        Rows and columns of fixed unknowns are zero off the diagonal, which keeps its value.
         """
         data = self.data.copy()
-        if at.any():
-            gone = at[self.indices]
-            gone |= np.repeat(at, np.diff(self.indptr))
-            data[gone] = 0.0
-        data[self.indptr[:-1]] = self.diagonal + np.where(at, 0.0, added)
+        if fixed.any():
+            dropped = fixed[self.indices]
+            dropped |= np.repeat(fixed, np.diff(self.indptr))
+            data[dropped] = 0.0
+        data[self.indptr[:-1]] = self.diagonal + np.where(fixed, 0.0, diagonal_shift)
         return data
 
     def rows(self, numbers: Integers) -> Any:
-        """Return whole rows (k, size) of some unknowns (k,), as a sparse array."""
+        """Return the full rows (k, size) of some unknowns (k,), as a sparse array."""
         from scipy.sparse import csr_array
 
         k = len(numbers)
@@ -81,8 +81,8 @@ class Symmetric:
         places = np.concatenate([right.coords[0], own]), np.concatenate([right.coords[1], row])
         return csr_array((entries, places), shape=(k, self.size))
 
-    def part(self, numbers: Integers) -> Symmetric:
-        """Return the matrix of some unknowns (k,) alone, given in ascending order."""
+    def submatrix(self, numbers: Integers) -> Symmetric:
+        """Return the principal submatrix of some unknowns (k,), given in ascending order."""
         part = self._upper()[numbers][:, numbers]
         part.sort_indices()
         return Symmetric(part.indptr, part.indices, part.data)

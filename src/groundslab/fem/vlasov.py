@@ -68,7 +68,7 @@ def parameters(layer: Layer, gamma: Values) -> tuple[Values, Values]:
     stretch = np.array([1 + g2 * (a + b) / 2, (2 + g2 * b) / 4, (1 + g2 * b) / 6 + (a - b) / 4])
     shear = np.array([(a - b) / 2, -b / 4, d / 4 - b / 6])
     h, c = layer.thickness, np.array(layer.moduli)
-    return layer.constrained / h * (stretch * c).sum(axis=0), layer.shear * h * (shear * c).sum(axis=0)
+    return layer.oedometric_ratio / h * (stretch * c).sum(axis=0), layer.shear * h * (shear * c).sum(axis=0)
 
 
 def parameters_as_printed(layer: Layer, gamma: Values) -> tuple[Values, Values]:
@@ -76,7 +76,7 @@ def parameters_as_printed(layer: Layer, gamma: Values) -> tuple[Values, Values]:
 
     Only to reproduce the paper's tables; they differ from the integrals that they stand for (docs/paper.md).
     """
-    g, h, F = gamma, layer.thickness, layer.constrained
+    g, h, F = gamma, layer.thickness, layer.oedometric_ratio
     coth, csch2 = 1 / np.tanh(g), _csch2(g)
     E1, c1, c2 = layer.moduli
     k0 = F / (8 * h) * (E1 * (4 * g * coth + 4 * g**2 * csch2) + c1 * (2 + 4 * g**2 * csch2))
@@ -101,7 +101,7 @@ class Mode:
 
 
 def profile(layers: tuple[Layer, ...], decay2: float, points: int = 60) -> Mode:
-    """Return the mode that minimises int Ec psi'^2 + decay2 G psi^2 dz with psi = 1 at the top and 0 at the base.
+    """Return the mode that minimizes int Ec psi'^2 + decay2 G psi^2 dz with psi = 1 at the top and 0 at the base.
 
     decay2 [1/m2] is int |grad w|^2 / int w^2. Quadratic finite elements, crowded so that exp(-z/l) is met to 1e-8.
     """
@@ -150,7 +150,10 @@ def _over_the_depth(layers: tuple[Layer, ...], decay2: Array, points: int) -> tu
         return np.column_stack([np.broadcast_to(each, len(decay2)) for each in values])
 
     thickness = table([layer.thickness for layer in layers])  # (c, L), as all tables
-    constrained, shearing = table([layer.constrained for layer in layers]), table([layer.shear for layer in layers])
+    constrained, shearing = (
+        table([layer.oedometric_ratio for layer in layers]),
+        table([layer.shear for layer in layers]),
+    )
     local = np.sqrt(decay2[:, None] * shearing / constrained) * thickness
     count = (points * (1 + local)).astype(np.int64)
     owner = np.repeat(np.arange(count.size), count.ravel())
@@ -211,7 +214,7 @@ class Soil:
     as_printed: bool = False
     gamma: float | None = None  # given; None if it is to be found from the settlement
     parts: Parts | None = None  # which columns the elements have; None if all have the one
-    share: Array | None = None  # (c,): the part of the plate's area on each column
+    area_fraction: Array | None = None  # (c,): of the plate's area on each column
 
     @property
     def depth(self) -> Values:
@@ -221,21 +224,21 @@ class Soil:
     @property
     def _ratio(self) -> Values:
         """Return G / Ec = (1 - 2 nu) / 2(1 - nu), the mean over the depth."""
-        return sum(layer.thickness * layer.shear / layer.constrained for layer in self.layers) / self.depth
+        return sum(layer.thickness * layer.shear / layer.oedometric_ratio for layer in self.layers) / self.depth
 
     def gamma_of(self, decay2: float) -> float:
         """Return gamma (2.23) for decay2 = int |grad w|^2 / int w^2 [1/m2]."""
         gammas = self.depth * np.sqrt(self._ratio * decay2)
-        return float(gammas if self.share is None else self.share @ gammas)
+        return float(gammas if self.area_fraction is None else self.area_fraction @ gammas)
 
     def gammas(self, gamma: float) -> Values:
         """Return the gamma of each column (c,) where the soil varies."""
-        if self.share is None:
+        if self.area_fraction is None:
             return gamma
         if self.gamma is not None:
-            return np.full(len(self.share), gamma)
+            return np.full(len(self.area_fraction), gamma)
         lengths = self.depth * np.sqrt(self._ratio)
-        return gamma * (lengths / (self.share @ lengths))
+        return gamma * (lengths / (self.area_fraction @ lengths))
 
     def layer_parameters(self, gamma: float) -> tuple[Array, Array]:
         """Return k0 [Pa/m] and k1 [Pa m], (L,) with one of each layer of an interface stack, else one; or (c, L)."""

@@ -1,6 +1,6 @@
 """Nine-node meshes of plans: grids where everything runs along x and y, else quadrilaterals from Gmsh or Netgen.
 
-They are asked for a mesh of twice the wanted size, whose triangles and quadrilaterals are then cut into smaller
+They make a mesh of twice the required size, whose triangles and quadrilaterals are then cut into smaller
 quadrilaterals here. Nodes on arcs, midside nodes too, are put exactly on them.
 """
 
@@ -11,10 +11,16 @@ from groundslab.geometry.plan import Plan, sections
 from groundslab.meshing.backends import Maker, available, choose, with_gmsh, with_netgen
 from groundslab.meshing.cells import Cells
 from groundslab.meshing.grid import rectilinear
-from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finished
-from groundslab.meshing.quadrangulation import all_quadrilaterals, mend, nine_nodes, smoothed, without_flat_corners
+from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish
+from groundslab.meshing.quadrangulation import (
+    add_midside_nodes,
+    improve,
+    smooth,
+    split_flat_corners,
+    split_into_quadrilaterals,
+)
 from groundslab.meshing.quality import Quality, quality
-from groundslab.meshing.sizing import along_edges, both, doubling, sources
+from groundslab.meshing.sizing import along_edges, growth_distance, merge_sources, sources
 
 __all__ = [
     "Maker",
@@ -44,7 +50,7 @@ def mesh(
     maker: Maker | None = None,
     edge_size: float | None = None,
 ) -> PlanMesh:
-    """Return a mesh with sides of at most about `size` [m], smaller where the plan asks for it.
+    """Return a mesh with sides of at most about `size` [m], smaller where the plan requires it.
 
     On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
     the plate's longer side). Along the plate's edges on this ground, on both sides, they are at most `edge_size` [m]
@@ -64,13 +70,13 @@ def unstructured(
 ) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)
-    scale = doubling(plan, beyond_growth)
+    scale = growth_distance(plan, beyond_growth)
     make = choose() if maker is None else maker
     best = None
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
     smaller = sources(plan, size)
     if edge_size is not None and edge_size < size * (1 - 1e-9):
-        smaller = both(smaller, along_edges(plan, edge_size))
+        smaller = merge_sources(smaller, along_edges(plan, edge_size))
     for cells in make(plan, size, smaller, scale):
         try:
             result = _quadrilaterals(plan, cells)
@@ -88,10 +94,10 @@ def unstructured(
 
 def _quadrilaterals(plan: Plan, cells: Cells) -> PlanMesh:
     """Return cells cut into good nine-node quadrilaterals, or say that there are bad ones."""
-    nodes, quadrilaterals, drawn = all_quadrilaterals(without_flat_corners(cells))
-    nodes = smoothed(nodes, quadrilaterals, drawn)
-    mend(nodes, quadrilaterals, drawn)
-    nodes, elements = nine_nodes(nodes, quadrilaterals, drawn)
-    result = finished(nodes, elements, sections(plan, nodes[elements[:, 8]]))
+    nodes, quadrilaterals, drawn = split_into_quadrilaterals(split_flat_corners(cells))
+    nodes = smooth(nodes, quadrilaterals, drawn)
+    improve(nodes, quadrilaterals, drawn)
+    nodes, elements = add_midside_nodes(nodes, quadrilaterals, drawn)
+    result = finish(nodes, elements, sections(plan, nodes[elements[:, 8]]))
     check_area(plan, result)
     return result

@@ -44,7 +44,7 @@ def pieces(plan: Plan) -> tuple[list[Piece], list[Place]]:
     kept: list[tuple[Segment, bool]] = []
     known: dict[frozenset[Place], list[int]] = {}
     for edge, own, optionally in zip(edges, cuts, optional, strict=True):
-        for piece in _divided(edge, [vertices.places[k] for k in own], 2 * vertices.same):
+        for piece in _split_edge(edge, [vertices.places[k] for k in own], 2 * vertices.same):
             alike = known.setdefault(frozenset((piece.start, piece.end)), [])
             twin = [k for k in alike if math.dist(_middle(kept[k][0]), _middle(piece)) <= vertices.near]
             if twin:
@@ -52,7 +52,7 @@ def pieces(plan: Plan) -> tuple[list[Piece], list[Place]]:
             else:
                 alike.append(len(kept))
                 kept.append((piece, optionally))
-    result = _sided(plan, kept)
+    result = _label_sides(plan, kept)
     ends = {vertices.number(place) for piece in result for place in (piece.edge.start, piece.edge.end)}
     return result, [vertices.places[k] for k in dict.fromkeys(points) if k not in ends]
 
@@ -131,7 +131,7 @@ def _middle(edge: Segment) -> Place:
     return float(x), float(y)
 
 
-def _divided(edge: Segment, places: list[Place], same: float) -> list[Segment]:
+def _split_edge(edge: Segment, places: list[Place], same: float) -> list[Segment]:
     """Return the pieces of an edge between places on it, in any order, its ends among them."""
     parts = sorted((_part(edge, place, same), place) for place in places)
     if edge.straight:
@@ -142,7 +142,7 @@ def _divided(edge: Segment, places: list[Place], same: float) -> list[Segment]:
     ]
 
 
-def _sided(plan: Plan, kept: list[tuple[Segment, bool]]) -> list[Piece]:
+def _label_sides(plan: Plan, kept: list[tuple[Segment, bool]]) -> list[Piece]:
     """Return pieces with what lies beside their middles, without those that no mesh need follow."""
     middles = np.array([_middle(edge) for edge, _ in kept])
     angle = np.array([edge.direction(0.5) for edge, _ in kept]) + math.pi / 2

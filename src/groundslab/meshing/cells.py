@@ -10,8 +10,8 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 
 
-class Drawn(NamedTuple):
-    """What must stay where the plan has it: sides on edges, with centre and radius where these are arcs, and nodes."""
+class FixedSides(NamedTuple):
+    """What must stay where the plan has it: sides on edges, with center and radius where these are arcs, and nodes."""
 
     ends: Integers  # (e, 2)
     centre: Array  # (e, 2)
@@ -25,7 +25,7 @@ class Cells(NamedTuple):
     nodes: Array  # (n, 2)
     triangles: Integers  # (t, 3)
     quadrilaterals: Integers  # (q, 4)
-    drawn: Drawn
+    drawn: FixedSides
 
 
 def sides_of(cells: Integers, n: int) -> Integers:
@@ -41,7 +41,7 @@ def keys_of(ends: Integers, n: int) -> Integers:
     return keys
 
 
-def middles_of(nodes: Array, keys: Integers, drawn: Drawn) -> Array:
+def middles_of(nodes: Array, keys: Integers, drawn: FixedSides) -> Array:
     """Return the middles (u, 2) of sides given by ascending keys (u,), on the arcs where there are any."""
     n = len(nodes)
     middles: Array = (nodes[keys // n] + nodes[keys % n]) / 2
@@ -49,18 +49,18 @@ def middles_of(nodes: Array, keys: Integers, drawn: Drawn) -> Array:
     place = np.minimum(place, len(keys) - 1)
     curved = (drawn.radius > 0) & (keys[place] == keys_of(drawn.ends, n))
     place = place[curved]
-    middles[place] = onto(middles[place], drawn.centre[curved], drawn.radius[curved])
+    middles[place] = project_onto(middles[place], drawn.centre[curved], drawn.radius[curved])
     return middles
 
 
-def onto(places: Array, centre: Array, radius: float | Array) -> Array:
-    """Return places moved onto circles, towards the centre or away from it."""
+def project_onto(places: Array, centre: Array, radius: float | Array) -> Array:
+    """Return places moved onto circles, towards the center or away from it."""
     offset = places - centre
     moved: Array = centre + np.reshape(radius, (-1, 1)) * offset / np.linalg.norm(offset, axis=1)[:, None]
     return moved
 
 
-def angles_of(nodes: Array, cells: Integers, drawn: Drawn) -> Array:
+def angles_of(nodes: Array, cells: Integers, drawn: FixedSides) -> Array:
     """Return the angles inside at the corners of cells [rad], between the tangents where sides are arcs."""
     keys, number = np.unique(sides_of(cells, len(nodes)), return_inverse=True)
     middle = middles_of(nodes, keys, drawn)[number.reshape(cells.shape)]
@@ -73,7 +73,7 @@ def angles_of(nodes: Array, cells: Integers, drawn: Drawn) -> Array:
 
 
 def least_sine(xy: Array) -> Array:
-    """Return the least sine of the four angles of quadrilaterals (q, 4, 2), negative where one is turned inside out."""
+    """Return the least sine of the four angles of quadrilaterals (q, 4, 2), negative where one is inverted."""
     to = np.roll(xy, -1, axis=1) - xy
     back = np.roll(xy, 1, axis=1) - xy
     cross = to[..., 0] * back[..., 1] - to[..., 1] * back[..., 0]

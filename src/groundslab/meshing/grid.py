@@ -10,12 +10,12 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.errors import InputError, Issue
-from groundslab.fem.mesh import GRADING, graded, graded_towards, grid, intervals
+from groundslab.fem.mesh import GRADING, count_intervals, divide_graded, graded_size, grid
 from groundslab.geometry.plan import NOTHING, Plan, sections
-from groundslab.meshing.plan_mesh import MOST_ELEMENTS, PlanMesh, check, finished, too_many
-from groundslab.meshing.sizing import doubling
+from groundslab.meshing.plan_mesh import MOST_ELEMENTS, PlanMesh, check, finish, too_many_elements
+from groundslab.meshing.sizing import growth_distance
 
-#: Neighbouring intervals of a grid may differ by this factor before the longer one is graded.
+#: Neighboring intervals of a grid may differ by this factor before the longer one is graded.
 SIMILAR = 1.5
 
 
@@ -26,7 +26,7 @@ def rectilinear(
     check(plan, size)
     if not plan.rectilinear:
         raise InputError([Issue("plan", "an oblique edge or an arc", "edges along x and y", "mesh it unstructured")])
-    scale = doubling(plan, beyond_growth)
+    scale = growth_distance(plan, beyond_growth)
     corners = np.array([point for ring in plan.rings().values() for point in ring.points])
     others = np.array([*plan.points, *(point for line in plan.lines for point in line)]).reshape(-1, 2)
     outline = np.array(plan.outline.points)
@@ -37,15 +37,15 @@ def rectilinear(
         low, high = domain[:, axis].min(), domain[:, axis].max()
         plate = outline[:, axis].min(), outline[:, axis].max()
         edges = [np.array(ring.points)[:, axis] for ring in plan.edges_on_ground()]
-        limit = graded_towards(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size)
+        limit = graded_size(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size)
         lines.append(_divide(breaks[(breaks >= low) & (breaks <= high)], size, plate, scale, limit))
     x, y = lines
     if (len(x) - 1) * (len(y) - 1) > 4 * MOST_ELEMENTS:
-        raise InputError([too_many()])
+        raise InputError([too_many_elements()])
     whole = grid(x, y)
     section = sections(plan, whole.nodes[whole.elements[:, 8]])
     kept = section != NOTHING
-    return finished(whole.nodes, whole.elements[kept], section[kept])
+    return finish(whole.nodes, whole.elements[kept], section[kept])
 
 
 def _apart(values: Array, extent: float) -> Array:
@@ -74,7 +74,7 @@ def _divide(
     spans = list(pairwise(breaks.tolist()))
     even = []
     for low, high in spans:
-        count = intervals(wanted, low, high)
+        count = count_intervals(wanted, low, high)
         even.append(count / math.ceil(count - 1e-9))
     lows, highs = breaks[:-1], breaks[1:]
     at_low, at_high = np.array(even) * wanted(lows), np.array(even) * wanted(highs)
@@ -89,5 +89,5 @@ def _divide(
                     own = np.minimum(own, SIMILAR * side + GRADING * np.abs(x - near))
             return own
 
-        lines.append(graded(wanted_here, low, high))
+        lines.append(divide_graded(wanted_here, low, high))
     return np.concatenate(lines)

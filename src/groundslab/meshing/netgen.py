@@ -17,14 +17,14 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import FLAT, Place, Plan, Segment
 from groundslab.meshing.arrangement import Piece, pieces
-from groundslab.meshing.cells import Cells, Drawn, keys_of, onto, sides_of
-from groundslab.meshing.sizing import Sources, doubled
+from groundslab.meshing.cells import Cells, FixedSides, keys_of, project_onto, sides_of
+from groundslab.meshing.sizing import Sources, cell_sizes
 
-#: Extent of what Netgen is given: it takes places 1e-6 of the extent apart for one.
+#: Extent of plans in Netgen's coordinates: it merges places less than 1e-6 of the extent apart.
 SCALED_EXTENT = 100.0
-#: Ways to ask Netgen, in turn until a mesh is good: for quadrilaterals or not, and how fast sizes may grow where it is
-#: told none (it is told them everywhere). Triangles alone are never bad, but become many elements of middling shape.
-WAYS = ((True, 1.0), (True, 0.3), (False, 0.5))
+#: Settings of Netgen, tried in turn until a mesh is good: quadrilaterals or not, and its grading of sizes (which are
+#: given everywhere). Triangles alone are never bad, but become many elements of middling shape.
+SETTINGS = ((True, 1.0), (True, 0.3), (False, 0.5))
 #: Wanted sizes along an edge are looked up at this many places at least and at most.
 SAMPLES, MOST_SAMPLES = 401, 40001
 #: An arc is cut into chords that turn by no more than this [rad].
@@ -63,13 +63,13 @@ def load() -> Any:
 
 def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
     """Yield Netgen's meshes of twice the wanted sizes: mostly quadrilaterals with some triangles, at last triangles."""
-    wanted = doubled(plan, size, smaller, scale)
+    wanted = cell_sizes(plan, size, smaller, scale)
     parts, points = pieces(plan)
     chords = _chords(parts, points, wanted)
-    refused, made = _refused("no mesh"), False
-    for quadrilaterals, grading in WAYS:
+    refused, made = _rejection("no mesh"), False
+    for quadrilaterals, grading in SETTINGS:
         try:
-            cells = _cells(plan, parts, chords, _meshed(plan, parts, chords, wanted, quadrilaterals, grading))
+            cells = _cells(plan, parts, chords, _generate(plan, parts, chords, wanted, quadrilaterals, grading))
         except InputError as error:
             refused = error
             continue
@@ -84,16 +84,16 @@ def _cells(plan: Plan, parts: list[Piece], chords: Chords, made: Made) -> Cells:
     nodes = made.nodes.copy()
     number = _nearest(chords.nodes, nodes)
     if not np.linalg.norm(nodes[number] - chords.nodes, axis=1).max() < FLAT * plan.extent:
-        raise _refused("a corner is not met by the mesh")
+        raise _rejection("a corner is not met by the mesh")
     nodes[number] = chords.nodes
-    drawn = _drawn(parts, chords, nodes, number, made.sides)
+    drawn = _fixed_sides(parts, chords, nodes, number, made.sides)
     keys = np.concatenate([sides_of(kind, len(nodes)).ravel() for kind in (made.triangles, made.quadrilaterals)])
     if not np.isin(keys_of(drawn.ends, len(nodes)), keys).all():
-        raise _refused("an edge is not followed by the mesh")
+        raise _rejection("an edge is not followed by the mesh")
     return Cells(nodes, made.triangles, made.quadrilaterals, drawn)
 
 
-def _refused(said: object) -> InputError:
+def _rejection(said: object) -> InputError:
     return InputError([Issue("plan", f"a plan that Netgen refuses ({said})", "one that can be meshed")])
 
 
@@ -108,7 +108,7 @@ def _chords(parts: list[Piece], points: list[Place], wanted: Callable[[Array], A
         for k in crossing:
             counts[k] *= 2
     else:
-        raise _refused("edges too close to each other")
+        raise _rejection("edges too close to each other")
     return _with_points(chords, points, wanted)
 
 
@@ -178,7 +178,7 @@ def _with_points(chords: Chords, points: list[Place], wanted: Callable[[Array], 
     return Chords(np.array(nodes), np.array(ends), owner, np.array(held))
 
 
-def _meshed(
+def _generate(
     plan: Plan,
     parts: list[Piece],
     chords: Chords,
@@ -186,7 +186,7 @@ def _meshed(
     quadrilaterals: bool,
     grading: float,
 ) -> Made:
-    """Return what Netgen makes of chords when asked in one way, in a plane of its own: centred and scaled."""
+    """Return what Netgen makes of chords when asked in one way, in a plane of its own: centered and scaled."""
     geom2d, meshing = load()
     meshing.SetMessageImportance(0)
     x0, y0, x1, y1 = plan.bounds
@@ -197,15 +197,15 @@ def _meshed(
     for (a, b), k in zip(chords.ends.tolist(), chords.piece.tolist(), strict=True):
         left, right = (parts[k].left, parts[k].right) if k >= 0 else (True, True)
         geometry.Append(["line", a, b], leftdomain=int(left), rightdomain=int(right))
-    places, sizes = _sampled(plan.bounds, wanted)
+    places, sizes = _sample_sizes(plan.bounds, wanted)
     asked = meshing.MeshingParameters(maxh=float(sizes.max() * scale), quad_dominated=quadrilaterals, grading=grading)
     for (x, y), h in zip(((places - middle) * scale).tolist(), (sizes * scale).tolist(), strict=True):
         asked.RestrictH(x, y, 0.0, h)
     try:
         mesh = geometry.GenerateMesh(mp=asked)
     except Exception as refused:
-        # Netgen knows no other exception; what it says is for people
-        raise _refused(refused) from None
+        # Netgen raises no other exception; its text is for people
+        raise _rejection(refused) from None
     nodes = np.array([point.p[:2] for point in mesh.Points()]) / scale + middle
     cells = [[vertex.nr - 1 for vertex in cell.vertices] for cell in mesh.Elements2D()]
     three, four = (
@@ -215,7 +215,7 @@ def _meshed(
     return Made(nodes, three, four, sides)
 
 
-def _sampled(bounds: tuple[float, float, float, float], wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
+def _sample_sizes(bounds: tuple[float, float, float, float], wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
     """Return places about as far apart as the sizes wanted there, and these sizes: squares quartered until they are."""
     x0, y0, x1, y1 = bounds
     side = max(x1 - x0, y1 - y0)
@@ -242,7 +242,7 @@ def _nearest(places: Array, nodes: Array) -> Integers:
     return number
 
 
-def _drawn(parts: list[Piece], chords: Chords, nodes: Array, number: Integers, sides: Integers) -> Drawn:
+def _fixed_sides(parts: list[Piece], chords: Chords, nodes: Array, number: Integers, sides: Integers) -> FixedSides:
     """Return the sides on pieces, after putting nodes that Netgen added on arcs exactly there."""
     import shapely
 
@@ -255,5 +255,5 @@ def _drawn(parts: list[Piece], chords: Chords, nodes: Array, number: Integers, s
     added = (radius > 0)[:, None] & ~np.isin(own, number)
     for k in (0, 1):
         at = own[added[:, k], k]
-        nodes[at] = onto(nodes[at], centre[added[:, k]], radius[added[:, k]])
-    return Drawn(own, centre, radius, number[chords.points])
+        nodes[at] = project_onto(nodes[at], centre[added[:, k]], radius[added[:, k]])
+    return FixedSides(own, centre, radius, number[chords.points])

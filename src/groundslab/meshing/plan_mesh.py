@@ -1,4 +1,4 @@
-"""What a mesher hands back, and what it refuses to take or to hand back."""
+"""Meshes of plans, with the checks of what goes into a mesher and what comes out of it."""
 
 from __future__ import annotations
 
@@ -40,25 +40,27 @@ def check(plan: Plan, size: float) -> None:
     if not (math.isfinite(size) and size > 0):
         found.append(Issue("mesh.size", f"{size!r}", "a length greater than 0"))
     elif not found and plan.area / size**2 > MOST_ELEMENTS:
-        found.append(too_many())
+        found.append(too_many_elements())
     if found:
         raise InputError(found)
 
 
-def too_many() -> Issue:
-    """Return what is said of a size that makes more elements than a computer can hold."""
+def too_many_elements() -> Issue:
+    """Return the issue of a size that makes more elements than a computer can hold."""
     return Issue("mesh.size", f"more than {MOST_ELEMENTS} elements", "fewer", "make the elements larger")
 
 
-def finished(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
-    """Return a mesh without the nodes that no element uses, and refuse one with elements turned inside out."""
+def finish(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
+    """Return a mesh without the nodes that no element uses, and refuse one with elements inverted."""
     if len(elements) > MOST_ELEMENTS:
-        raise InputError([too_many()])
+        raise InputError([too_many_elements()])
     used, number = np.unique(elements, return_inverse=True)
     found = quality(nodes[elements])
     if not found.worst > 0:
-        got = f"a mesh with an element turned inside out at {at(found.worst_place)}"
-        raise InputError([Issue("plan", got, "elements that can be used", "simplify the plan there or mesh it finer")])
+        inverted = f"a mesh with an element turned inside out at {at(found.worst_place)}"
+        raise InputError(
+            [Issue("plan", inverted, "elements that can be used", "simplify the plan there or mesh it finer")]
+        )
     return PlanMesh(nodes[used], number.reshape(elements.shape).astype(np.int64), section, found)
 
 
@@ -66,10 +68,10 @@ def check_area(plan: Plan, result: PlanMesh) -> None:
     """Raise if the mesh does not cover the plan: nothing that a mesher leaves out may go unnoticed."""
     points, weights = gauss(3)
     area = jacobian(q9(points)[1], result.xy)[2] @ weights
-    for what, got, wanted in (
+    for what, meshed, expected in (
         ("the plate", float(area[result.section >= 0].sum()), plan.area),
         ("plate and ground", float(area.sum()), plan.area if plan.beyond is None else plan.beyond.area),
     ):
-        if abs(got - wanted) > 1e-3 * wanted or (result.section == NOTHING).any():
-            said = f"a mesh of {what} with an area of {got:.6g} m2 instead of {wanted:.6g} m2"
+        if abs(meshed - expected) > 1e-3 * expected or (result.section == NOTHING).any():
+            said = f"a mesh of {what} with an area of {meshed:.6g} m2 instead of {expected:.6g} m2"
             raise InputError([Issue("plan", said, "one that covers it", "simplify the plan or mesh it finer")])

@@ -1,4 +1,4 @@
-"""From cells to nine-node quadrilaterals: cutting, smoothing, mending, nodes between the corners."""
+"""From cells to nine-node quadrilaterals: cutting, smoothing, improving bad elements, adding midside nodes."""
 
 from __future__ import annotations
 
@@ -9,26 +9,26 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.shape_functions import SERENDIPITY_CENTRE
-from groundslab.meshing.cells import Cells, Drawn, angles_of, keys_of, least_sine, middles_of, sides_of
+from groundslab.meshing.cells import Cells, FixedSides, angles_of, keys_of, least_sine, middles_of, sides_of
 from groundslab.meshing.quality import scaled_jacobians
 
 #: A corner with a larger angle than this is cut up [rad].
 FLAT_CORNER = math.radians(145)
 #: Pieces of such a cell have no smaller sine than this, or it is left whole.
 FLATTEST_PIECE = 0.05
-#: Rounds in which the corners inside move towards the middle of their neighbours.
+#: Rounds in which the corners inside move towards the middle of their neighbors.
 SMOOTHING = 5
-#: An element whose angles all have at least this sine may become a little worse when its neighbours gain by it.
+#: An element whose angles all have at least this sine may become a little worse when its neighbors gain by it.
 GOOD = 0.7
-#: Elements with a smaller scaled Jacobian are mended, in so many rounds.
-POOR, MENDING = 0.4, 6
+#: Elements with a smaller scaled Jacobian are improved, in so many rounds.
+POOR, MAX_IMPROVEMENTS = 0.4, 6
 
 #: A side by its two nodes; cells by number, each with its corners in turn.
 Side = frozenset[int]
 Polygons = dict[int, list[int]]
 
 
-def without_flat_corners(cells: Cells) -> Cells:
+def split_flat_corners(cells: Cells) -> Cells:
     """Return a mesh in which cells whose corner is nearly flat are cut up into triangles that meet at this corner.
 
     A triangle can be flat only where both sides lie on the border; it is joined with the cell on its third side first.
@@ -42,13 +42,13 @@ def without_flat_corners(cells: Cells) -> Cells:
     for i, middle in flat:
         if i not in polygons:
             continue
-        gone, around = _opened(polygons, owners, drawn, i, middle)
+        gone, around = _open_cell(polygons, owners, drawn, i, middle)
         fan = [[middle, a, b] for a, b in pairwise(around)]
         if not fan or (least_sine(cells.nodes[np.array(fan)]) < FLATTEST_PIECE).any():
             continue
         for j in gone:
             del polygons[j]
-        # new cells get numbers that no side is told of: they are not touched again
+        # new cells get numbers that no side knows: they are not cut again
         number = max(polygons, default=-1) + 1 + len(owners)
         polygons |= {number + m: piece for m, piece in enumerate(fan)}
     triangles, quadrilaterals = (
@@ -77,7 +77,7 @@ def _owners(polygons: Polygons) -> dict[Side, list[int]]:
     return owners
 
 
-def _opened(
+def _open_cell(
     polygons: Polygons, owners: dict[Side, list[int]], drawn: set[Side], i: int, middle: int
 ) -> tuple[list[int], list[int]]:
     """Return the cells to cut up from a corner of cell i, and their other corners in turn; none where it cannot be."""
@@ -94,7 +94,7 @@ def _opened(
     return [i, *beside], around[:1] + (other[k:] + other[:k])[2:] + around[1:]
 
 
-def all_quadrilaterals(cells: Cells) -> tuple[Array, Integers, Drawn]:
+def split_into_quadrilaterals(cells: Cells) -> tuple[Array, Integers, FixedSides]:
     """Return nodes and quadrilaterals, and what is drawn, with each cell cut up between its middle and its sides'."""
     nodes, drawn = cells.nodes, cells.drawn
     n = len(nodes)
@@ -118,12 +118,12 @@ def all_quadrilaterals(cells: Cells) -> tuple[Array, Integers, Drawn]:
     used = sides[half] == keys
     half, ends = n + half[used], drawn.ends[used]
     halves = np.concatenate([np.column_stack([ends[:, 0], half]), np.column_stack([half, ends[:, 1]])])
-    twice = Drawn(halves, np.tile(drawn.centre[used], (2, 1)), np.tile(drawn.radius[used], 2), drawn.points)
+    twice = FixedSides(halves, np.tile(drawn.centre[used], (2, 1)), np.tile(drawn.radius[used], 2), drawn.points)
     return np.concatenate(places), np.concatenate(quadrilaterals), twice
 
 
-def smoothed(nodes: Array, quadrilaterals: Integers, drawn: Drawn) -> Array:
-    """Return the nodes after moving those inside towards the mean of their neighbours, where no element suffers."""
+def smooth(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> Array:
+    """Return the nodes after moving those inside towards the mean of their neighbors, where no element suffers."""
     free = np.ones(len(nodes), dtype=bool)
     free[drawn.ends] = free[drawn.points] = False
     after = np.roll(quadrilaterals, -1, axis=1).ravel()
@@ -144,7 +144,7 @@ def smoothed(nodes: Array, quadrilaterals: Integers, drawn: Drawn) -> Array:
     return nodes
 
 
-def mend(nodes: Array, quadrilaterals: Integers, drawn: Drawn) -> None:
+def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
     """Move corners of bad elements, one by one, to where the worst element around them is best."""
     keys, number = np.unique(sides_of(quadrilaterals, len(nodes)), return_inverse=True)
     number = number.reshape(quadrilaterals.shape)
@@ -165,7 +165,7 @@ def mend(nodes: Array, quadrilaterals: Integers, drawn: Drawn) -> None:
         nine = np.concatenate([eight, (SERENDIPITY_CENTRE @ eight)[..., None, :]], axis=-2)
         return scaled_jacobians(nine.reshape(-1, 9, 2)).reshape(corners.shape[:-2])
 
-    for _ in range(MENDING):
+    for _ in range(MAX_IMPROVEMENTS):
         bad = rated(nodes[quadrilaterals], number) < POOR
         corners = np.unique(quadrilaterals[bad])
         for corner in corners[~held[corners]]:
@@ -178,7 +178,7 @@ def mend(nodes: Array, quadrilaterals: Integers, drawn: Drawn) -> None:
             nodes[corner] = tried[np.argmax(rated(xy, sides).min(axis=1))]
 
 
-def nine_nodes(nodes: Array, quadrilaterals: Integers, drawn: Drawn) -> tuple[Array, Integers]:
+def add_midside_nodes(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> tuple[Array, Integers]:
     """Return nodes and elements with nodes at the middles of sides and of elements added."""
     n = len(nodes)
     sides = sides_of(quadrilaterals, n)

@@ -1,4 +1,4 @@
-"""How large elements may be: what in a plan asks for smaller ones, and how they grow away from it."""
+"""Sizes of elements: where a plan requires smaller ones, and how they grow away from there."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from groundslab.geometry.plan import FLAT, Plan, Ring, Segment
 
 #: An element's side turns by no more than this on an arc [rad].
 TURN = math.pi / 8
-#: Longest row of places at which an edge can ask for smaller elements.
-MOST_SOURCES = 200
+#: Largest number of places along an edge at which smaller elements are required.
+MAX_SOURCES = 200
 
 #: Places and the largest size [m] of elements around each: (k, 2) and (k,).
 Sources = tuple[Array, Array]
@@ -40,13 +40,13 @@ def sources(plan: Plan, size: float) -> Sources:
     for edge in edges:
         if edge.length > 0:
             wanted = edge.length if edge.straight else edge.length / math.ceil(abs(edge.sweep) / TURN - 1e-9)
-            n = min(MOST_SOURCES, math.ceil(edge.length / min(wanted, size)) + 1)
+            n = min(MAX_SOURCES, math.ceil(edge.length / min(wanted, size)) + 1)
             ask(edge.at(np.linspace(0, 1, n)), np.full(n, wanted))
     tree = shapely.STRtree(flat)
     for i, j in tree.query(flat, predicate="dwithin", distance=2 * size).T:
         gap = 0.0 if i == j else flat[i].distance(flat[j])
         if gap > 2 * same:
-            n = min(MOST_SOURCES, math.ceil(2 * edges[i].length / gap) + 1)
+            n = min(MAX_SOURCES, math.ceil(2 * edges[i].length / gap) + 1)
             where = edges[i].at(np.linspace(0, 1, n))
             ask(where, edges[j].distance(where) / 2)
     return np.concatenate(places), np.concatenate(sizes)
@@ -59,7 +59,7 @@ def along_edges(plan: Plan, size: float) -> Sources:
     return places, np.full(len(places), size)
 
 
-def both(one: Sources, other: Sources) -> Sources:
+def merge_sources(one: Sources, other: Sources) -> Sources:
     """Return the places of two sources together."""
     return np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1]])
 
@@ -71,7 +71,7 @@ def along(ring: Ring, spacing: float) -> Array:
     return np.concatenate([edge.at(np.arange(n) / n) for edge, n in zip(edges, counts, strict=True)])
 
 
-def doubling(plan: Plan, given: float | None) -> float:
+def growth_distance(plan: Plan, given: float | None) -> float:
     """Return the distance from the plate at which elements are twice as large [m]."""
     if given is not None and not given > 0:
         raise InputError([Issue("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
@@ -79,7 +79,7 @@ def doubling(plan: Plan, given: float | None) -> float:
     return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
 
 
-def doubled(plan: Plan, size: float, smaller: Sources, scale: float) -> Callable[[Array], Array]:
+def cell_sizes(plan: Plan, size: float, smaller: Sources, scale: float) -> Callable[[Array], Array]:
     """Return a function from places (p, 2) to twice the wanted sizes (p,) [m] there.
 
     Twice, since cells are halved afterwards: `size` on the plate, growing on the ground beyond until it is twice that

@@ -11,20 +11,8 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    TOP,
-    Problem,
-    System,
-    W,
-    edge_lengths,
-    fields_of,
-    planes,
-    surface_settlement,
-    tails,
-    without_rigid_motion,
-)
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, without_rigid_motion
+from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
 from groundslab.results.results import Certificate
 from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
@@ -45,16 +33,16 @@ def decay_squared(s: System, U: Array, column: Column) -> float:
     varying = we - we[:, 8:]  # else rounding makes slopes of a settlement that is everywhere the same
     slopes = _by_kind(b.slope, b.kind, varying, varying)
     if len(problem.edges):
-        t, at_corners = tails(problem, column)
+        t, at_corners = edge_decays(problem, column)
         X, Y, _, _ = t.square_integrals()
         _, _, Xc, Yc = at_corners.square_integrals()
         length = edge_lengths(problem)
         # the amplitudes' products are summed over edges and corners where the tails are the same
         products = "emn" if t.varies else "mn"
-        c = np.einsum("...ms,s...k->...km", t.share, w[:, problem.edges])
+        c = np.einsum("...ms,s...k->...km", t.projection, w[:, problem.edges])
         along = np.einsum(f"e,ekm,kl,eln->{products}", length, c, EDGE_MASS, c)
         across = np.einsum(f"e,ekm,kl,eln->{products}", 1 / length, c, EDGE_SLOPE, c)
-        c = np.einsum("...ms,s...->...m", at_corners.share, w[:, problem.corners])
+        c = np.einsum("...ms,s...->...m", at_corners.projection, w[:, problem.corners])
         corner = np.einsum(f"em,en->{products}", c, c)
         squares += float((X * along).sum() + (Xc * corner).sum())
         slopes += float((Y * along).sum() + (X * across).sum() + (Yc * corner).sum())
@@ -130,7 +118,7 @@ def moved_as_a_whole(s: System, column: Column) -> tuple[Array, Array]:
         ground = ground_forces(s, U, column)
         resisting = np.zeros_like(U)
         for surface in range(column.surfaces):
-            for field in fields_of(surface):
+            for field in surface_fields(surface):
                 resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
         motions[problem.unknown[has], number] = U[has]
         forces[problem.unknown[has], number] = resisting[has]
@@ -140,7 +128,7 @@ def moved_as_a_whole(s: System, column: Column) -> tuple[Array, Array]:
 
 def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     """Return the forces (n, S) that infinite ground puts on the outer edges."""
-    (t, at_corners), length = tails(problem, column), edge_lengths(problem)
+    (t, at_corners), length = edge_decays(problem, column), edge_lengths(problem)
     we = w[:, problem.edges]
     f = np.einsum("...ij,...,kl,j...l->i...k", t.spring, length, EDGE_MASS, we)
     f += np.einsum("...ij,...,kl,j...l->i...k", t.slope, 1 / length, EDGE_SLOPE, we)
@@ -157,7 +145,7 @@ def resistance(solution: Solution) -> tuple[Array, Array]:
     inner = np.zeros_like(U)
     inner[:, :TOP] = plate_forces(s, U)
     for surface in range(column.surfaces):
-        for field in fields_of(surface):
+        for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
     return inner, ground
 
@@ -175,7 +163,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
     # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
     springs = np.abs(c.force[np.isfinite(solution.law.stiffness)])
-    way = np.abs(solution.law.level[c.state == CLOSED]).max(initial=0.0)
+    way = np.abs(solution.law.offset[c.state == CLOSED]).max(initial=0.0)
     rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
     residual = float(
         np.abs((rest - borne)[~held]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
@@ -241,12 +229,12 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     scale[ground] = area * np.abs(c.force[ground][area > 0] / area[area > 0]).max(initial=0.0)
     scale = np.maximum(scale, nothing)
     elastic = np.isfinite(law.stiffness)
-    way = law.driven(c.u)
+    way = law.penetration(c.u)
     way[elastic] -= c.force[elastic] / law.stiffness[elastic]
-    one_sided = ~law.both_ways
+    one_sided = ~law.bilateral
     yielding = c.state == YIELDING
-    broken = np.where(law.both_ways, np.abs(way), np.where(yielding, -way, way))[law.capacity > 0]
-    force = np.where(one_sided, np.maximum(-c.force, c.force - law.capacity), 0.0) / scale
+    broken = np.where(law.bilateral, np.abs(way), np.where(yielding, -way, way))[law.limit_force > 0]
+    force = np.where(one_sided, np.maximum(-c.force, c.force - law.limit_force), 0.0) / scale
     product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
     return max(0.0, float(broken.max(initial=0.0))), max(0.0, float(force.max())), float(product.max())
 

@@ -6,8 +6,9 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
-from groundslab.fem.problem import MIDSIDES, TOP, plate_settlement
+from groundslab.fem.problem import MIDSIDES, TOP
 from groundslab.fem.shape_functions import areas
+from groundslab.fem.system import plate_settlement
 from groundslab.results.certificate import ground_forces
 from groundslab.results.edge_forces import ground_shear, parted, pressed
 from groundslab.results.result_mesh import Frame
@@ -26,7 +27,7 @@ def contact_fields(solution: Solution, frame: Frame) -> tuple[dict[str, Array], 
     share = frame.mean * areas(frame.mesh.xy)[:, None]
 
     def by_element(values: Array) -> Array:
-        found: Array = np.einsum("ed,ead->ea", problem.depths.share, values[of])
+        found: Array = np.einsum("ed,ead->ea", problem.depths.area_fraction, values[of])
         return found
 
     bears = scatter(elements, by_element(touching) * share, len(frame.node))
@@ -63,21 +64,21 @@ def _at_depths(solution: Solution, frame: Frame) -> tuple[Array, Array, Array, A
     ground = np.flatnonzero(b.support < 0)
     at = b.node[ground], b.depth[ground]
     pressure[at] = solution.contact.force[ground] / below.area[at]
-    touching[at] = solution.contact.closed[ground] & (b.law.capacity[ground] > 0)
+    touching[at] = solution.contact.closed[ground] & (b.law.limit_force[ground] > 0)
     for k in range(1, len(below.depth)):
         # the bottom of a void that takes a part of an element bears at its sides only
         part = problem.mesh.elements[problem.plate_elements]
-        part = part[below.first[part[:, 8]] < k]
+        part = part[below.shallowest[part[:, 8]] < k]
         touching[part[:, 8], k] = touching[part[:, MIDSIDES], k].mean(axis=1)
     sunk[at] = solution.slip[ground]
 
     depth = np.where(np.isfinite(below.depth), below.depth, 0.0)
-    first = below.first[under]
-    own = problem.initial_gap - depth[below.first]
+    first = below.shallowest[under]
+    own = problem.initial_gap - depth[below.shallowest]
     opened = U[under, TOP] + problem.initial_gap[under] + sunk[under, first]
     # ground without shear that bears nothing does not settle
-    alone = own - plate_settlement(s, U) if below.steps else np.zeros(len(own))
-    if not below.steps:
+    alone = own - plate_settlement(s, U) if below.stepped else np.zeros(len(own))
+    if not below.stepped:
         alone[under] = opened - depth[first]
     gap[under] = np.maximum(alone[under, None] + depth, 0.0)
     gap[under, first] = opened
@@ -97,7 +98,7 @@ def _line_force(solution: Solution, frame: Frame, pressure: Array) -> Array:
     at_points = ground_shear(s, solution.U, solution.column)
     shear = frame.at_nodes(at_points, ("shear_x", "shear_y"), ())  # smooth, and linear in U
     share = pressed(s, solution.U, solution.column, frame.edges, shear)
-    at = edge, problem.depths.first[edge]
+    at = edge, problem.depths.shallowest[edge]
     area = problem.depths.area[at]
     pressure[at], line_force[edge] = parted(
         pressure[at] * area,

@@ -14,8 +14,9 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import SIDES
-from groundslab.fem.problem import Problem, System, surface_settlement
+from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, lagrange, q9
+from groundslab.fem.system import System, surface_settlement
 from groundslab.results.certificate import apply
 
 

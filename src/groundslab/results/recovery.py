@@ -5,17 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.discretize.nodal_loads import materials
 from groundslab.fem.assembly import scatter
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    Problem,
-    W,
-    plate_settlement,
-    surface_settlement,
-    without_rigid_motion,
-)
+from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, without_rigid_motion
+from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
@@ -52,7 +44,7 @@ def recover(
     increments: tuple[Increment, ...] = (),
 ) -> Results:
     """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
-    plate, elements, ground = _parts(model, solution, frame)
+    plate, elements, ground = _parts(solution, frame)
     return Results(
         model=model,
         plate=plate,
@@ -72,17 +64,17 @@ def recover(
     )
 
 
-def increment(model: Model, solution: Solution, frame: Frame, share: float) -> Increment:
+def increment(solution: Solution, frame: Frame, share: float) -> Increment:
     """Return the state under a share of the load; the solution's problem has that share for its load."""
-    return Increment(share, *_parts(model, solution, frame))
+    return Increment(share, *_parts(solution, frame))
 
 
-def _parts(model: Model, solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
+def _parts(solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
     """Return plate, elements and ground of the whole, with their fields."""
     problem, plate, ground = solution.system.problem, frame.plate, frame.ground
     contact, pressure = contact_fields(solution, frame)
     fields = _plate_fields(solution, frame) | contact
-    at_centres = _element_fields(model, problem, solution.U, frame) | {"pressure": pressure}
+    at_centres = _element_fields(problem, solution.U, frame) | {"pressure": pressure}
     nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
     elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
     section = elements.pop("section").astype(np.int64)
@@ -144,14 +136,13 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
     return {**at_nodes, **shares, **section_forces(s.problem, U, frame)}
 
 
-def _element_fields(model: Model, problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
+def _element_fields(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
     """Return the fields at the centres of the plate's elements (mp,), the number of the section as a float among them.
 
     Without the pressure.
     """
-    thickness = np.array([t for _, _, t in materials(model)])[problem.section]
     forces = dict(zip(FORCES, centre_forces(problem, U, frame).T, strict=True))
-    return {**forces, "thickness": thickness, "section": problem.section.astype(np.float64)}
+    return {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
 
 
 def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
@@ -160,9 +151,9 @@ def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
     U = without_rigid_motion(problem, U)
     u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
     forces = apply(frame.matrices, frame.kind, u).reshape(len(elements), 4, 5)
-    if problem.loading.warp.any():
+    if problem.loading.thermal_curvature.any():
         # what bends freely carries nothing
-        free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.warp[:, None]
+        free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.thermal_curvature[:, None]
         forces[..., :3] += free[:, None]
     return forces
 
@@ -197,8 +188,8 @@ def _constants(solution: Solution) -> Constants:
     if isinstance(ground, Soil):
         assert gamma is not None
         k0, k1 = ground.layer_parameters(gamma)
-        if ground.share is not None:
-            k0, k1 = ground.share @ k0, ground.share @ k1
+        if ground.area_fraction is not None:
+            k0, k1 = ground.area_fraction @ k0, ground.area_fraction @ k1
     else:
         k0, k1 = problem.constants
     return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations)

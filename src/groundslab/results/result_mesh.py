@@ -10,8 +10,9 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import congruent
+from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import Mesh, mirror, row_by_row
-from groundslab.fem.problem import Problem, nodal_area
+from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import distinct, gauss, jacobian, q9
 from groundslab.model.model import Model
 from groundslab.results import patch_recovery
@@ -98,7 +99,7 @@ class Frame:
 def frame(model: Model, problem: Problem) -> Frame:
     """Return the frame of the results of a model on one mesh."""
     supported = walls(model, problem)
-    depth = problem.depths.most
+    depth = problem.depths.dominant
     mesh, node = by_section(problem, supported, depth)
     smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
     matrices, kind = section_matrices(problem)

@@ -10,7 +10,8 @@ import numpy as np
 
 from groundslab.errors import IllConditioned
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import Problem, System
+from groundslab.fem.problem import Problem
+from groundslab.fem.system import System
 from groundslab.solvers.equilibrium import free_motions
 
 #: Stiffness of the plate over that of the ground from which products with rigid motions are made apart.

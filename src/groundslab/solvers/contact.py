@@ -1,8 +1,8 @@
-"""Unilateral contact: minimise 1/2 u.A u - f.u with bearings that push on some unknowns one way only.
+"""Unilateral contact: minimize 1/2 u.A u - f.u with one-sided bearings on some unknowns.
 
 Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2002), which takes few steps from a good start. Where
-it does not come nearer, runs in a circle, or leaves the plate without hold, an interior point method finds the states
-that it goes on from (module `interior_point`). See docs/theory.md, contact.
+it stagnates, cycles, or leaves the plate floating, an interior point method finds the states that it continues from
+(module `interior_point`). See docs/theory.md, contact.
 """
 
 from __future__ import annotations
@@ -15,35 +15,36 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
-from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, total
+from groundslab.fem.assembly import scatter
+from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers import interior_point
-from groundslab.solvers.factor_reuse import Latest, Task
+from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
 
-#: A way that is on the wrong side by less than this share of the largest one does not change a bearing, nor does a
-#: force that would make such a way on the unknown's own stiffness, or is so small beside the largest force.
-SLACK = 1e-10
-#: The bearings that touch hold the plate if they resist each of its rigid motions by more than this share of what all
-#: bearings together would.
-HOLD = 1e-6
-#: So many steps in which no fewer bearings are wrong than before, and the interior point method takes over: it needs
-#: about as many again as a slow but steady iteration from here.
-PATIENCE = 12
-#: The interior point method has ended if no more than this share of the largest force is left over.
-BALANCED = 1e-4
-#: The latest factor may serve for so many steps of conjugate gradients: about what another factor costs.
-STEPS = 8
-#: If they lead to something so many times larger than where they began, the plate may float.
-FAR = 10.0
-#: Rounding is taken off in so many steps at most, until what is left over is this share of the largest force.
-REFINEMENTS = 4
-ROUNDED = 1e-11
+#: A penetration of the wrong sign below this share of the largest displacement does not change a bearing's state, nor
+#: does a force that would make such a penetration on the unknown's own stiffness, or is so small beside the largest.
+STATE_TOLERANCE = 1e-10
+#: The plate floats if the closed bearings resist one of its rigid motions by less than this share of what all bearings
+#: together would.
+FLOATING_RATIO = 1e-6
+#: After so many steps without fewer wrong states than before the interior point method takes over: it needs about as
+#: many again as a slow but steady iteration from here.
+MAX_STAGNANT_STEPS = 12
+#: The interior point method has converged if the residual is at most this share of the largest force.
+INTERIOR_POINT_TOLERANCE = 1e-4
+#: The latest factor may serve for so many steps of conjugate gradients: about the cost of another factorization.
+CG_STEPS = 8
+#: If they lead to displacements so many times larger than at their start, the plate may float.
+DIVERGENCE_RATIO = 10.0
+#: Iterative refinement takes so many steps at most, until the residual is this share of the largest force.
+MAX_REFINEMENTS = 4
+REFINEMENT_TOLERANCE = 1e-11
 
 
 def solve(
     A: Symmetric,
     f: Array,
-    latest: Latest,
+    factorization: CachedFactorization,
     bearings: Bearings,
     start: Integers,
     limit: int,
@@ -53,177 +54,180 @@ def solve(
 ) -> Contact:
     """Return the solution of A u - f = forces of the bearings.
 
-    start (c,) holds the states at first; near (size,) is what the solution is expected to be near; motions (size, m)
-    are those of the plate as a rigid body, against which only the bearings hold it; report is told iteration, bearings
-    that touch and changes. With no bearings this is one linear solution. Raises NotConverged after `limit` iterations,
-    SingularMatrix if A itself, held by all bearings, is not positive.
+    start (c,) holds the initial states; near (size,) approximates the solution; motions (size, m) are those of the
+    plate as a rigid body, against which only the bearings hold it; report takes iteration, touching bearings and
+    changes. Without bearings this is one linear solution. Raises NotConverged after `limit` iterations, SingularMatrix
+    if A itself, held by all bearings, is not positive definite.
 
-    Where what touches in the end does not hold the plate, it returns one of many solutions, to some digits: that of the
-    interior point method (see statics.require_hold).
+    Where the bearings that touch in the end do not hold the plate, it returns one of many solutions, to some digits:
+    that of the interior point method (see equilibrium.require_hold).
     """
-    b, hold = bearings, _Hold(bearings, motions)
+    b, floating = bearings, _FloatingCheck(bearings, motions)
     history: list[dict[str, int]] = []
 
-    def count(states: Integers, changed: int) -> None:
+    def record(states: Integers, changed: int) -> None:
         touching = int((states != OPEN).sum())
         history.append({"iteration": len(history) + 1, "closed": touching, "changed": changed})
         report(len(history), touching, changed)
 
-    state, last = b.lasting(start), near
+    state, last = b.admissible(start), near
     progress, inside = _Progress(len(b)), None
     while len(history) < limit:
-        found = _solved(A, f, b, state, latest, near) if hold.by(state) else None
+        found = None if floating.in_states(state) else _solve_states(A, f, b, state, factorization, near)
         if found is not None:
-            after = _next(A, b, found)
+            after = _next_states(A, b, found)
             wrong = after != state
-            count(state, int(wrong.sum()))
+            record(state, int(wrong.sum()))
             if not wrong.any():
-                return _refined(found, b, latest)
-            # close to a cycle decisions must not rest on what conjugate gradients leave over
-            last, near = found.contact.u, found.contact.u if progress.made(state, wrong) else None
+                return _refine(found, b, factorization)
+            # close to a cycle decisions must not rest on the residual of conjugate gradients
+            last, near = found.contact.u, found.contact.u if progress.update(state, wrong) else None
             state = after
-            if inside is not None or not progress.lost:
+            if inside is not None or not progress.stalled:
                 continue
         elif inside is not None:
-            if _balanced(A, f, b, inside):
+            if _is_balanced(A, f, b, inside):
                 return inside
             break
-        inside = interior_point.solve(A, f, latest, b, count)
+        inside = interior_point.solve(A, f, factorization, b, record)
         state, last, near, progress = inside.state, inside.u, None, _Progress(len(b))
     raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN})
 
 
-def _balanced(A: Symmetric, f: Array, b: Bearings, found: Contact) -> bool:
-    """Return whether the interior point method has come to an end: nothing is left over at unknowns free to move."""
-    left = f - A @ found.u + total(b.at, b.sign * found.force, A.size)
-    left[b.at[b.both_ways]] = 0.0
-    return bool(np.abs(left).max(initial=0.0) <= BALANCED * max(np.abs(f).max(initial=0.0), np.abs(found.force).max()))
+def _is_balanced(A: Symmetric, f: Array, b: Bearings, found: Contact) -> bool:
+    """Return whether the interior point method has converged: no residual at unknowns that are free to move."""
+    residual = f - A @ found.u + scatter(b.unknown, b.sign * found.force, A.size)
+    residual[b.unknown[b.bilateral]] = 0.0
+    largest = max(np.abs(f).max(initial=0.0), np.abs(found.force).max())
+    return bool(np.abs(residual).max(initial=0.0) <= INTERIOR_POINT_TOLERANCE * largest)
 
 
 @dataclass(frozen=True, slots=True)
-class _Solved:
+class _Iterate:
     """The solution for given states of the bearings."""
 
-    task: Task
-    load: Array  # (size,): the given one, and what bearings give that are not rigid
-    borne: Array  # (size,): the latter
+    system: ConstrainedSystem
+    load: Array  # (size,): the given load and that of the bearings which are not rigid
+    bearing_load: Array  # (size,): the latter
     contact: Contact
 
 
-def _solved(A: Symmetric, f: Array, b: Bearings, state: Integers, latest: Latest, near: Array | None) -> _Solved | None:
+def _solve_states(
+    A: Symmetric, f: Array, b: Bearings, state: Integers, factorization: CachedFactorization, near: Array | None
+) -> _Iterate | None:
     """Return the solution for given states (c,), none if these do not hold the plate.
 
-    near (size,) is what the solution is expected to be near: the latest factor may then serve, if its task is near too.
+    near (size,) approximates the solution: the latest factor may then serve, if it preconditions the system well.
     """
-    task, load = _arranged(A, f, b, state)
+    system, load = _constrain(A, f, b, state)
 
-    def found(u: Array, left: Array) -> _Solved:
-        return _Solved(task, load, load - f, Contact(u, state, _forces(b, state, u, load - f - left)))
+    def iterate(u: Array, residual: Array) -> _Iterate:
+        return _Iterate(system, load, load - f, Contact(u, state, _bearing_forces(b, state, u, load - f - residual)))
 
-    exact = latest.solves(task)
-    if near is not None and not exact and latest.near(task):
-        u = np.where(task.held, task.level, near)
-        left = load - A @ u
-        with suppress(SingularMatrix):  # then the factorisation tells
-            if latest.improve(task, load, u, left, STEPS) and np.abs(u).max() <= FAR * np.abs(near).max():
-                return found(u, left)
+    exact = factorization.holds(system)
+    if near is not None and not exact and factorization.preconditions(system):
+        u = np.where(system.fixed, system.fixed_values, near)
+        residual = load - A @ u
+        with suppress(SingularMatrix):  # then the factorization decides
+            converged = factorization.iterate(system, load, u, residual, CG_STEPS)
+            if converged and np.abs(u).max() <= DIVERGENCE_RATIO * np.abs(near).max():
+                return iterate(u, residual)
     if not exact:
         try:
-            latest.factor(task)
+            factorization.factorize(system)
         except SingularMatrix:
             return None
-    u = task.level.copy()
-    left = load - A @ u if u.any() else load.copy()
-    latest.improve(task, load, u, left, 1)
-    return found(u, left)
+    u = system.fixed_values.copy()
+    residual = load - A @ u if u.any() else load.copy()
+    factorization.iterate(system, load, u, residual, 1)
+    return iterate(u, residual)
 
 
-def _refined(s: _Solved, b: Bearings, latest: Latest) -> Contact:
-    """Return a solution without the rounding of the factorisation."""
-    A, u, before = s.task.A, s.contact.u.copy(), np.inf
-    for _ in range(REFINEMENTS):
-        left = s.load - A @ u
-        rest = np.abs((left - s.task.added * u)[~s.task.held]).max(initial=0.0)
-        if rest <= ROUNDED * np.abs(left).max(initial=0.0) or rest > before / 2:
+def _refine(s: _Iterate, b: Bearings, factorization: CachedFactorization) -> Contact:
+    """Return a solution without the rounding of the factorization."""
+    A, u, before = s.system.A, s.contact.u.copy(), np.inf
+    for _ in range(MAX_REFINEMENTS):
+        residual = s.load - A @ u
+        largest = np.abs((residual - s.system.diagonal_shift * u)[~s.system.fixed]).max(initial=0.0)
+        if largest <= REFINEMENT_TOLERANCE * np.abs(residual).max(initial=0.0) or largest > before / 2:
             break
-        before = rest
-        latest.improve(s.task, s.load, u, left, 1)
-    left = s.load - A @ u
+        before = largest
+        factorization.iterate(s.system, s.load, u, residual, 1)
     state = s.contact.state
-    return Contact(u, state, _forces(b, state, u, s.borne - left))
+    return Contact(u, state, _bearing_forces(b, state, u, s.bearing_load - (s.load - A @ u)))
 
 
-def _forces(b: Bearings, state: Integers, u: Array, left_over: Array) -> Array:
-    """Return the force of each bearing (c,); that of a rigid one is what the others leave over at its unknown."""
+def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> Array:
+    """Return the force of each bearing (c,); a rigid one takes the reaction (size,) that the others leave."""
     rigid = np.isinf(b.stiffness)
-    force = np.where(state == YIELDING, b.capacity, 0.0)
+    force = np.where(state == YIELDING, b.limit_force, 0.0)
     elastic = np.flatnonzero((state == CLOSED) & ~rigid)
-    force[elastic] = b.stiffness[elastic] * b.driven(u)[elastic]
-    borne = total(b.at, b.sign * force, len(u))
+    force[elastic] = b.stiffness[elastic] * b.penetration(u)[elastic]
+    carried = scatter(b.unknown, b.sign * force, len(u))
     closed = np.flatnonzero((state == CLOSED) & rigid)
-    force[closed] = b.sign[closed] * (left_over - borne)[b.at[closed]]
+    force[closed] = b.sign[closed] * (reaction - carried)[b.unknown[closed]]
     return force
 
 
-def _next(A: Symmetric, b: Bearings, found: _Solved) -> Integers:
-    """Return the state (c,) in which each bearing should be, seen from the one that it is in."""
+def _next_states(A: Symmetric, b: Bearings, found: _Iterate) -> Integers:
+    """Return the state (c,) in which each bearing should be, judged by the solution for the present states."""
     u, state, force = found.contact.u, found.contact.state, found.contact.force
-    driven, slack = b.driven(u), SLACK * np.abs(u).max()
-    small = np.minimum(slack * A.diagonal[b.at], SLACK * np.abs(force).max(initial=0))
-    full = np.zeros(len(b))  # way at which it yields
+    penetration, tolerance = b.penetration(u), STATE_TOLERANCE * np.abs(u).max()
+    small = np.minimum(tolerance * A.diagonal[b.unknown], STATE_TOLERANCE * np.abs(force).max(initial=0))
+    at_yield = np.zeros(len(b))  # penetration
     elastic = np.isfinite(b.stiffness)
-    full[elastic] = b.capacity[elastic] / b.stiffness[elastic]
+    at_yield[elastic] = b.limit_force[elastic] / b.stiffness[elastic]
     after = state.copy()
-    after[(state == OPEN) & (driven > slack)] = CLOSED
+    after[(state == OPEN) & (penetration > tolerance)] = CLOSED
     after[(state == CLOSED) & (force < -small)] = OPEN
-    after[(state == CLOSED) & (force > b.capacity + small)] = YIELDING
-    after[(state == YIELDING) & (driven < full - slack)] = CLOSED
-    return b.lasting(after)
+    after[(state == CLOSED) & (force > b.limit_force + small)] = YIELDING
+    after[(state == YIELDING) & (penetration < at_yield - tolerance)] = CLOSED
+    return b.admissible(after)
 
 
-class _Hold:
-    """Which bearings must touch so that the plate cannot move as a rigid body."""
+class _FloatingCheck:
+    """Checks whether the closed bearings keep the plate from moving as a rigid body."""
 
     def __init__(self, b: Bearings, motions: Array | None) -> None:
-        rows = np.zeros((len(b), 0)) if motions is None else motions[b.at]
+        rows = np.zeros((len(b), 0)) if motions is None else motions[b.unknown]
         # coordinates in which all bearings together resist every motion alike
         self.rows = np.linalg.qr(rows)[0] if rows.any() else rows[:, :0]
 
-    def by(self, state: Integers) -> bool:
-        """Return whether the bearings (c,) that are closed hold the plate."""
+    def in_states(self, state: Integers) -> bool:
+        """Return whether the plate floats with the bearings in states (c,)."""
         closed = self.rows[state == CLOSED]
-        return closed.shape[1] == 0 or bool(np.linalg.eigvalsh(closed.T @ closed)[0] > HOLD**2)
+        return closed.shape[1] > 0 and not np.linalg.eigvalsh(closed.T @ closed)[0] > FLOATING_RATIO**2
 
 
 class _Progress:
-    """Whether the active set iteration comes nearer to its end."""
+    """Watches whether the active set iteration approaches the solution."""
 
     def __init__(self, bearings: int) -> None:
         self.seen: set[bytes] = set()
         self.fewest = bearings + 1
-        self.since = 0
-        self.lost = False  # runs in a circle, or does not come nearer
+        self.stagnant_steps = 0
+        self.stalled = False  # cycles, or stagnates
 
-    def made(self, state: Integers, wrong: Flags) -> bool:
-        """Take note of states (c,) of which some are wrong; return whether these are fewer than ever before."""
+    def update(self, state: Integers, wrong: Flags) -> bool:
+        """Record states (c,) of which some are wrong; return whether these are fewer than ever before."""
         wrongs, key = int(wrong.sum()), state.astype(np.uint8).tobytes()
         nearer = wrongs < self.fewest
-        self.since = 0 if nearer else self.since + 1
-        self.lost = key in self.seen or self.since >= PATIENCE
+        self.stagnant_steps = 0 if nearer else self.stagnant_steps + 1
+        self.stalled = key in self.seen or self.stagnant_steps >= MAX_STAGNANT_STEPS
         self.seen.add(key)
         self.fewest = min(self.fewest, wrongs)
         return nearer
 
 
-def _arranged(A: Symmetric, f: Array, b: Bearings, state: Integers) -> tuple[Task, Array]:
-    """Return what given states make of the problem: matrix, held unknowns with their values, and load (size,)."""
+def _constrain(A: Symmetric, f: Array, b: Bearings, state: Integers) -> tuple[ConstrainedSystem, Array]:
+    """Return the linear system for given states of the bearings, and its load (size,)."""
     rigid = (state == CLOSED) & np.isinf(b.stiffness)
     elastic = (state == CLOSED) & np.isfinite(b.stiffness)
     yielding = state == YIELDING
-    added = total(b.at[elastic], b.stiffness[elastic], A.size)
-    load = f + total(b.at[elastic], b.stiffness[elastic] * b.level[elastic], A.size)
-    load += total(b.at[yielding], b.sign[yielding] * b.capacity[yielding], A.size)
-    held, level = np.zeros(A.size, dtype=bool), np.zeros(A.size)
-    held[b.at[rigid]] = True
-    level[b.at[rigid]] = b.level[rigid]
-    return Task(A, held, added, level), load
+    springs = scatter(b.unknown[elastic], b.stiffness[elastic], A.size)
+    load = f + scatter(b.unknown[elastic], b.stiffness[elastic] * b.offset[elastic], A.size)
+    load += scatter(b.unknown[yielding], b.sign[yielding] * b.limit_force[yielding], A.size)
+    fixed, fixed_values = np.zeros(A.size, dtype=bool), np.zeros(A.size)
+    fixed[b.unknown[rigid]] = True
+    fixed_values[b.unknown[rigid]] = b.offset[rigid]
+    return ConstrainedSystem(A, fixed, springs, fixed_values), load

@@ -1,6 +1,6 @@
-"""Whether a plate that the ground can only push can be in equilibrium, and whether that holds it in one place.
+"""Existence and uniqueness of the equilibrium of a plate on one-sided bearings.
 
-Equilibrium is decided before anything is solved, hold once it is known what touches.
+Existence is decided before anything is solved, uniqueness once the bearings that touch are known.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from groundslab.units import coordinate
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
 MARGIN = 1e-9
 #: The same for bearings with limits: the share of its capacity by which each must be able to stay off both ends.
-ROOM = 1e-6
+LIMIT_MARGIN = 1e-6
 #: What touches holds a rigid motion if the mean square of that motion over its forces is this share of the largest
 #: over the plate: forces that are rounding, or that all act on one line, do not.
 NEUTRAL = 1e-9
 
 
 def require_equilibrium(problem: Problem) -> None:
-    """Raise NoEquilibrium, saying why, unless contact pressure and supports can balance the load with room to spare.
+    """Raise NoEquilibrium, saying why, unless contact pressure and supports can balance the load with a margin.
 
     The load's work on the rigid motions that the supports leave free must lie inside the cone of what single upward
     forces under the plate do on them (docs/theory.md, equilibrium). A plate glued to the ground is always held.
@@ -44,7 +44,7 @@ def require_equilibrium(problem: Problem) -> None:
         worst = min((float(n @ work) for n in _faces(generators)), default=np.inf)
         possible = worst > MARGIN * problem.loading.size
     else:
-        possible = _share_balanced(problem, motions, scale, work, ROOM)[0] >= 1
+        possible = _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] >= 1
     if not possible:
         raise NoEquilibrium(_reason(problem, corners, motions, scale, work))
 
@@ -73,7 +73,7 @@ def require_hold(problem: Problem, contact: Contact) -> None:
     if free.shape[1] == 0:
         return
     b = problem.bearing
-    touching = np.flatnonzero((contact.state == CLOSED) & ~b.law.both_ways)
+    touching = np.flatnonzero((contact.state == CLOSED) & ~b.law.bilateral)
     places, force = problem.mesh.nodes[b.node[touching]], np.maximum(contact.force[touching], 0.0)
     rows = np.column_stack([np.ones(len(touching)), places])
     for field in (BETA_X, BETA_Y):
@@ -137,29 +137,29 @@ def _only_pushed(problem: Problem) -> bool:
     Supports that push up then add nothing to the ground.
     """
     b = problem.bearing
-    pulls = (b.law.sign > 0) & (b.support >= 0) & ~b.law.both_ways
-    return not (pulls.any() or np.isfinite(b.law.capacity).any())
+    pulls = (b.law.sign > 0) & (b.support >= 0) & ~b.law.bilateral
+    return not (pulls.any() or np.isfinite(b.law.limit_force).any())
 
 
-def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array, room: float) -> tuple[float, Flags]:
+def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array, margin: float) -> tuple[float, Flags]:
     """Return which share of the load bearings with limits can balance, 1 at most, and which are then at their limit.
 
-    A linear programme: how large a share of the load's work on the free motions can forces do, each a little off zero
-    and off its capacity? The limits are told of all bearings (c,).
+    A linear program: how large a share of the load's work on the free motions can forces do, each a little off zero
+    and off its limit force? Also which bearings (c,) are at their limit.
     """
     from scipy.optimize import linprog
 
     b, law = problem.bearing, problem.bearing.law
     full = np.zeros(len(law), dtype=bool)
-    use = np.flatnonzero(~law.both_ways & (law.capacity > 0))
+    use = np.flatnonzero(~law.bilateral & (law.limit_force > 0))
     size = problem.loading.size
     if not len(use) or size == 0:
         return 0.0, full
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
     places = problem.mesh.nodes[b.node[use]]
     generators = up[:, None] * (np.column_stack([np.ones(len(use)), places * scale[1:]]) @ motions)
-    capacity = law.capacity[use] / size
-    little = room * np.minimum(capacity, 1 / len(use))
+    capacity = law.limit_force[use] / size
+    little = margin * np.minimum(capacity, 1 / len(use))
     bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
     found = linprog(
         np.append(np.zeros(len(use)), -1.0),
@@ -177,11 +177,11 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
 def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3, d).
 
-    Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the whole plate.
+    Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
     nodes, b = problem.plate_nodes, problem.bearing
     held = problem.unknown[:, : BETA_Y + 1] < 0
-    both = b.law.both_ways
+    both = b.law.bilateral
     held[b.node[both], b.field[both]] = True
     for axis in (0, 1):
         if mirrored and problem.symmetry[axis]:
@@ -226,7 +226,7 @@ def _resultant(problem: Problem) -> Array:
 def _faces(generators: Array) -> list[Array]:
     """Return the inward normals of the faces of the cone that the rows of generators (c, d), d <= 3, span.
 
-    The rows stand in their order around the plate, so that with d = 3 each two neighbours span a face.
+    The rows stand in their order around the plate, so that with d = 3 each two neighbors span a face.
     """
     d = generators.shape[1]
     if d == 3:
@@ -259,15 +259,15 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
     F = 0.0 if abs(F) <= MARGIN * problem.loading.size else F
     share = 2.0 ** sum(problem.symmetry)
     b, law = problem.bearing, problem.bearing.law
-    pushing = ~law.both_ways & ((b.support < 0) | (law.sign < 0))
-    pulling = ~law.both_ways & ~pushing
-    most, least = law.capacity[pushing].sum(), law.capacity[pulling].sum()
-    if most <= F * (1 + ROOM):
+    pushing = ~law.bilateral & ((b.support < 0) | (law.sign < 0))
+    pulling = ~law.bilateral & ~pushing
+    most, least = law.limit_force[pushing].sum(), law.limit_force[pulling].sum()
+    if most <= F * (1 + LIMIT_MARGIN):
         return (
             f"the loads of {F * share / 1e3:.6g} kN are more than ground and supports can carry at their limits, "
             f"{most * share / 1e3:.6g} kN; enlarge the plate, or look at {_limits(problem, pushing)}"
         )
-    if 0 < least <= -F * (1 + ROOM):
+    if 0 < least <= -F * (1 + LIMIT_MARGIN):
         return (
             f"the loads lift the plate by {-F * share / 1e3:.6g} kN, more than the supports can hold down at their "
             f"limits, {least * share / 1e3:.6g} kN; look at {_limits(problem, pulling)}, or add weight"
@@ -307,10 +307,10 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
 def _limits(problem: Problem, bearings: Flags) -> str:
     """Return the names of the limits that some bearings (c,) have, as the file calls them."""
     b = problem.bearing
-    limited = bearings & np.isfinite(b.law.capacity)
+    limited = bearings & np.isfinite(b.law.limit_force)
     supports = b.support[limited]
     names = [f"supports[{number + 1}].limit" for number in np.unique(supports[supports >= 0])]
     if (supports < 0).any():
-        lasting = b.law.capacity[limited][supports < 0] > 0
+        lasting = b.law.limit_force[limited][supports < 0] > 0
         names += ["contact.limit_pressure"] * bool(lasting.any()) + ["voids without depth"] * bool((~lasting).any())
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

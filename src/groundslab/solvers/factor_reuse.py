@@ -1,4 +1,4 @@
-"""Reuse of the latest factorization: low-rank updates and iterative refinement instead of a new one."""
+"""Reuse of the latest factorization: low-rank updates and preconditioned conjugate gradients instead of a new one."""
 
 from __future__ import annotations
 
@@ -11,76 +11,72 @@ from groundslab.errors import SingularMatrix
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers.protocols import Factor, Symbolic
 
-#: A factor helps with a task of the same matrix that differs from its own in at most so many unknowns.
-FEW = 16
-
-
-#: Or in fewer, so that what is kept for these unknowns has no more numbers than this.
-MOST = 2**23
-
-
-#: And with one of another matrix, by conjugate gradients alone, if they differ in at most so many.
-FEWER = 4
-
-
-#: Such a matrix with fewer rows is factorised anew in less time than the steps take.
-SMALL = 30_000
-
-
+#: A factor serves another system of the same matrix whose constraints differ in at most so many unknowns,
+MAX_UPDATE_RANK = 16
+#: or in fewer, so that the stored columns of these unknowns have no more entries than this.
+MAX_UPDATE_ENTRIES = 2**23
+#: It serves a system of another matrix, as a preconditioner, if the constraints differ in at most so many unknowns
+MAX_PRECONDITIONER_RANK = 4
+#: and the matrix has at least so many rows: a smaller one is factorized in less time than the iterations take.
+MIN_PRECONDITIONED_SIZE = 30_000
 #: Conjugate gradients end when the error's energy is below this share of the solution's: 1e-10 of its displacements.
 TOLERANCE = 1e-20
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Task:
-    """A matrix with unknowns held and something added to its diagonal: what is to be solved with."""
+class ConstrainedSystem:
+    """A matrix with some unknowns fixed and a shift of its diagonal."""
 
     A: Symmetric
-    held: Flags  # (size,)
-    added: Array  # (size,), without meaning where held
-    level: Array  # (size,): the values of held unknowns, zero elsewhere
+    fixed: Flags  # (size,)
+    diagonal_shift: Array  # (size,), without meaning where fixed
+    fixed_values: Array  # (size,), zero where not fixed
 
-    def differs(self, other: Task) -> int:
-        """Return the number of unknowns that are held, or whose diagonal is added to, in one of two tasks alone."""
-        loose = ~(self.held & other.held)
-        return int((((self.held != other.held) | (self.added != other.added)) & loose).sum())
+    def count_differences(self, other: ConstrainedSystem) -> int:
+        """Return the number of unknowns that only one of two systems fixes, or whose diagonals differ."""
+        loose = ~(self.fixed & other.fixed)
+        return int((((self.fixed != other.fixed) | (self.diagonal_shift != other.diagonal_shift)) & loose).sum())
 
 
-class _Bordered:
-    """Solves a task with the factor of another one that has the same matrix and differs in few unknowns.
+class WoodburySolver:
+    """Solves a system with the factor of another one of the same matrix whose constraints differ in few unknowns.
 
-    Unknowns that are newly free add rows and columns to the factorised matrix, newly held ones a multiplier each, other
-    diagonals a spring each. Block elimination leaves a system as small as their number (Woodbury 1950). It needs the
-    factor's solution for each of them, which stays in `known` (by the unknown).
+    Freed unknowns add rows and columns to the factorized matrix, newly fixed ones a multiplier each, other diagonals a
+    spring each. Block elimination leaves a system as small as their number (Woodbury 1950). It needs the factor's
+    solution for each of them, which is kept in `columns`, by the unknown.
     """
 
-    def __init__(self, factor: Factor, own: Task, task: Task, known: dict[int, Array]) -> None:
-        both = ~own.held & ~task.held
-        self.freed = np.flatnonzero(own.held & ~task.held)
-        self.kept = np.flatnonzero((task.held & ~own.held) | (both & (own.added != task.added)))
-        self.factor, self.free, self.rows = factor, np.where(own.held, 0.0, 1.0), task.A.rows(self.freed)
-        new = [i for i in range(len(self)) if self._unknown(i) not in known]
+    def __init__(
+        self, factor: Factor, factorized: ConstrainedSystem, system: ConstrainedSystem, columns: dict[int, Array]
+    ) -> None:
+        both_free = ~factorized.fixed & ~system.fixed
+        shifted = both_free & (factorized.diagonal_shift != system.diagonal_shift)
+        self.freed = np.flatnonzero(factorized.fixed & ~system.fixed)
+        self.added = np.flatnonzero((system.fixed & ~factorized.fixed) | shifted)
+        self.factor, self.free = factor, np.where(factorized.fixed, 0.0, 1.0)
+        self.rows = system.A.rows(self.freed)
+        new = [i for i in range(len(self)) if self._unknown(i) not in columns]
         if new:
-            border = np.column_stack([self._column(i) for i in new])
-            known |= zip(map(self._unknown, new), factor.solve(border).T, strict=True)
-        self.inner = [known[self._unknown(i)] for i in range(len(self))]
-        self.small = np.column_stack([self._along(column) for column in self.inner])
+            border = np.column_stack([self._border_column(i) for i in new])
+            columns |= zip(map(self._unknown, new), factor.solve(border).T, strict=True)
+        self.columns = [columns[self._unknown(i)] for i in range(len(self))]
+        self.schur = np.column_stack([self._multiply_border(column) for column in self.columns])
         j = len(self.freed)
-        self.small[:j, :j] -= self.rows[:, self.freed].toarray() + np.diag(task.added[self.freed])
-        for i, unknown in enumerate(self.kept, start=j):
-            if not task.held[unknown]:
-                self.small[i, i] += 1.0 / (task.added[unknown] - own.added[unknown])
+        self.schur[:j, :j] -= self.rows[:, self.freed].toarray() + np.diag(system.diagonal_shift[self.freed])
+        for i, unknown in enumerate(self.added, start=j):
+            if not system.fixed[unknown]:
+                self.schur[i, i] += 1.0 / (system.diagonal_shift[unknown] - factorized.diagonal_shift[unknown])
 
     def __len__(self) -> int:
-        """Return in how many unknowns the tasks differ."""
-        return len(self.freed) + len(self.kept)
+        """Return the rank of the update."""
+        return len(self.freed) + len(self.added)
 
     def _unknown(self, i: int) -> int:
         """Return the unknown of a row of the border."""
-        return int(self.freed[i] if i < len(self.freed) else self.kept[i - len(self.freed)])
+        return int(self.freed[i] if i < len(self.freed) else self.added[i - len(self.freed)])
 
-    def _column(self, i: int) -> Array:
-        """Return a row of the border (size,)."""
+    def _border_column(self, i: int) -> Array:
+        """Return a column of the border (size,)."""
         if i < len(self.freed):
             row: Array = self.rows[[i]].toarray()[0] * self.free
             return row
@@ -88,74 +84,75 @@ class _Bordered:
         unit[self._unknown(i)] = 1.0
         return unit
 
-    def _along(self, x: Array) -> Array:
+    def _multiply_border(self, x: Array) -> Array:
         """Return the border's rows times x (size,)."""
-        return np.concatenate([self.rows @ (x * self.free), x[self.kept]])
+        return np.concatenate([self.rows @ (x * self.free), x[self.added]])
 
     def solve(self, b: Array) -> Array:
-        """Return x (size,) with the task's matrix times x = b where it is free; x has no meaning where it is held."""
+        """Return x (size,) that solves the system for b where it is free; x has no meaning where it is fixed."""
         x = self.factor.solve(b * self.free)
-        sought = self._along(x)
-        sought[: len(self.freed)] -= b[self.freed]
+        right = self._multiply_border(x)
+        right[: len(self.freed)] -= b[self.freed]
         try:
-            found = np.linalg.solve(self.small, sought)
+            multipliers = np.linalg.solve(self.schur, right)
         except np.linalg.LinAlgError as error:
-            raise SingularMatrix("the stiffness matrix of a task near the factorised one is singular") from error
-        for share, column in zip(found, self.inner, strict=True):
-            x -= share * column
-        x[self.freed] = found[: len(self.freed)]
+            raise SingularMatrix("the stiffness matrix under changed constraints is singular") from error
+        for multiplier, column in zip(multipliers, self.columns, strict=True):
+            x -= multiplier * column
+        x[self.freed] = multipliers[: len(self.freed)]
         return x
 
 
-class Latest:
-    """A pattern that has been analysed, with its latest factor, which also helps to solve tasks that are near its own.
+class CachedFactorization:
+    """An analyzed pattern with its latest factor, which also serves to solve systems close to the factorized one.
 
-    It preconditions conjugate gradients: bordered if the matrix is the same, else as it is. These then need one or two
-    steps, or few if the entries of the matrix have changed little.
+    The factor preconditions conjugate gradients: with a low-rank update if the matrix is the same, else as it is. These
+    then need one or two steps, or few if the entries of the matrix have changed little.
     """
 
     def __init__(self, symbolic: Symbolic) -> None:
         self.symbolic = symbolic
-        self.task: Task | None = None
+        self.system: ConstrainedSystem | None = None
         self._factor: Factor
-        self._known: dict[int, Array] = {}  # see _Bordered
+        self._columns: dict[int, Array] = {}  # see WoodburySolver
 
-    def solves(self, task: Task) -> bool:
-        """Return whether the latest factor is the one of this task."""
-        return self.task is not None and self.task.A is task.A and self.task.differs(task) == 0
+    def holds(self, system: ConstrainedSystem) -> bool:
+        """Return whether the latest factor is the one of this system."""
+        return self.system is not None and self.system.A is system.A and self.system.count_differences(system) == 0
 
-    def near(self, task: Task) -> bool:
-        """Return whether the latest factor can be expected to help with this task."""
-        if self.task is None:
+    def preconditions(self, system: ConstrainedSystem) -> bool:
+        """Return whether the latest factor can be expected to precondition this system well."""
+        if self.system is None:
             return False
-        differing = self.task.differs(task)
-        if self.task.A is task.A:
-            return differing <= min(FEW, MOST // len(task.held))
-        return differing <= FEWER and len(task.held) >= SMALL
+        rank = self.system.count_differences(system)
+        if self.system.A is system.A:
+            return rank <= min(MAX_UPDATE_RANK, MAX_UPDATE_ENTRIES // len(system.fixed))
+        return rank <= MAX_PRECONDITIONER_RANK and len(system.fixed) >= MIN_PRECONDITIONED_SIZE
 
-    def _preconditioner(self, task: Task) -> Factor:
-        """Return what solves a task, or one near it."""
-        assert self.task is not None
-        differing = self.task.A is task.A and self.near(task) and self.task.differs(task) > 0
-        return _Bordered(self._factor, self.task, task, self._known) if differing else self._factor
+    def _preconditioner(self, system: ConstrainedSystem) -> Factor:
+        """Return what solves a system, or one close to it."""
+        assert self.system is not None
+        if self.system.A is system.A and self.preconditions(system) and self.system.count_differences(system) > 0:
+            return WoodburySolver(self._factor, self.system, system, self._columns)
+        return self._factor
 
-    def factor(self, task: Task) -> None:
-        """Take the factor of another task; raise SingularMatrix if it is not positive definite."""
-        self.task = None  # the factor that there is is no longer valid
-        self._known = {}
-        self._factor = self.symbolic.factor(task.A.held(task.held, task.added))
-        self.task = task
+    def factorize(self, system: ConstrainedSystem) -> None:
+        """Factorize another system; raise SingularMatrix if it is not positive definite."""
+        self.system = None  # the previous factor is no longer valid
+        self._columns = {}
+        self._factor = self.symbolic.factor(system.A.constrain(system.fixed, system.diagonal_shift))
+        self.system = system
 
-    def improve(self, task: Task, load: Array, u: Array, rest: Array, steps: int) -> bool:
-        """Bring u (size,) towards the solution under a load (size,) by steps of conjugate gradients.
+    def iterate(self, system: ConstrainedSystem, load: Array, u: Array, residual: Array, steps: int) -> bool:
+        """Improve u (size,) towards the solution under a load (size,) by steps of conjugate gradients.
 
-        u, which has its values where it is held, and rest = load - A u (size,) change in place. Returns whether the
-        energy of the error fell below TOLERANCE of that of the solution, which is not looked at after a single step.
+        u, which has the fixed values, and residual = load - A u (size,) change in place. Returns whether the energy of
+        the error fell below TOLERANCE of that of the solution, which a single step does not check.
         """
-        preconditioner = self._preconditioner(task)
-        free = np.where(task.held, 0.0, 1.0)
-        added = task.added * free
-        r = (rest - added * u) * free
+        preconditioner = self._preconditioner(system)
+        free = np.where(system.fixed, 0.0, 1.0)
+        shift = system.diagonal_shift * free
+        r = (residual - shift * u) * free
         q, rz, first = np.zeros_like(u), np.inf, 0.0
         for step in range(steps + 1):
             z = preconditioner.solve(r) * free
@@ -166,13 +163,13 @@ class Latest:
             if step == steps:
                 break
             q = z + rz / last * q
-            Aq = task.A @ q
-            along = float(q @ Aq + added @ (q * q))
-            if not along > 0:
+            Aq = system.A @ q
+            curvature = float(q @ Aq + shift @ (q * q))
+            if not curvature > 0:
                 return rz == 0.0
-            u += rz / along * q
-            rest -= rz / along * Aq
+            u += rz / curvature * q
+            residual -= rz / curvature * Aq
             if steps == 1:
                 return True
-            r -= rz / along * (Aq + added * q) * free
+            r -= rz / curvature * (Aq + shift * q) * free
         return False

@@ -1,10 +1,10 @@
-"""MUMPS through PETSc, for one problem that is larger than a machine's memory: its factor lies on several processes.
+"""MUMPS through PETSc, for a problem that does not fit one machine: its factor is distributed over processes.
 
 Every process of an MPI run does the same analysis, mesh and matrix included; only the factor, by far the largest part,
-is shared out among them. Each gets the whole solution, so all take the same decisions. They must run on machines of one
-kind: where two processes round differently, one may decide otherwise and wait for ever.
+is distributed. Each process receives the complete solution, so that all take the same decisions. They must run on
+machines of one kind: where two processes round differently, one may decide otherwise and wait forever.
 
-PETSc and petsc4py are not among what pip can install with this package: see docs/large.md.
+pip cannot install PETSc and petsc4py with this package: see docs/large.md.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ import numpy as np
 from groundslab.arrays import Array, Indices
 from groundslab.errors import SingularMatrix
 
-#: Numbers of MUMPS's controls and answers (its Users' guide, sections 6 and 8).
+#: Numbers of MUMPS's control and information parameters (its Users' guide, sections 6 and 8).
 PARALLEL_ROOT, MEMORY_MARGIN = 13, 14
 OUTCOME, NEGATIVE_PIVOTS = 1, 12
-#: Its memory may be so many percent more than it expected to need.
+#: Percentage by which the working memory may exceed the estimate.
 MARGIN = 50
 
 
 def _petsc() -> Any:
-    """Import PETSc's Python door; starts MPI. ImportError where it is not installed."""
+    """Import petsc4py, which starts MPI; raises ImportError where it is not installed."""
     import petsc4py
 
     petsc4py.init()
@@ -34,12 +34,12 @@ def _petsc() -> Any:
 
 
 def leads() -> bool:
-    """Return whether this process is the one, of all in an MPI run, that speaks and writes for them."""
+    """Return whether this process is the one of an MPI run that prints and writes files."""
     return bool(_petsc().COMM_WORLD.getRank() == 0)
 
 
 class Mumps:
-    """A pattern on all processes of an MPI run, which each hold some of its rows; factorised by MUMPS."""
+    """A pattern whose rows are distributed over the processes of an MPI run, factorized by MUMPS."""
 
     def __init__(self, indptr: Indices, indices: Indices) -> None:
         PETSc = _petsc()
@@ -50,7 +50,7 @@ class Mumps:
         self.entries = slice(int(indptr[self.begin]), int(indptr[self.end]))
         self.indptr = (indptr[self.begin : self.end + 1] - indptr[self.begin]).astype(index)
         self.indices = indices[self.entries].astype(index)
-        self.to_all, self.whole = PETSc.Scatter.toAll(self.x)
+        self.to_all, self.gathered = PETSc.Scatter.toAll(self.x)
         self.matrix = PETSc.Mat().create(PETSc.COMM_WORLD)
         self.matrix.setSizes(((self.end - self.begin, n), (self.end - self.begin, n)))
         self.matrix.setType("sbaij")
@@ -64,12 +64,12 @@ class Mumps:
         self.pc.setFactorSolverType("mumps")
         self.pc.setFactorSetUpSolverType()
         factor = self.pc.getFactorMatrix()
-        # no part of the matrix in a parallel dense solver, which would not count its negative pivots
+        # no parallel dense solver for the root, which would not count its negative pivots
         factor.setMumpsIcntl(PARALLEL_ROOT, 1)
         factor.setMumpsIcntl(MEMORY_MARGIN, MARGIN)
 
     def factor(self, data: Array) -> Mumps:
-        """Return the factor of the matrix whose upper half has these entries; SingularMatrix if it is not positive."""
+        """Return the factor of the matrix whose upper half has these entries; raise SingularMatrix if there is none."""
         if not np.isfinite(data).all():
             raise SingularMatrix("the matrix holds entries that are not finite numbers")
         self.matrix.setValuesCSR(self.indptr, self.indices, data[self.entries])
@@ -89,6 +89,6 @@ class Mumps:
             return np.column_stack([self.solve(column) for column in b.T])
         self.b.setArray(b[self.begin : self.end])
         self.ksp.solve(self.b, self.x)
-        self.to_all.scatter(self.x, self.whole)
-        found: Array = self.whole.getArray().copy()
+        self.to_all.scatter(self.x, self.gathered)
+        found: Array = self.gathered.getArray().copy()
         return found

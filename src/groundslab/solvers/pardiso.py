@@ -17,19 +17,19 @@ from groundslab.solvers.protocols import Factor
 
 
 class Pardiso:
-    """MKL PARDISO through pypardiso: analysis once, then numeric factorisations of the same pattern."""
+    """PARDISO through pypardiso: one analysis, then numeric factorizations of the same pattern."""
 
     def __init__(self, indptr: Indices, indices: Indices) -> None:
-        self.handle = pardiso_wrapper().PyPardisoSolver(mtype=2)
-        self.handle.set_iparm(1, 1)  # no defaults: the entries below count
-        self.handle.set_iparm(5, 1)  # the order of elimination is given: that of the numbers
-        self.handle.set_iparm(8, 0)  # no iterative refinement: whoever knows what is left over can do it once
-        self.handle.set_iparm(24, 1)  # two-level parallel factorisation
-        self.handle.set_iparm(35, 1)  # numbers begin with 0
+        self.handle = import_pardiso().PyPardisoSolver(mtype=2)
+        self.handle.set_iparm(1, 1)  # no defaults: use the entries below
+        self.handle.set_iparm(5, 1)  # the order of elimination is given by perm
+        self.handle.set_iparm(8, 0)  # no iterative refinement: the caller knows the residual and refines
+        self.handle.set_iparm(24, 1)  # two-level parallel factorization
+        self.handle.set_iparm(35, 1)  # zero-based indices
         self.handle.perm = np.arange(len(indptr) - 1, dtype=np.int32)
         self.indptr, self.indices = indptr.astype(np.int32), indices.astype(np.int32, copy=False)
         self.data = np.zeros(0)
-        self.analysed = 0  # for how many threads; 0 if not yet
+        self.analyzed_threads = 0  # number of threads of the analysis; 0 before it
         self.used = False  # whether PARDISO was ever called and may hold memory
 
     def factor(self, data: Array) -> Factor:
@@ -38,13 +38,13 @@ class Pardiso:
             raise SingularMatrix("the matrix holds entries that are not finite numbers")
         self.data = data
         now = int(self.handle.libmkl.MKL_Get_Max_Threads())
-        if self.analysed not in (0, now):
-            # under another number of threads PARDISO breaks down with it
+        if self.analyzed_threads not in (0, now):
+            # PARDISO fails with an analysis made for another number of threads
             self.handle.free_memory(everything=True)
-            self.analysed = 0
-        phase, self.used = 22 if self.analysed else 12, True
+            self.analyzed_threads = 0
+        phase, self.used = 22 if self.analyzed_threads else 12, True
         self._call(phase, np.zeros(len(self.handle.perm)))
-        self.analysed, self.data = now, np.zeros(0)  # solutions need the factor alone
+        self.analyzed_threads, self.data = now, np.zeros(0)  # solutions need the factor alone
         return self
 
     def solve(self, b: Array) -> Array:
@@ -52,32 +52,32 @@ class Pardiso:
         return np.ascontiguousarray(self._call(33, np.asfortranarray(b, dtype=np.float64)))
 
     def _call(self, phase: int, b: Array) -> Array:
-        """Return what a phase of PARDISO makes of b: pypardiso's own call copies the whole pattern every time."""
+        """Run a phase of PARDISO on b; pypardiso's own call would copy the pattern every time."""
         x, error = np.zeros_like(b), ctypes.c_int32(0)
         handle = self.handle
 
         def number(value: int) -> Any:
             return ctypes.byref(ctypes.c_int32(value))
 
-        def of(array: Array | Indices) -> Any:
+        def pointer(array: Array | Indices) -> Any:
             return array.ctypes.data_as(ctypes.POINTER(np.ctypeslib.as_ctypes_type(array.dtype)))
 
         handle._mkl_pardiso(
-            of(handle.pt),
-            number(1),  # matrices held
-            number(1),  # which of them
+            pointer(handle.pt),
+            number(1),  # number of matrices
+            number(1),  # the matrix to use
             number(handle.mtype),
             number(phase),
             number(len(b)),
-            of(self.data),
-            of(self.indptr),
-            of(self.indices),
-            of(handle.perm),
+            pointer(self.data),
+            pointer(self.indptr),
+            pointer(self.indices),
+            pointer(handle.perm),
             number(1 if b.ndim == 1 else b.shape[1]),
-            of(handle.iparm),
+            pointer(handle.iparm),
             number(0),  # no messages
-            of(b),
-            of(x),
+            pointer(b),
+            pointer(x),
             ctypes.byref(error),
         )
         if error.value == -4:
@@ -92,8 +92,8 @@ class Pardiso:
             self.handle.free_memory(everything=True)
 
 
-def pardiso_wrapper() -> Any:
-    """Import pypardiso and tell it where MKL lies: its own search, done for every solver, takes longer than solving."""
+def import_pardiso() -> Any:
+    """Import pypardiso with MKL's path set: its own search, done for every solver, takes longer than solving."""
     if "PYPARDISO_MKL_RT" not in os.environ:
         places = ("lib/libmkl_rt.so*", "Library/bin/mkl_rt*.dll")
         found = [path for place in places for path in sorted(Path(sys.prefix).glob(place))]
@@ -105,19 +105,19 @@ def pardiso_wrapper() -> Any:
 
 
 def repeatable() -> None:
-    """Let MKL give the same result to the last bit wherever in memory its numbers lie, unless it was used before.
+    """Make MKL's results reproducible to the last bit, whatever the alignment of arrays, unless it was used before.
 
-    Else a sum's order depends on that, and so its last bit on what else a process did. Costs about a tenth of a
-    factorisation (conditional numerical reproducibility in MKL's guide).
+    Otherwise the order of a sum, and so its last bit, depends on what else the process did. Costs about a tenth of a
+    factorization (see "conditional numerical reproducibility" in MKL's guide).
     """
     os.environ.setdefault("MKL_CBWR", "AUTO")
 
 
 @functools.cache
-def without_pardiso() -> str:
-    """Return why PARDISO cannot be loaded, nothing if it can; asked once, as a search in vain takes long."""
+def pardiso_import_error() -> str:
+    """Return why PARDISO cannot be loaded, "" if it can; cached, as a failing search takes long."""
     try:
-        pardiso_wrapper()
+        import_pardiso()
     except ImportError as error:
         return str(error)
     return ""

@@ -1,4 +1,4 @@
-"""What a direct solver offers: an analysis of the pattern, factors of matrices with it, solutions."""
+"""Interface of direct solvers: analysis of a pattern, factors of matrices with that pattern, solutions."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from groundslab.arrays import Array, Indices
 
 
 class Factor(Protocol):
-    """A factorised matrix."""
+    """A factorized matrix."""
 
     def solve(self, b: Array) -> Array:
         """Return x with A x = b, for b (n,) or (n, k)."""
@@ -17,12 +17,12 @@ class Factor(Protocol):
 
 
 class Symbolic(Protocol):
-    """A pattern that has been analysed; factorises any matrix with that pattern. The latest factor alone is valid."""
+    """An analyzed pattern, which factorizes any matrix with that pattern. Only the latest factor is valid."""
 
     def factor(self, data: Array) -> Factor:
-        """Return the factor of the matrix whose upper half has these entries; raise SingularMatrix if not positive."""
+        """Return the factor of the matrix whose upper half has these entries; raise SingularMatrix if there is none."""
         ...
 
 
-#: From indptr and indices of the upper half to its analysis.
+#: Takes indptr and indices of the upper half and returns the analyzed pattern.
 Solver = Callable[[Indices, Indices], Symbolic]

@@ -9,7 +9,8 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.fem.bearings import Bearings, Contact
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import TOP, System
+from groundslab.fem.problem import TOP
+from groundslab.fem.system import System
 
 
 @dataclass(frozen=True, slots=True)

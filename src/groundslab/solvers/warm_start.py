@@ -1,55 +1,46 @@
-"""What a solution on a coarser mesh tells of the next one: unknowns, and where the plate will touch the ground.
+"""Warm start from the solution on a coarser mesh: unknowns and states of the bearings.
 
-The contact zone is found on a strip along its border alone, held to the coarser solution around it. That costs little
-and leaves next to nothing for the whole mesh to change.
+The border of the contact zone is found on a strip along it, with the coarser solution fixed around it. That costs
+little and leaves next to nothing to change on the full mesh.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
-from groundslab.fem.bearings import CLOSED, LAWS, OPEN, YIELDING, Bearings
-from groundslab.fem.mesh import Whereabouts, between, interpolated, whereabouts
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    TOP,
-    Problem,
-    System,
-    W,
-    on_lines,
-    plate_settlement,
-    surface_settlement,
-)
+from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings
+from groundslab.fem.mesh import Whereabouts, interpolate_bilinear, interpolated, whereabouts
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
+from groundslab.fem.system import System, on_plate_edge, plate_settlement, surface_settlement
 from groundslab.solvers import contact
-from groundslab.solvers.factor_reuse import Latest
+from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
 #: A node starts closed where the coarser mesh's contact (-1 closed, 1 open, linear between) is below this: the value
-#: for which the zone then changes least; it costs a step or two if it is off, never the result.
+#: for which the zone then changes least; a poor value costs a step or two, never the result.
 CLOSED_AT = -0.25
 #: Rings of elements around the border of the contact zone that make up the strip.
 RINGS = 4
-#: The border may come near the strip's rim; then it is laid anew around where the border went, so many times at most.
-STRIPS = 4
-LIMIT = 30
+#: Where the border comes near the strip's rim, another strip follows around the new border, so many at most.
+MAX_STRIPS = 4
+MAX_ITERATIONS = 30
 
 
 @dataclass(frozen=True, slots=True)
-class Places:
+class NodeLocations:
     """Where the nodes of a mesh lie in a coarser one."""
 
     everywhere: Whereabouts  # (n,)
     on_plate: Whereabouts  # of the plate's nodes alone, in elements of the plate
 
 
-def places(before: Problem, problem: Problem) -> Places:
+def locate_nodes(before: Problem, problem: Problem) -> NodeLocations:
     """Return where a problem's nodes lie in the mesh of a coarser one."""
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
     element, place = whereabouts(coarse, nodes)
@@ -60,22 +51,22 @@ def places(before: Problem, problem: Problem) -> Places:
     astray = np.flatnonzero(~on_plate[own])
     if len(astray):
         own[astray], there[astray] = whereabouts(coarse, nodes[under[astray]], before.plate_elements)
-    return Places((element, place), (own, there))
+    return NodeLocations((element, place), (own, there))
 
 
-def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integers, Array]:
-    """Return the states (c,) of the bearings and the unknowns (n, F) to expect after a solution on a coarser mesh."""
+def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[Integers, Array]:
+    """Return the states (c,) of the bearings and the unknowns (n, F) interpolated from a solution on a coarser mesh."""
     before, b = start.system.problem, problem.bearing
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
     state = np.full(len(b.law), CLOSED)
     ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
     state[(b.support < 0) & (b.field != TOP)] = OPEN
     if len(ground):
-        touching = between(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
+        touching = interpolate_bilinear(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
         state[ground] = np.where(touching, CLOSED, OPEN)
         if (start.contact.state == YIELDING).any():
-            yielding = between(coarse, start.nodes_in(YIELDING), at.on_plate) <= CLOSED_AT
-            limited = np.isfinite(b.law.capacity[ground]) & ~on_lines(problem)[ground]
+            yielding = interpolate_bilinear(coarse, start.nodes_in(YIELDING), at.on_plate) <= CLOSED_AT
+            limited = np.isfinite(b.law.limit_force[ground]) & ~on_plate_edge(problem)[ground]
             state[ground[yielding & limited]] = YIELDING
     for support in np.unique(b.support[b.support >= 0]):
         new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.bearing))
@@ -93,53 +84,68 @@ def from_coarser(start: Solution, problem: Problem, at: Places) -> tuple[Integer
     return state, U
 
 
-def along_the_border(
+def solve_contact_border(
     s: System, A: Symmetric, f: Array, law: Bearings, state: Integers, U: Array, solver: Solver
 ) -> Integers:
-    """Return the states (c,) of the bearings once those along the contact zone's border are in equilibrium.
+    """Return the states (c,) of the bearings after solving the contact on a strip along the contact zone's border.
 
-    U (n, F) is what the solution is expected to be near.
+    U (n, F) approximates the solution.
     """
     problem = s.problem
     has = problem.unknown >= 0
     u = np.zeros(A.size)
     u[problem.unknown[has]] = U[has]
-    for _ in range(STRIPS):
+    for _ in range(MAX_STRIPS):
         inside = _strip(problem, state, RINGS)
-        own = np.zeros(A.size, dtype=bool)
-        own[problem.unknown[inside][has[inside]]] = True
-        which = np.flatnonzero(own[law.at])
-        if not len(which):
-            break
-        numbers = np.flatnonzero(own)
-        part, load = A.part(numbers), (f - A @ np.where(own, 0.0, u))[numbers]
-        some = Bearings((np.cumsum(own) - 1)[law.at[which]], *(getattr(law, name)[which] for name in LAWS))
-        latest = Latest(solver(part.indptr, part.indices))
+        free = np.zeros(A.size, dtype=bool)
+        free[problem.unknown[inside][has[inside]]] = True
         try:
-            found = contact.solve(part, load, latest, some, state[which], LIMIT, lambda *_: None)
+            solved = _solve_strip(A, f, law, state, u, free, solver)
         except (NotConverged, SingularMatrix):
-            break  # the strip alone tells nothing: the whole mesh will
-        before, state = state, state.copy()
-        state[which] = found.state
-        u[numbers] = found.u
+            break  # the strip alone decides nothing: the full mesh will
+        if solved is None:
+            break
+        before, (state, u) = state, solved
         if (state == before).all() or not (_strip(problem, state, RINGS // 2) & ~inside).any():
             break
     return state
 
 
+def _solve_strip(
+    A: Symmetric, f: Array, law: Bearings, state: Integers, u: Array, free: Flags, solver: Solver
+) -> tuple[Integers, Array] | None:
+    """Return states (c,) and unknowns (size,) with the contact on the free unknowns (size,) solved, all else fixed.
+
+    None if there are no bearings on them.
+    """
+    which = np.flatnonzero(free[law.unknown])
+    if not len(which):
+        return None
+    numbers = np.flatnonzero(free)
+    part, load = A.submatrix(numbers), (f - A @ np.where(free, 0.0, u))[numbers]
+    own = law.select(which)
+    own = replace(own, unknown=(np.cumsum(free) - 1)[own.unknown])
+    factorization = CachedFactorization(solver(part.indptr, part.indices))
+    found = contact.solve(part, load, factorization, own, state[which], MAX_ITERATIONS, lambda *_: None)
+    state, u = state.copy(), u.copy()
+    state[which] = found.state
+    u[numbers] = found.u
+    return state, u
+
+
 def _strip(problem: Problem, state: Integers, rings: int) -> Flags:
-    """Return the nodes (n,) inside so many rings of elements around those in which the ground changes its state."""
+    """Return the nodes (n,) inside some rings of elements around those in which the ground changes its state."""
     b, elements = problem.bearing, problem.mesh.elements
     ground = np.flatnonzero(b.field == TOP)
-    at = np.full(len(problem.mesh.nodes), -1, dtype=np.int8)
-    at[b.node[ground]] = state[ground]
-    each = at[elements]
-    near = each.max(axis=1) > np.where(each < 0, np.int8(99), each).min(axis=1)
+    at_node = np.full(len(problem.mesh.nodes), -1, dtype=np.int8)
+    at_node[b.node[ground]] = state[ground]
+    at_corner = at_node[elements]
+    near = at_corner.max(axis=1) > np.where(at_corner < 0, np.int8(99), at_corner).min(axis=1)
     for _ in range(rings):
-        touched = np.zeros(len(at), dtype=bool)
+        touched = np.zeros(len(at_node), dtype=bool)
         touched[elements[near]] = True
         near = touched[elements].any(axis=1)
-    inside = np.zeros(len(at), dtype=bool)
+    inside = np.zeros(len(at_node), dtype=bool)
     inside[elements[near]] = True
-    inside[elements[~near]] = False  # the rim belongs to what is around
+    inside[elements[~near]] = False  # the rim belongs to the surroundings
     return inside

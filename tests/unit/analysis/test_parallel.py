@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from groundslab.analysis.parallel import side_by_side
+from groundslab.analysis.parallel import run_parallel
 
 Report = Callable[[str], None]
 PATIENCE = 30.0  # seconds, on a machine that has other things to do
@@ -32,7 +32,7 @@ def test_order_is_that_of_the_tasks_whichever_lane_is_faster() -> None:
 
     heard: list[str] = []
     lanes = [[task("a", True), task("c", False)], [task("b", False), task("d", False)]]
-    found = list(side_by_side(lanes, heard.append, lambda: begun.append(threading.get_ident())))
+    found = list(run_parallel(lanes, heard.append, lambda: begun.append(threading.get_ident())))
     assert found == ["a", "b", "c", "d"]
     assert heard == [f"{name} {word}" for name in "abcd" for word in ("begins", "ends")]
     assert threads["a"] == threads["c"] != threads["b"] == threads["d"]
@@ -48,7 +48,7 @@ def test_what_a_task_raises_is_raised_where_it_is_waited_for() -> None:
         raise MemoryError("full")
 
     heard: list[str] = []
-    each = side_by_side([[lambda _: 1, lambda _: 3], [fails]], heard.append, lambda: None)
+    each = run_parallel([[lambda _: 1, lambda _: 3], [fails]], heard.append, lambda: None)
     assert next(each) == 1
     with pytest.raises(MemoryError, match="full"):
         next(each)
@@ -68,7 +68,7 @@ def test_tasks_end_when_nobody_waits() -> None:
             ended.append("long")
 
     lanes = [[lambda _: 1], [long, lambda _: later.append("never")]]
-    each = side_by_side(lanes, lambda _: None, lambda: None)
+    each = run_parallel(lanes, lambda _: None, lambda: None)
     assert next(each) == 1
     assert under_way.wait(PATIENCE)
     each.close()

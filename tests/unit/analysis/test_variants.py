@@ -8,7 +8,7 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from groundslab.analysis import driver
+from groundslab.analysis import driver, nested
 from groundslab.errors import InputError, NoEquilibrium, NotConverged
 from groundslab.model.model import Model
 from groundslab.solvers import factorization, protocols
@@ -129,7 +129,7 @@ def test_a_start_that_leads_nowhere_is_dropped() -> None:
     """If the iteration from the base case's zone does not end, the nested meshes are gone through after all."""
     variants = driver.Variants(model())
     given = model(**CHANGES["softer ground"])
-    ended, tried = driver._increments, list[bool]()
+    ended, tried = nested._solve_increments, list[bool]()
 
     def at_first_in_vain(*given: Any) -> Any:
         tried.append(True)
@@ -137,7 +137,7 @@ def test_a_start_that_leads_nowhere_is_dropped() -> None:
             raise NotConverged("the contact zone", [], {})
         return ended(*given)
 
-    with patch.object(driver, "_increments", at_first_in_vain):
+    with patch.object(nested, "_solve_increments", at_first_in_vain):
         (found,) = variants.solve_combinations(given).results.values()
     (wanted,) = driver.solve_combinations(given).results.values()
     same(found, wanted)

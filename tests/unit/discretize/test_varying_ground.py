@@ -12,8 +12,8 @@ from groundslab.discretize.discretize import discretise
 from groundslab.discretize.ground import ground_under, grounds_of, layer_of
 from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
-from groundslab.fem.foundation import Column, Layer, consistent_stack, tail
-from groundslab.fem.problem import tails
+from groundslab.fem.foundation import Column, Layer, consistent_stack, edge_decay
+from groundslab.fem.system import edge_decays
 from groundslab.fem.vlasov import Soil, parameters, parameters_as_printed, profile, profiles
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import UniformLoad
@@ -80,12 +80,12 @@ def test_stacks_and_tails_of_many_columns_are_those_of_each() -> None:
     rng = np.random.default_rng(3)
     layers = [many(rng, 5) for _ in range(3)]
     columns = consistent_stack(layers)
-    found = tail(columns)
+    found = edge_decay(columns)
     for i in range(5):
         column = consistent_stack([one(layer, i) for layer in layers])
         np.testing.assert_allclose(columns.A0[i], column.A0, rtol=1e-14)
         np.testing.assert_allclose(columns.A1[i], column.A1, rtol=1e-14)
-        alone = tail(column)
+        alone = edge_decay(column)
         for name in ("spring", "slope", "corner", "decay"):
             np.testing.assert_allclose(getattr(found, name)[i], getattr(alone, name), rtol=1e-12)
         for mine, wanted in zip(found.square_integrals(), alone.square_integrals(), strict=True):
@@ -120,7 +120,7 @@ def test_zones_reach_beyond_the_plate() -> None:
     assert isinstance(problem.ground, Column)
     right = problem.mesh.nodes[problem.mesh.elements[:, 8], 0] > 0
     np.testing.assert_array_equal(problem.ground.A0[:, 0, 0], np.where(right, 8e7, 2e7))
-    edges, corners = tails(problem, problem.ground)
+    edges, corners = edge_decays(problem, problem.ground)
     for found, nodes in ((edges, problem.edges[:, 2]), (corners, problem.corners)):
         at = problem.mesh.nodes[nodes, 0] > 0
         assert at.any()
@@ -137,7 +137,7 @@ def test_layers_between_boreholes() -> None:
     found = ground(model(ground=Vlasov(layers=[SOFT]), boreholes=holes, plate=plate, mesh=Mesh(counts=(6, 1))))
     assert isinstance(found, Soil)
     assert found.parts is not None
-    np.testing.assert_array_equal(found.parts.share, 1.0)
+    np.testing.assert_array_equal(found.parts.area_fraction, 1.0)
     (layer,) = found.layers
     part = (np.arange(6) + 0.5) / 6
     for given, a, b in (
@@ -147,7 +147,7 @@ def test_layers_between_boreholes() -> None:
         (layer.nu, 0.4, 0.25),
     ):
         np.testing.assert_allclose(np.asarray(given)[found.parts.column], a + part * (b - a), rtol=1e-9)
-    np.testing.assert_allclose(found.share, 1 / 6)
+    np.testing.assert_allclose(found.area_fraction, 1 / 6)
 
 
 @pytest.mark.parametrize("coupling", ["vlasov", "interface", "consistent"])

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_array
 
 from groundslab.fem import assembly
-from groundslab.fem.assembly import Pattern, assembled, congruent, number, pattern, scatter
+from groundslab.fem.assembly import Pattern, assemble, build_pattern, congruent, number_unknowns, scatter
 from groundslab.fem.mesh import elimination_order, grid
 from groundslab.fem.sparse import Symmetric
 from helpers.quads import quadrilateral
@@ -43,7 +43,7 @@ def filled(p: Pattern, matrices: np.ndarray, kinds: np.ndarray) -> Symmetric:
     """Return kinds of element matrices (k, F, F, 9, 9) put together by the module."""
     F = matrices.shape[1]
     by_nodes = matrices.transpose(0, 3, 4, 1, 2)
-    return assembled(p, kinds, lambda some: by_nodes[some], NOTHING, np.zeros((0, F, F)))
+    return assemble(p, kinds, lambda some: by_nodes[some], NOTHING, np.zeros((0, F, F)))
 
 
 def dense(A: Symmetric) -> np.ndarray:
@@ -70,9 +70,9 @@ def test_assembly_equals_dense_loops(
     present = rng.random((n, fields)) < density
     present[0, 0] = True
     rank = rng.permutation(n)
-    unknown = number(rank, present)
+    unknown = number_unknowns(rank, present)
     with patch.object(assembly, "_CHUNK", chunk):
-        p = pattern(elements, rank, unknown)
+        p = build_pattern(elements, rank, unknown)
 
     kinds = rng.integers(0, 2, len(elements))
     matrices = rng.standard_normal((2, fields, fields, 9, 9))
@@ -96,7 +96,7 @@ def test_unknowns_are_numbered_in_the_order_of_elimination(seed: int) -> None:
     rng = np.random.default_rng(seed)
     present = rng.random((15, 3)) < 0.6
     rank = rng.permutation(15)
-    unknown = number(rank, present)
+    unknown = number_unknowns(rank, present)
     wanted = np.full((15, 3), -1)
     count = 0
     for node in np.argsort(rank):
@@ -114,14 +114,14 @@ def test_further_blocks_go_to_their_pair_of_nodes_in_either_order(chunk: int, mo
     elements = table(2, 2)
     mesh = grid(np.arange(3.0), np.arange(3.0))
     rank = elimination_order(mesh)
-    unknown = number(rank, np.ones((len(rank), 2), dtype=bool))
-    p = pattern(elements, rank, unknown)
+    unknown = number_unknowns(rank, np.ones((len(rank), 2), dtype=bool))
+    p = build_pattern(elements, rank, unknown)
     one = np.array([[1.0, 2.0], [3.0, 4.0]])
     for a, b in [(0, 0), (0, 6), (12, 6), (24, 18)]:
         pair = p.pairs(np.array([a]), np.array([b]))
         assert pair == p.pairs(np.array([b]), np.array([a]))
         none = np.zeros((1, 9, 9, 2, 2))
-        A = dense(assembled(p, np.zeros(len(elements), dtype=int), lambda some, none=none: none[some], pair, one[None]))
+        A = dense(assemble(p, np.zeros(len(elements), dtype=int), lambda some, none=none: none[some], pair, one[None]))
         first, second = (a, b) if rank[a] < rank[b] else (b, a)
         wanted = np.zeros_like(A)
         wanted[np.ix_(unknown[first], unknown[second])] = one if a != b else [[1, 2], [0, 4]]

@@ -11,11 +11,11 @@ from groundslab.fem.foundation import (
     Column,
     Layer,
     consistent_stack,
+    edge_decay,
     interface_stack,
     interface_stiffness,
     mass_and_slope,
     single,
-    tail,
 )
 from groundslab.fem.shape_functions import COLUMN, ROW
 from helpers.quads import integration, quadrilateral
@@ -187,12 +187,12 @@ def test_tail_of_a_single_surface() -> None:
     """The decay is sqrt(k0/k1); spring sqrt(k0 k1), slope k1 / 2a, corner 3 k1 / 4; squares 1/2a, a/2, 1/4a^2, 1/2."""
     k0, k1 = 32.8e6, 20.7e6
     a = np.sqrt(k0 / k1)
-    t = tail(single(k0, k1))
+    t = edge_decay(single(k0, k1))
     assert t.decay[0] == pytest.approx(a)
     assert t.spring[0, 0] == pytest.approx(np.sqrt(k0 * k1))
     assert t.slope[0, 0] == pytest.approx(k1 / (2 * a))
     assert t.corner[0, 0] == pytest.approx(0.75 * k1)
-    share = t.share[0, 0] ** 2  # from the square of an amplitude to that of w
+    share = t.projection[0, 0] ** 2  # from the square of an amplitude to that of w
     X, Y, Xc, Yc = (M[0, 0] * share for M in t.square_integrals())
     assert (X, Y, Xc, Yc) == pytest.approx((1 / (2 * a), a / 2, 1 / (4 * a**2), 0.5))
 
@@ -200,11 +200,11 @@ def test_tail_of_a_single_surface() -> None:
 @pytest.mark.parametrize("column", COLUMNS.values(), ids=COLUMNS.keys())
 def test_tail_modes(column: Column) -> None:
     """The modes solve A0 phi = a^2 A1 phi, are orthonormal in A1, and their shares add up to the edge's settlement."""
-    t = tail(column)
+    t = edge_decay(column)
     scale = np.abs(column.A0 @ t.phi).max()
     np.testing.assert_allclose(column.A0 @ t.phi, column.A1 @ t.phi * t.decay**2, atol=1e-11 * scale)
     np.testing.assert_allclose(t.phi.T @ column.A1 @ t.phi, np.eye(len(t.decay)), atol=1e-12)
-    np.testing.assert_allclose(t.phi @ t.share, np.eye(len(t.decay)), atol=1e-11)
+    np.testing.assert_allclose(t.phi @ t.projection, np.eye(len(t.decay)), atol=1e-11)
     assert (t.decay > 0).all()
 
 
@@ -222,7 +222,7 @@ def test_tail_spring_equals_a_long_strip(column: Column) -> None:
         dof = (np.arange(3) + 2 * e)[:, None] * S + np.arange(S)
         K[np.ix_(dof.ravel(), dof.ravel())] += np.kron(MASS * h, column.A0) + np.kron(SLOPE / h, column.A1)
     spring = K[:S, :S] - K[:S, S:] @ np.linalg.solve(K[S:, S:], K[S:, :S])
-    np.testing.assert_allclose(tail(column).spring, spring, rtol=2e-5, atol=2e-5 * np.abs(spring).max())
+    np.testing.assert_allclose(edge_decay(column).spring, spring, rtol=2e-5, atol=2e-5 * np.abs(spring).max())
 
 
 @pytest.mark.parametrize("column", COLUMNS.values(), ids=COLUMNS.keys())
@@ -231,10 +231,10 @@ def test_tail_energies_by_quadrature(column: Column) -> None:
 
     Along an edge w(d, s) = sum of phi exp(-a d) c(s); in the quarter plane w(x, y) = sum of phi exp(-a (x + y)) c.
     """
-    t = tail(column)
+    t = edge_decay(column)
     rng = np.random.default_rng(3)
     w, ws = rng.standard_normal(column.surfaces), rng.standard_normal(column.surfaces)
-    c, cs = t.share @ w, t.share @ ws
+    c, cs = t.projection @ w, t.projection @ ws
     x, weight = np.polynomial.legendre.leggauss(20)
     cuts = np.linspace(0, 30 / t.decay.min(), 400)
     d = (cuts[:-1, None] + (x + 1) / 2 * np.diff(cuts)[:, None]).ravel()

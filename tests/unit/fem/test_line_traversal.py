@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from shapely import LineString, Polygon, box
 
 from groundslab.fem.line_traversal import continues, pieces
-from groundslab.fem.mesh import Mesh, place_in
+from groundslab.fem.mesh import Mesh, local_coordinates
 from helpers.plates import crooked, parted, straight, without
 
 PLACES = st.tuples(st.floats(-1, 7).map(lambda v: round(v, 2)), st.floats(-1, 5).map(lambda v: round(v, 2)))
@@ -29,7 +29,7 @@ def test_pieces_fill_the_line_on_the_mesh(a: tuple, b: tuple, seed: int) -> None
     if len(line.low):
         assert (np.diff(line.low) > 0).all()
         piece, s, ds = line.gauss()
-        local = place_in(mesh.xy[line.element[piece]], line.points(piece, s))
+        local = local_coordinates(mesh.xy[line.element[piece]], line.points(piece, s))
         assert np.abs(local).max() <= 1 + 1e-7
         assert ds.sum() == pytest.approx(line.length.sum())
 

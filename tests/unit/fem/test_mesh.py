@@ -11,16 +11,16 @@ from scipy.sparse.linalg import splu
 from groundslab.fem.mesh import (
     GRADING,
     Mesh,
-    between,
+    divide_graded,
     elimination_order,
-    extruded,
-    graded,
-    graded_towards,
+    extrude,
+    graded_size,
     grid,
+    interpolate_bilinear,
     interpolated,
+    local_coordinates,
     locate,
     mirror,
-    place_in,
     row_by_row,
     sides_on_boundary,
     whereabouts,
@@ -66,7 +66,7 @@ def test_with_midpoints() -> None:
 @pytest.mark.parametrize("scale", [0.8, 5.0])
 def test_graded_lines_follow_the_wanted_size(high: float, scale: float) -> None:
     """The lines end exactly where they should, ascend, and are as far apart as wanted, not much less if many."""
-    lines = np.concatenate([[0.0], graded(lambda d: 0.25 * (1 + d / scale), 0.0, high)])
+    lines = np.concatenate([[0.0], divide_graded(lambda d: 0.25 * (1 + d / scale), 0.0, high)])
     steps = np.diff(lines)
     assert lines[-1] == high
     assert (steps > 0).all()
@@ -78,17 +78,17 @@ def test_graded_lines_follow_the_wanted_size(high: float, scale: float) -> None:
 
 def test_graded_lines_are_halved_with_the_size() -> None:
     """Half the size puts a line into each of the old intervals: graded meshes refine alike."""
-    coarse = graded(lambda d: 0.25 * (1 + d), 0.0, 6.0)
-    fine = graded(lambda d: 0.125 * (1 + d), 0.0, 6.0)
+    coarse = divide_graded(lambda d: 0.25 * (1 + d), 0.0, 6.0)
+    fine = divide_graded(lambda d: 0.125 * (1 + d), 0.0, 6.0)
     assert len(fine) == 2 * len(coarse)
     np.testing.assert_allclose(fine[1::2], coarse, rtol=1e-4)
 
 
 def test_sizes_grow_from_edges() -> None:
     """At an edge elements have its size, a distance away more by GRADING times the distance; no edge sets no limit."""
-    limit = graded_towards(np.array([-2.0, 3.0]), 0.1)
+    limit = graded_size(np.array([-2.0, 3.0]), 0.1)
     np.testing.assert_allclose(limit(np.array([-2.0, 0.0, 2.0, 4.0])), 0.1 + GRADING * np.array([0, 2, 1, 1]))
-    assert np.isinf(graded_towards(np.zeros(0), 0.1)(np.array([1.0]))).all()
+    assert np.isinf(graded_size(np.zeros(0), 0.1)(np.array([1.0]))).all()
 
 
 @pytest.mark.parametrize("axis", [0, 1])
@@ -96,7 +96,7 @@ def test_sizes_grow_from_edges() -> None:
 def test_extruded_meshes_add_rows_of_rectangles(axis: int, outward: int) -> None:
     """A grid extruded across a side is the grid with the further lines; its own nodes and elements come first."""
     mesh = grid(X, Y)
-    bigger = extruded(mesh, axis, outward, np.array([0.5, 1.5]))
+    bigger = extrude(mesh, axis, outward, np.array([0.5, 1.5]))
     np.testing.assert_array_equal(bigger.nodes[: len(mesh.nodes)], mesh.nodes)
     np.testing.assert_array_equal(bigger.elements[: len(mesh.elements)], mesh.elements)
     lines = [X, Y]
@@ -126,7 +126,7 @@ def test_place_in_an_element_is_the_inverse_of_its_map() -> None:
     mesh = crooked()
     place = np.random.default_rng(5).uniform(-1, 1, (len(mesh.elements), 2))
     points = np.einsum("ea,eax->ex", q9(place)[0], mesh.xy)
-    np.testing.assert_allclose(place_in(mesh.xy, points), place, atol=1e-12)
+    np.testing.assert_allclose(local_coordinates(mesh.xy, points), place, atol=1e-12)
 
 
 def test_locate_finds_the_element_of_a_point() -> None:
@@ -169,7 +169,7 @@ def test_whole_numbers_are_places_like_any_others() -> None:
     for ours, theirs in zip(locate(mesh, points), locate(mesh, points.astype(float)), strict=True):
         np.testing.assert_array_equal(ours, theirs)
     xy, at = mesh.xy[[0, 0, 1]], np.array([[-1, 1], [1, 2], [3, 1]])
-    np.testing.assert_array_equal(place_in(xy, at), place_in(xy, at.astype(float)))
+    np.testing.assert_array_equal(local_coordinates(xy, at), local_coordinates(xy, at.astype(float)))
 
 
 def test_values_at_points_are_those_of_the_shape_functions() -> None:
@@ -193,7 +193,9 @@ def test_values_between_nodes_keep_bilinear_fields() -> None:
         return 1 - 2 * p[:, 0] + 0.5 * p[:, 1] + 3 * p[:, 0] * p[:, 1]
 
     np.testing.assert_allclose(
-        between(coarse, field(coarse.nodes), whereabouts(coarse, fine.nodes)), field(fine.nodes), atol=1e-12
+        interpolate_bilinear(coarse, field(coarse.nodes), whereabouts(coarse, fine.nodes)),
+        field(fine.nodes),
+        atol=1e-12,
     )
 
 
@@ -202,7 +204,7 @@ def test_values_between_nodes_never_overshoot() -> None:
     coarse = grid(X, Y)
     wide = grid(np.linspace(-5, 9, 30), np.linspace(-3, 5, 30))
     values = np.where(np.random.default_rng(2).random(len(coarse.nodes)) < 0.5, -1.0, 1.0)
-    result = between(coarse, values, whereabouts(coarse, wide.nodes))
+    result = interpolate_bilinear(coarse, values, whereabouts(coarse, wide.nodes))
     assert result.min() >= -1 - 1e-14
     assert result.max() <= 1 + 1e-14
     corner = (coarse.nodes == [X[-1], Y[-1]]).all(axis=1)

@@ -36,9 +36,9 @@ def test_products_parts_and_held_unknowns_are_those_of_the_full_matrix(seed: int
     np.testing.assert_allclose(A @ u, wanted @ u, atol=1e-12)
     np.testing.assert_array_equal(A.diagonal, np.diag(wanted))
     if some.any():
-        np.testing.assert_array_equal(full(A.part(np.flatnonzero(some))), wanted[np.ix_(some, some)])
+        np.testing.assert_array_equal(full(A.submatrix(np.flatnonzero(some))), wanted[np.ix_(some, some)])
 
-    held = full(Symmetric(A.indptr, A.indices, A.held(some, added)))
+    held = full(Symmetric(A.indptr, A.indices, A.constrain(some, added)))
     wanted = wanted + np.diag(added)
     wanted[some] = wanted[:, some] = 0.0
     wanted[some, some] = A.diagonal[some]
@@ -48,7 +48,7 @@ def test_products_parts_and_held_unknowns_are_those_of_the_full_matrix(seed: int
 def test_holding_unknowns_leaves_the_matrix_as_it_was() -> None:
     """What is made of a matrix shares no numbers with it."""
     A, before = sparse(3)
-    A.held(np.arange(A.size) < 4, np.ones(A.size))[:] = np.nan
+    A.constrain(np.arange(A.size) < 4, np.ones(A.size))[:] = np.nan
     np.testing.assert_array_equal(full(A), before)
 
 

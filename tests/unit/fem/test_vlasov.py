@@ -69,7 +69,7 @@ def test_limit_of_a_straight_mode(moduli: tuple[float, float, float], gamma: flo
     layer = Layer(3.0, moduli, 0.2)
     c0, c1, c2 = moduli
     k0, k1 = parameters(layer, gamma)
-    assert k0 == pytest.approx(layer.constrained * (c0 + c1 / 2 + c2 / 3) / 3.0, rel=1e-8)
+    assert k0 == pytest.approx(layer.oedometric_ratio * (c0 + c1 / 2 + c2 / 3) / 3.0, rel=1e-8)
     assert k1 == pytest.approx(layer.shear * 3.0 * (c0 / 3 + c1 / 12 + c2 / 30), rel=1e-8)
 
 
@@ -170,7 +170,7 @@ def test_printed_forms_give_the_published_constants(
 def test_profile_of_one_uniform_layer_is_the_sinh_mode(gamma: float) -> None:
     """For constant E the mode of least energy is sinh(gamma (1 - s)) / sinh gamma, with its k0 and k1."""
     layer = Layer(5.0, (42.0, 0.0, 0.0), 0.3)
-    mode = profile((layer,), gamma**2 * layer.constrained / layer.shear / 25.0)
+    mode = profile((layer,), gamma**2 * layer.oedometric_ratio / layer.shear / 25.0)
     np.testing.assert_allclose(mode.psi, [psi(gamma, z / 5.0) for z in mode.z], atol=1e-8)
     assert (mode.k0, mode.k1) == pytest.approx(parameters(layer, gamma), rel=1e-7)
 

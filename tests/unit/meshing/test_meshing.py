@@ -15,7 +15,7 @@ from groundslab.errors import InputError
 from groundslab.geometry.plan import GROUND, Plan, Ring, circle, rectangle
 from groundslab.meshing import mesh, quality, unstructured
 from groundslab.meshing.backends import Maker, with_gmsh
-from groundslab.meshing.gmsh_door import session
+from groundslab.meshing.gmsh import session
 from groundslab.meshing.grid import rectilinear
 from helpers.plans import ALL, FREE, GRIDS, MAKERS, OBLIQUE, SIDES, areas, boundary, holds, meshed, needs_gmsh
 
@@ -251,8 +251,8 @@ def test_a_broken_pipe_stays_an_error(thread: bool) -> None:
     """After a session of Gmsh, which sets the signal anew, writing to nobody is an error, not the program's end."""
     pytest.importorskip("gmsh")
     program = (
-        "import os, threading\nfrom groundslab.meshing import gmsh_door as door\n"
-        "def use():\n    with door.session():\n        pass\n"
+        "import os, threading\nfrom groundslab.meshing import gmsh as backend\n"
+        "def use():\n    with backend.session():\n        pass\n"
         + ("t = threading.Thread(target=use)\nt.start()\nt.join()\n" if thread else "use()\n")
         + "a, b = os.pipe()\nos.close(a)\n"
         "try:\n    os.write(b, b'x')\nexcept BrokenPipeError:\n    print('still here')\n"

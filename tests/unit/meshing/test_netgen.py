@@ -15,7 +15,7 @@ from groundslab.geometry.plan import Plan, Ring, circle, rectangle
 from groundslab.meshing import mesh, netgen, unstructured
 from groundslab.meshing.arrangement import pieces
 from groundslab.meshing.backends import Maker, choose, with_gmsh, with_netgen
-from groundslab.meshing.cells import Cells, Drawn
+from groundslab.meshing.cells import Cells, FixedSides
 from helpers.plans import FREE, GRIDS, L_SHAPE, MAKERS, OBLIQUE, SIDES, areas, holds, needs_gmsh, needs_netgen, size_of
 
 SQUARE = rectangle(0, 10, 0, 8)
@@ -167,7 +167,7 @@ def square(middle: tuple[float, float]) -> Cells:
     cells = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]])
     rim = np.array([0, 1, 2, 5, 8, 7, 6, 3, 0])
     ends = np.column_stack([rim[:-1], rim[1:]])
-    drawn = Drawn(ends, np.zeros((8, 2)), np.zeros(8), np.array([0, 2, 4, 6, 8]))
+    drawn = FixedSides(ends, np.zeros((8, 2)), np.zeros(8), np.array([0, 2, 4, 6, 8]))
     return Cells(nodes, np.zeros((0, 3), dtype=np.int64), cells, drawn)
 
 

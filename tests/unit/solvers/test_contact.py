@@ -13,21 +13,18 @@ from hypothesis import strategies as st
 from scipy.optimize import nnls
 
 from groundslab.errors import NotConverged, SingularMatrix
-from groundslab.fem.assembly import Pattern, pattern
-from groundslab.fem.bearings import OPEN, YIELDING, Bearings, Contact
-from groundslab.fem.bearings import gaps as gaps_at
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.assembly import Pattern
+from groundslab.fem.bearings import OPEN, YIELDING, Bearings, Contact, gap_bearings
 from groundslab.solvers import contact, factor_reuse, factorization
-from groundslab.solvers.factor_reuse import Latest
+from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.protocols import Factor
+from helpers.bearings import NODES, any_bearings, entries, one_element, positive
 
-NODES = np.arange(9)
 
-
-@pytest.fixture(autouse=True, params=[0, factor_reuse.FEW], ids=["factors", "bordered"])
+@pytest.fixture(autouse=True, params=[0, factor_reuse.MAX_UPDATE_RANK], ids=["factors", "updates"])
 def few(request: pytest.FixtureRequest) -> Iterator[int]:
     """Let every test pass with a factor for each set of states, and with one factor for near ones."""
-    with patch.object(factor_reuse, "FEW", request.param):
+    with patch.object(factor_reuse, "MAX_UPDATE_RANK", request.param):
         yield request.param
 
 
@@ -52,17 +49,6 @@ class Dense:
         return self.inverse @ b
 
 
-def one_element(fields: int = 1) -> Pattern:
-    """Return the pattern of nine nodes that all see each other."""
-    return pattern(NODES[None], NODES, np.arange(9 * fields).reshape(9, fields))
-
-
-def entries(p: Pattern, A: np.ndarray) -> Symmetric:
-    """Return A in the pattern."""
-    row = np.repeat(np.arange(p.size), np.diff(p.indptr))
-    return Symmetric(p.indptr, p.indices, A[row, p.indices])
-
-
 def full(p: Pattern, data: np.ndarray) -> np.ndarray:
     """Return the matrix (size, size) of the data."""
     A = np.zeros((p.size, p.size))
@@ -70,15 +56,9 @@ def full(p: Pattern, data: np.ndarray) -> np.ndarray:
     return np.triu(A) + np.triu(A, 1).T
 
 
-def positive(rng: np.random.Generator, n: int, condition: float) -> np.ndarray:
-    """Return a random positive definite matrix."""
-    Q = np.linalg.qr(rng.standard_normal((n, n)))[0]
-    return (Q * np.geomspace(1, condition, n)) @ Q.T
-
-
 def closed_gaps(at: np.ndarray) -> Bearings:
     """Return bearings on gaps that are closed at first."""
-    return gaps_at(at, np.zeros(len(at)))
+    return gap_bearings(at, np.zeros(len(at)))
 
 
 def solve(
@@ -91,7 +71,7 @@ def solve(
     result = contact.solve(
         entries(p, A),
         f,
-        Latest(symbolic),
+        CachedFactorization(symbolic),
         closed_gaps(gaps),
         start,
         limit,
@@ -261,7 +241,7 @@ def test_a_plate_that_floats_on_the_way_comes_to_rest(k: float, F: list[float], 
     p, A, f, gaps = plate_on_springs(k, F)
     symbolic = Dense(p)
     result = contact.solve(
-        entries(p, A), f, Latest(symbolic), closed_gaps(gaps), np.ones(9, dtype=bool), 100, lambda *_: None
+        entries(p, A), f, CachedFactorization(symbolic), closed_gaps(gaps), np.ones(9, dtype=bool), 100, lambda *_: None
     )
     assert symbolic.refused > 0 or few
     tiny = 1e-8 if result.closed.sum() > 2 else 1e-2
@@ -284,7 +264,7 @@ def test_a_matrix_that_is_not_positive_is_an_error() -> None:
         contact.solve(
             entries(p, A),
             np.ones(18),
-            Latest(symbolic),
+            CachedFactorization(symbolic),
             closed_gaps(np.arange(1, 18, 2)),
             np.ones(9, bool),
             50,
@@ -323,19 +303,6 @@ def test_steps_are_reported_as_they_happen() -> None:
     assert all(step[2] > 0 for step in steps[:-1])
 
 
-def any_bearings(rng: np.random.Generator, n: int, count: int) -> Bearings:
-    """Return bearings of every kind on different unknowns: rigid, elastic, yielding, one-sided, both ways."""
-
-    def some(value: float) -> np.ndarray:
-        return np.where(rng.random(count) < 0.5, value, rng.uniform(0.05, 2.0, count))
-
-    stiffness, both_ways = some(np.inf), rng.random(count) < 0.2
-    capacity = np.where(both_ways, np.inf, some(np.inf))
-    at = rng.permutation(n)[:count]
-    sign = rng.choice([-1.0, 1.0], count)
-    return Bearings(at, sign, rng.normal(0, 0.3, count), stiffness, capacity, both_ways)
-
-
 @settings(max_examples=60, derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000), condition=st.sampled_from([2.0, 1e3]), count=st.integers(1, 9))
 def test_bearings_of_every_kind_follow_their_law(seed: int, condition: float, count: int) -> None:
@@ -345,21 +312,21 @@ def test_bearings_of_every_kind_follow_their_law(seed: int, condition: float, co
     b, p = any_bearings(rng, 9, count), one_element()
     symbolic = factorization.choose("superlu")[1](p.indptr, p.indices)
     start = rng.integers(0, 3, count)
-    start[(start == YIELDING) & np.isinf(b.capacity)] = OPEN
-    result = contact.solve(entries(p, A), f, Latest(symbolic), b, start, 200, lambda *_: None)
-    force, driven, tiny = np.zeros(9), b.driven(result.u), 1e-8 * max(1.0, np.abs(result.u).max() * condition)
-    force[b.at] = b.sign * result.force
+    start[(start == YIELDING) & np.isinf(b.limit_force)] = OPEN
+    result = contact.solve(entries(p, A), f, CachedFactorization(symbolic), b, start, 200, lambda *_: None)
+    force, driven, tiny = np.zeros(9), b.penetration(result.u), 1e-8 * max(1.0, np.abs(result.u).max() * condition)
+    force[b.unknown] = b.sign * result.force
     np.testing.assert_allclose(A @ result.u - f, force, atol=tiny)
     rigid = np.isinf(b.stiffness)
     law = np.where(rigid, 0.0, np.where(rigid, 0.0, b.stiffness) * driven)
-    law = np.where(b.both_ways, law, np.clip(law, 0.0, b.capacity))
+    law = np.where(b.bilateral, law, np.clip(law, 0.0, b.limit_force))
     np.testing.assert_allclose(result.force[~rigid], law[~rigid], atol=tiny)
-    held = rigid & b.both_ways
+    held = rigid & b.bilateral
     np.testing.assert_allclose(driven[held], 0.0, atol=tiny)
-    one_sided = rigid & ~b.both_ways
+    one_sided = rigid & ~b.bilateral
     assert (result.force[one_sided] >= -tiny).all()
-    assert (result.force[one_sided] <= b.capacity[one_sided] + tiny).all()
-    assert (driven[one_sided & (result.force < b.capacity - tiny)] <= tiny).all()
+    assert (result.force[one_sided] <= b.limit_force[one_sided] + tiny).all()
+    assert (driven[one_sided & (result.force < b.limit_force - tiny)] <= tiny).all()
     assert (driven[one_sided & (result.force > tiny)] >= -tiny).all()
 
 
@@ -374,7 +341,7 @@ def test_two_bearings_may_share_an_unknown() -> None:
     )  # fmt: skip
     symbolic = factorization.choose("superlu")[1](p.indptr, p.indices)
     result = contact.solve(
-        entries(p, 0.5 * np.eye(9)), f, Latest(symbolic), b, np.zeros(2, dtype=int), 50, lambda *_: None
+        entries(p, 0.5 * np.eye(9)), f, CachedFactorization(symbolic), b, np.zeros(2, dtype=int), 50, lambda *_: None
     )
     assert result.u[4] == pytest.approx(3.0)
     np.testing.assert_allclose(result.force, [6.0, 10.0 - 6.0 - 0.5 * 3.0])

@@ -154,9 +154,9 @@ def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def asked_anew() -> Iterator[None]:
     """Let it be asked anew whether PARDISO can be loaded, in this test and after it."""
-    pardiso.without_pardiso.cache_clear()
+    pardiso.pardiso_import_error.cache_clear()
     yield
-    pardiso.without_pardiso.cache_clear()
+    pardiso.pardiso_import_error.cache_clear()
 
 
 @pytest.mark.usefixtures("asked_anew")
@@ -172,7 +172,7 @@ def test_without_pypardiso_superlu_takes_its_place(monkeypatch: pytest.MonkeyPat
 def test_on_other_processors_auto_is_superlu(monkeypatch: pytest.MonkeyPatch) -> None:
     """MKL exists for x86-64 alone, so elsewhere its import is not even tried."""
     monkeypatch.setattr(factorization.platform, "machine", lambda: "arm64")
-    monkeypatch.setattr(factorization, "pardiso_wrapper", lambda: pytest.fail("tried to import pypardiso"))
+    monkeypatch.setattr(factorization, "import_pardiso", lambda: pytest.fail("tried to import pypardiso"))
     assert factorization.choose("auto")[0] == "superlu"
 
 
@@ -183,74 +183,74 @@ def test_solver_by_name(name: str) -> None:
     assert factorization.choose(name)[0] == name
 
 
-def _task(
-    A: np.ndarray, held: np.ndarray, added: np.ndarray, seed_of: factor_reuse.Task | None = None
-) -> factor_reuse.Task:
-    """Return a task; its matrix is the very one of another task if that is given."""
-    if seed_of is not None:
-        return factor_reuse.Task(seed_of.A, held, added, 0 * added)
+def _constrained(
+    A: np.ndarray, fixed: np.ndarray, shift: np.ndarray, like: factor_reuse.ConstrainedSystem | None = None
+) -> factor_reuse.ConstrainedSystem:
+    """Return a constrained system; its matrix is that of another system if one is given."""
+    if like is not None:
+        return factor_reuse.ConstrainedSystem(like.A, fixed, shift, 0 * shift)
     indptr, indices, data = upper_half(A)
-    return factor_reuse.Task(Symmetric(indptr, indices, data), held, added, 0 * added)
+    return factor_reuse.ConstrainedSystem(Symmetric(indptr, indices, data), fixed, shift, 0 * shift)
 
 
 @pytest.mark.parametrize("name", SOLVERS)
 @pytest.mark.parametrize("changes", [0, 1, 2, 4, 16])
-def test_a_factor_solves_tasks_that_are_near_its_own(name: str, changes: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Unknowns newly held, newly free or with another diagonal: the old factor leads to the new solution, at once."""
-    monkeypatch.setattr(factorization, "SMALL", 0)
+def test_a_factor_solves_systems_close_to_its_own(name: str, changes: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Unknowns newly fixed, newly free or with another diagonal: the old factor leads to the new solution at once."""
+    monkeypatch.setattr(factor_reuse, "MIN_PRECONDITIONED_SIZE", 0)
     n, rng = 60, np.random.default_rng(changes)
     A = random_positive(n, 7)
-    held, added = rng.random(n) < 0.4, np.where(rng.random(n) < 0.3, 5.0, 0.0)
-    own = _task(A, held, added)
-    latest = factor_reuse.Latest(solver(name)(own.A.indptr, own.A.indices))
-    assert not latest.near(own)
-    latest.factor(own)
+    fixed, shift = rng.random(n) < 0.4, np.where(rng.random(n) < 0.3, 5.0, 0.0)
+    own = _constrained(A, fixed, shift)
+    cache = factor_reuse.CachedFactorization(solver(name)(own.A.indptr, own.A.indices))
+    assert not cache.preconditions(own)
+    cache.factorize(own)
     which = rng.choice(n, changes, replace=False)
-    other_held, other_added = held.copy(), added.copy()
-    other_held[which[::2]] ^= True
-    other_added[which[1::2]] += 3.0
-    task = _task(A, other_held, other_added, own)
-    assert latest.near(task)
-    assert latest.solves(task) == (task.differs(own) == 0)
+    other_fixed, other_shift = fixed.copy(), shift.copy()
+    other_fixed[which[::2]] ^= True
+    other_shift[which[1::2]] += 3.0
+    system = _constrained(A, other_fixed, other_shift, own)
+    assert cache.preconditions(system)
+    assert cache.holds(system) == (system.count_differences(own) == 0)
 
-    load, u = rng.standard_normal(n), np.where(other_held, rng.standard_normal(n), 0.0)
-    rest = load - A @ u
-    assert latest.improve(task, load, u, rest, 2)
-    free = ~other_held
+    load, u = rng.standard_normal(n), np.where(other_fixed, rng.standard_normal(n), 0.0)
+    residual = load - A @ u
+    assert cache.iterate(system, load, u, residual, 2)
+    free = ~other_fixed
     wanted = u.copy()
-    K = A + np.diag(other_added)
-    wanted[free] = np.linalg.solve(K[np.ix_(free, free)], (load - K @ np.where(other_held, u, 0.0))[free])
+    K = A + np.diag(other_shift)
+    wanted[free] = np.linalg.solve(K[np.ix_(free, free)], (load - K @ np.where(other_fixed, u, 0.0))[free])
     np.testing.assert_allclose(u, wanted, rtol=1e-9, atol=1e-12)
-    np.testing.assert_allclose(rest, load - A @ u, atol=1e-11)
+    np.testing.assert_allclose(residual, load - A @ u, atol=1e-11)
 
 
-def test_too_few_steps_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A task far from the factor's own is not said to be solved when the steps run out."""
-    monkeypatch.setattr(factorization, "SMALL", 0)
+def test_too_few_steps_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A system far from the factorized one is not reported as solved when the steps run out."""
+    monkeypatch.setattr(factor_reuse, "MIN_PRECONDITIONED_SIZE", 0)
     A = random_positive(60, 3)
-    own = _task(A, np.ones(60, dtype=bool), np.zeros(60))
-    latest = factor_reuse.Latest(factorization.superlu(own.A.indptr, own.A.indices))
-    latest.factor(own)
-    task = _task(A, np.zeros(60, dtype=bool), np.zeros(60), own)
-    assert not latest.near(task)
+    own = _constrained(A, np.ones(60, dtype=bool), np.zeros(60))
+    cache = factor_reuse.CachedFactorization(factorization.superlu(own.A.indptr, own.A.indices))
+    cache.factorize(own)
+    system = _constrained(A, np.zeros(60, dtype=bool), np.zeros(60), own)
+    assert not cache.preconditions(system)
     load, u = np.ones(60), np.zeros(60)
-    rest = load.copy()
-    assert not latest.improve(task, load, u, rest, 2)
+    residual = load.copy()
+    assert not cache.iterate(system, load, u, residual, 2)
     assert np.abs(A @ u - load).max() > 1e-3
 
 
-def test_a_refused_task_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> None:
-    """After a matrix that is not positive nothing counts as near."""
-    monkeypatch.setattr(factorization, "SMALL", 0)
+def test_a_refused_matrix_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> None:
+    """After a matrix that is not positive definite the cache preconditions nothing."""
+    monkeypatch.setattr(factor_reuse, "MIN_PRECONDITIONED_SIZE", 0)
     A = random_positive(20, 3)
     none = np.zeros(20, dtype=bool)
-    own = _task(A, none, np.zeros(20))
-    latest = factor_reuse.Latest(factorization.superlu(own.A.indptr, own.A.indices))
-    latest.factor(own)
+    own = _constrained(A, none, np.zeros(20))
+    cache = factor_reuse.CachedFactorization(factorization.superlu(own.A.indptr, own.A.indices))
+    cache.factorize(own)
     with pytest.raises(SingularMatrix):
-        latest.factor(_task(-A, none, np.zeros(20)))
-    assert not latest.near(own)
-    assert not latest.solves(own)
+        cache.factorize(_constrained(-A, none, np.zeros(20)))
+    assert not cache.preconditions(own)
+    assert not cache.holds(own)
 
 
 @pytest.mark.slow

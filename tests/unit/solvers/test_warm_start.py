@@ -12,17 +12,8 @@ from groundslab.arrays import Array
 from groundslab.discretize.discretize import discretise
 from groundslab.fem.bearings import CLOSED, OPEN, Contact
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import (
-    BETA_X,
-    BETA_Y,
-    TOP,
-    W,
-    bearings,
-    right_hand_side,
-    stiffness,
-    surface_settlement,
-    system,
-)
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, W
+from groundslab.fem.system import build_system, current_bearings, right_hand_side, stiffness, surface_settlement
 from groundslab.model.model import Model
 from groundslab.solvers import contact, factor_reuse, factorization, warm_start
 from groundslab.solvers.solution import Solution
@@ -46,11 +37,11 @@ def model(**changes: object) -> Model:
 def solution_with(coarse: Model, fields: dict[int, Array], states: np.ndarray, coarsening: int) -> Solution:
     """Return a made-up solution on a coarser mesh: nodal fields and states of the bearings."""
     problem = discretise(coarse, coarsening)
-    s = system(problem)
+    s = build_system(problem)
     U = np.zeros(problem.unknown.shape)
     for field, values in fields.items():
         U[:, field] = values
-    law = bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
+    law = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
     found = Contact(np.zeros(s.pattern.size), states, np.zeros(len(states)))
     assert isinstance(problem.ground, Column)
     return Solution(s, U, found, problem.ground, None, 0.0, 0.0, 0, law, np.zeros(len(states)))
@@ -73,7 +64,7 @@ def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
     start = solution_with(given, nodal, np.full(len(coarse.bearing.law), OPEN), 1)
     np.testing.assert_allclose(surface_settlement(start.system, start.U)[0], surface, atol=1e-15)
 
-    _, U = warm_start.from_coarser(start, fine, warm_start.places(coarse, fine))
+    _, U = warm_start.from_coarser(start, fine, warm_start.locate_nodes(coarse, fine))
     w, beta, surface = fields(fine.mesh.nodes)
     under = np.zeros(len(w), dtype=bool)
     under[fine.plate_nodes] = True
@@ -90,15 +81,15 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     coarse, fine = discretise(given, 1), discretise(given, 0)
     states = np.full(len(coarse.bearing.law), CLOSED if closed else OPEN)
     start = solution_with(given, {}, states, 1)
-    state, U = warm_start.from_coarser(start, fine, warm_start.places(coarse, fine))
+    state, U = warm_start.from_coarser(start, fine, warm_start.locate_nodes(coarse, fine))
     assert (state == states[0]).all()
-    s = system(fine)
+    s = build_system(fine)
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)
     f = right_hand_side(s, 1.0)
-    law = bearings(fine, 1.0, np.zeros(len(state)))
-    with patch.object(warm_start, "Latest", side_effect=AssertionError("a strip was laid")):
-        after = warm_start.along_the_border(s, A, f, law, state, U, factorization.superlu)
+    law = current_bearings(fine, 1.0, np.zeros(len(state)))
+    with patch.object(warm_start, "CachedFactorization", side_effect=AssertionError("a strip was laid")):
+        after = warm_start.solve_contact_border(s, A, f, law, state, U, factorization.superlu)
     np.testing.assert_array_equal(after, state)
 
 
@@ -106,12 +97,12 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     """From states that are off by some nodes along the border, the strip alone leads to the zone of the solution."""
     given = model()
     fine = discretise(given, 0)
-    s = system(fine)
+    s = build_system(fine)
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)
     f = right_hand_side(s, 1.0)
-    law = bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
-    latest = factor_reuse.Latest(factorization.superlu(A.indptr, A.indices))
+    law = current_bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
+    latest = factor_reuse.CachedFactorization(factorization.superlu(A.indptr, A.indices))
     start = np.full(len(law), CLOSED)
     right = contact.solve(A, f, latest, law, start, 100, lambda *_: None)
     U = np.zeros(fine.unknown.shape)
@@ -123,7 +114,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     distance = np.array([np.linalg.norm(opened - place, axis=1).min() for place in places])
     wrong = np.where(distance < 0.31, OPEN, CLOSED)
     assert (wrong != right.state).sum() > 10
-    found = warm_start.along_the_border(s, A, f, law, wrong, U, factorization.superlu)
+    found = warm_start.solve_contact_border(s, A, f, law, wrong, U, factorization.superlu)
     np.testing.assert_array_equal(found, right.state)
 
 
@@ -140,7 +131,7 @@ def test_a_wrong_forecast_costs_steps_but_not_the_result(seed: int) -> None:
     from_coarser = warm_start.from_coarser
     with (
         patch.object(warm_start, "from_coarser", nonsense),
-        patch.object(warm_start, "along_the_border", lambda *given: given[4]),
+        patch.object(warm_start, "solve_contact_border", lambda *given: given[4]),
     ):
         found = driver.solve(given)
     assert found.certificate.holds

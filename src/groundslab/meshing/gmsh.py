@@ -1,31 +1,103 @@
-"""Plans in Gmsh's geometry, and the cells that Gmsh makes of them at twice the wanted size."""
+"""Gmsh: its session, plans in its geometry, and the cells that it makes at twice the required size."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import ctypes
+import os
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from groundslab.arrays import Array, Integers
+from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment
-from groundslab.meshing.cells import Cells, Drawn, onto
+from groundslab.meshing.cells import Cells, FixedSides, project_onto
 from groundslab.meshing.sizing import Sources, along
 
-#: Extent of what Gmsh is given: its geometry takes places 1e-7 apart for one, whatever the extent.
+#: Gmsh's geometry merges places less than 1e-7 apart, whatever the extent: plans are scaled to this extent.
 SCALED_EXTENT = 100.0
+#: Libraries that Gmsh's wheel needs on a bare Debian or Ubuntu.
+SYSTEM_LIBRARIES = "libglu1-mesa libopengl0 libgl1 libxrender1 libxcursor1 libxft2 libxinerama1 libgomp1"
+#: Gmsh's options during a session.
+OPTIONS = {
+    "General.Terminal": 0,
+    "General.AbortOnError": 2,
+    "General.NumThreads": 1,
+    "Geometry.OCCBoundsUseStl": 0,
+    "Mesh.Algorithm": 8,
+    "Mesh.ElementOrder": 1,
+    "Mesh.MeshSizeExtendFromBoundary": 0,
+    "Mesh.MeshSizeFromCurvature": 0,
+    "Mesh.MeshSizeFromPoints": 0,
+    "Mesh.MeshSizeMax": 1e22,
+    "Mesh.MeshSizeMin": 0,
+    "Mesh.RandomSeed": 1,
+    "Mesh.RecombinationAlgorithm": 1,
+    "Mesh.RecombineAll": 1,
+    "Mesh.SubdivisionAlgorithm": 0,
+}
+
+
+@contextmanager
+def session() -> Iterator[Any]:
+    """Yield Gmsh with an empty model of our own; on exit Gmsh's previous state is restored."""
+    gmsh = load()
+    ours = not gmsh.isInitialized()
+    if ours:
+        gmsh.initialize([], readConfigFiles=False, run=False, interruptible=False)
+    _ignore_broken_pipes()
+    before = {} if ours else {name: gmsh.option.getNumber(name) for name in OPTIONS}
+    current = "" if ours else gmsh.model.getCurrent()
+    try:
+        for name, value in OPTIONS.items():
+            gmsh.option.setNumber(name, value)
+        gmsh.model.add("groundslab")
+        yield gmsh
+    except InputError:
+        raise
+    except Exception as refused:
+        # Gmsh raises no other exception; its text is for people
+        raise InputError([Issue("plan", f"a plan that Gmsh refuses ({refused})", "one that can be meshed")]) from None
+    finally:
+        if ours:
+            gmsh.finalize()
+        else:
+            gmsh.model.setCurrent("groundslab")
+            gmsh.model.remove()
+            gmsh.model.setCurrent(current)
+            for name, value in before.items():
+                gmsh.option.setNumber(name, value)
+
+
+def _ignore_broken_pipes() -> None:
+    """Make a broken pipe an error again, as everywhere in Python: Gmsh lets it end the process silently.
+
+    Python still assumes that it ignores the signal, and only its main thread may set one: hence the C library.
+    """
+    if os.name == "posix" and signal.getsignal(signal.SIGPIPE) == signal.SIG_IGN:
+        ctypes.CDLL(None).signal(signal.SIGPIPE, int(signal.SIG_IGN))
+
+
+def load() -> Any:
+    """Import gmsh; raises ImportError or OSError where it cannot be loaded."""
+    import gmsh  # type: ignore[import-untyped,unused-ignore]
+
+    return gmsh
 
 
 def cells_of(gmsh: Any, plan: Plan, size: float, smaller: Sources, scale: float) -> Cells:
-    """Return Gmsh's mesh of twice the wanted sizes: mostly quadrilaterals, some triangles."""
-    drawing = Drawing(gmsh, plan)
-    _sizes(drawing, plan, size, smaller, scale)
-    unwanted = [part for part in gmsh.model.getEntities(2) if part[1] not in drawing.faces]
+    """Return Gmsh's mesh of twice the required sizes: mostly quadrilaterals, some triangles."""
+    geometry = PlanGeometry(gmsh, plan)
+    _set_sizes(geometry, plan, size, smaller, scale)
+    unwanted = [part for part in gmsh.model.getEntities(2) if part[1] not in geometry.faces]
     gmsh.model.removeEntities(unwanted, recursive=True)
     gmsh.model.mesh.generate(2)
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
-    nodes = coordinates.reshape(-1, 3)[:, :2] / drawing.scale + drawing.middle
+    nodes = coordinates.reshape(-1, 3)[:, :2] / geometry.scale + geometry.middle
     index = np.zeros(int(tags.max()) + 1, dtype=np.int64)
     index[tags.astype(np.int64)] = np.arange(len(tags))
 
@@ -35,20 +107,20 @@ def cells_of(gmsh: Any, plan: Plan, size: float, smaller: Sources, scale: float)
         return result
 
     triangles, quadrilaterals = [], []
-    for tag in sorted(drawing.faces):
+    for tag in sorted(geometry.faces):
         three, four = elements(tag, 2, 3), elements(tag, 3, 4)
         turn = -1 if _clockwise(nodes, three, four) else 1
         triangles.append(three[:, ::turn])
         quadrilaterals.append(four[:, ::turn])
     points = np.concatenate([gmsh.model.mesh.getNodes(0, tag)[0] for _, tag in gmsh.model.getEntities(0)])
     points = index[points.astype(np.int64)]
-    _snap(plan, nodes, points)
-    drawn = _drawn(drawing, plan, nodes, points, lambda tag: elements(tag, 1, 2))
+    _snap_corners(plan, nodes, points)
+    drawn = _fixed_sides(geometry, plan, nodes, points, lambda tag: elements(tag, 1, 2))
     return Cells(nodes, np.concatenate(triangles), np.concatenate(quadrilaterals), drawn)
 
 
-class Drawing:
-    """A plan drawn in Gmsh's geometry, centred and scaled: its domain cut up by all that meshes must meet."""
+class PlanGeometry:
+    """A plan in Gmsh's geometry, centered and scaled: its domain cut along everything that meshes must follow."""
 
     def __init__(self, gmsh: Any, plan: Plan) -> None:
         self.gmsh = gmsh
@@ -74,19 +146,19 @@ class Drawing:
         self.inside = set(self.faces)
         if tools:
             _, origin = occ.fragment(domain, tools)
-            whole = domain + tools
+            parts = domain + tools
             self.faces = {tag for part in origin[: len(domain)] for _, tag in part}
-            self.inside = {tag for _, tag in origin[whole.index(outline)]} if outline in whole else set(self.faces)
+            self.inside = {tag for _, tag in origin[parts.index(outline)]} if outline in parts else set(self.faces)
             self.inside &= self.faces
 
-    def scaled(self, places: Array) -> Array:
-        """Return places as Gmsh is given them."""
+    def scale_places(self, places: Array) -> Array:
+        """Return places in Gmsh's coordinates."""
         result: Array = (places - self.middle) * self.scale
         return result
 
     def point(self, place: Place) -> int:
         """Add a point and return its tag."""
-        x, y = self.scaled(np.array(place))
+        x, y = self.scale_places(np.array(place))
         return int(self.gmsh.model.occ.addPoint(x, y, 0.0))
 
     def curve(self, edge: Segment, start: int, end: int) -> int:
@@ -105,17 +177,17 @@ class Drawing:
         return int(occ.addPlaneSurface([occ.addCurveLoop(list(curves))]))
 
 
-def _sizes(drawing: Drawing, plan: Plan, size: float, smaller: Sources, scale: float) -> None:
-    """Tell Gmsh how large elements may be: twice what is wanted, since they are halved afterwards."""
-    gmsh = drawing.gmsh
-    coarse = float(2 * size * drawing.scale)
+def _set_sizes(geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources, scale: float) -> None:
+    """Set the size field: twice the required sizes, since elements are halved afterwards."""
+    gmsh = geometry.gmsh
+    coarse = float(2 * size * geometry.scale)
     field, far = gmsh.model.mesh.field, 4 * SCALED_EXTENT
-    asked: dict[int, list[int]] = {}
+    requested: dict[int, list[int]] = {}
     places, sizes = smaller
     level = np.ceil(2 * np.log2(size / sizes)).astype(np.int64)
     for k, place in sorted({(int(k), (x, y)) for k, (x, y) in zip(level, places, strict=True)}):
-        asked.setdefault(k, []).append(drawing.point(place))
-    around = [drawing.point((x, y)) for x, y in along(plan.outline, size)] if plan.beyond is not None else []
+        requested.setdefault(k, []).append(geometry.point(place))
+    around = [geometry.point((x, y)) for x, y in along(plan.outline, size)] if plan.beyond is not None else []
     gmsh.model.occ.synchronize()
 
     def near(points: list[int], least: float, slope: float) -> int:
@@ -131,12 +203,12 @@ def _sizes(drawing: Drawing, plan: Plan, size: float, smaller: Sources, scale: f
 
     plate = field.add("MathEval")
     field.setString(plate, "F", f"{coarse!r}")
-    limits = [near(points, coarse * 2 ** (-k / 2), GRADING) for k, points in asked.items()]
+    limits = [near(points, coarse * 2 ** (-k / 2), GRADING) for k, points in requested.items()]
     if around:
         only = field.add("Restrict")
         field.setNumber(only, "InField", plate)
-        field.setNumbers(only, "SurfacesList", sorted(drawing.inside))
-        limits += [only, near(around, coarse, coarse / (scale * drawing.scale))]
+        field.setNumbers(only, "SurfacesList", sorted(geometry.inside))
+        limits += [only, near(around, coarse, coarse / (scale * geometry.scale))]
     else:
         limits.append(plate)
     least = field.add("Min")
@@ -145,7 +217,7 @@ def _sizes(drawing: Drawing, plan: Plan, size: float, smaller: Sources, scale: f
 
 
 def _clockwise(nodes: Array, *kinds: Integers) -> bool:
-    """Return whether cells of a face run clockwise, all together: one may be turned inside out, and is mended later."""
+    """Return whether the cells of a face run clockwise on the whole: a single one may be inverted until smoothing."""
     twice = 0.0
     for cells in kinds:
         x, y = np.moveaxis(nodes[cells], 2, 0)
@@ -153,18 +225,20 @@ def _clockwise(nodes: Array, *kinds: Integers) -> bool:
     return twice < 0
 
 
-def _snap(plan: Plan, nodes: Array, corners: Integers) -> None:
-    """Put the nodes at corners and points of a plan where they are, to the last bit."""
-    wanted = [point for ring in plan.rings().values() for point in ring.points]
-    wanted += [*plan.points, *(point for line in plan.lines for point in line)]
-    for place in np.array(wanted):
+def _snap_corners(plan: Plan, nodes: Array, corners: Integers) -> None:
+    """Move the nodes at corners and points of a plan exactly onto them."""
+    places = [point for ring in plan.rings().values() for point in ring.points]
+    places += [*plan.points, *(point for line in plan.lines for point in line)]
+    for place in np.array(places):
         distance = np.abs(nodes[corners] - place).max(axis=1)
         nodes[corners[distance <= FLAT * plan.extent]] = place
 
 
-def _drawn(drawing: Drawing, plan: Plan, nodes: Array, points: Integers, sides_on: Callable[[int], Integers]) -> Drawn:
-    """Return the sides on edges of the plan, after putting the nodes on arcs exactly there."""
-    gmsh = drawing.gmsh
+def _fixed_sides(
+    geometry: PlanGeometry, plan: Plan, nodes: Array, points: Integers, sides_on: Callable[[int], Integers]
+) -> FixedSides:
+    """Return the sides on edges of the plan, after moving the nodes on arcs exactly onto these."""
+    gmsh = geometry.gmsh
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
     ends, centre, radius = [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 2))], [np.zeros(0)]
     for _, tag in gmsh.model.getEntities(1):
@@ -175,11 +249,11 @@ def _drawn(drawing: Drawing, plan: Plan, nodes: Array, points: Integers, sides_o
         if gmsh.model.getType(1, tag) != "Line":
             (low,), (high,) = gmsh.model.getParametrizationBounds(1, tag)
             on_it = gmsh.model.getValue(1, tag, np.linspace(low, high, 5)).reshape(-1, 3)[:, :2]
-            on_it = on_it / drawing.scale + drawing.middle
+            on_it = on_it / geometry.scale + geometry.middle
             edge = arcs[int(np.argmin([arc.distance(on_it).max() for arc in arcs]))]
             inner = np.setdiff1d(own, points)
-            nodes[inner] = onto(nodes[inner], np.array(edge.centre), edge.radius)
+            nodes[inner] = project_onto(nodes[inner], np.array(edge.centre), edge.radius)
         ends.append(own)
         centre.append(np.tile(edge.centre, (len(own), 1)))
         radius.append(np.full(len(own), edge.radius))
-    return Drawn(np.concatenate(ends), np.concatenate(centre), np.concatenate(radius), points)
+    return FixedSides(np.concatenate(ends), np.concatenate(centre), np.concatenate(radius), points)

@@ -1,0 +1,173 @@
+"""Equilibrium under one load on one mesh: gamma iterated outside, contact inside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.analysis.mesh_hierarchy import Level
+from groundslab.arrays import Array, Integers
+from groundslab.errors import NotConverged
+from groundslab.fem.bearings import CLOSED, YIELDING, Contact, plastic_slip
+from groundslab.fem.foundation import Column
+from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
+from groundslab.fem.vlasov import Soil
+from groundslab.results.certificate import decay_squared
+from groundslab.results.results import Step
+from groundslab.solvers import contact, warm_start
+from groundslab.solvers.equilibrium import require_hold
+from groundslab.solvers.solution import Solution
+
+#: gamma is iterated until one more step would change it by less than this share.
+GAMMA_TOLERANCE = 1e-6
+#: On the coarser meshes gamma need only be good enough to start the next mesh.
+GAMMA_TOLERANCE_COARSE = 1e-3
+#: Below this gamma, k0 and k1 hardly depend on it any more; its change is then taken relative to this value.
+GAMMA_SMALL = 0.01
+MAX_GAMMA_ITERATIONS = 60
+GAMMA_START = 1.0
+#: A contact force this small against the largest nodal_table load is rounding: the plate does not touch the ground.
+NO_CONTACT = 1e-9
+
+OnStep = Callable[[Step], None]
+
+
+@dataclass(frozen=True, slots=True)
+class LoadStep:
+    """A share of the load on one mesh, to be solved after the increments before it."""
+
+    system: System
+    level: Level
+    factor: float  # share of the load
+    slip: Array  # (c,) [m]: plastic slip of the bearings in the increments before
+    finest: bool
+    max_iterations: int  # of contact
+    report: OnStep
+
+
+class _ContactIteration:
+    """Solves the contact of a load step for one column of ground after another, each started from the one before."""
+
+    def __init__(self, step: LoadStep, start: Solution | None) -> None:
+        problem = step.system.problem
+        self.step = step
+        self.law = current_bearings(problem, step.factor, step.slip)
+        self.expected: Array | None = None  # U (n, F) interpolated from a coarser mesh
+        self.near: Array | None = None  # u (size,) of another solution on this mesh
+        state: Integers = np.full(len(problem.bearing.law), CLOSED)
+        if start is not None and start.system.problem.mesh is problem.mesh:
+            state, self.near = start.contact.state, start.contact.u if start.system is step.system else None
+        elif start is not None:
+            if step.level.locations is None:
+                step.level.locations = warm_start.locate_nodes(start.system.problem, problem)
+            state, self.expected = warm_start.from_coarser(start, problem, step.level.locations)
+        # the start may have yielded at a limit that there is no longer
+        self.state = np.where((state == YIELDING) & np.isinf(self.law.limit_force), CLOSED, state)
+
+    def solve(self, column: Column, gamma: float | None) -> Contact:
+        """Return the solution for a column of ground, which belongs to a gamma if it depends on one."""
+        step, level = self.step, self.step.level
+
+        def report(iteration: int, in_contact: int, changed: int) -> None:
+            step.report(Step(step.system.pattern.size, 1, gamma, iteration, in_contact, changed, step.finest))
+
+        A, f, law = level.stiffness(column, gamma), right_hand_side(step.system, step.factor), self.law
+        if self.expected is not None and self.near is None:
+            self.state = warm_start.solve_contact_border(
+                step.system, A, f, law, self.state, self.expected, level.solver
+            )
+        found = contact.solve(
+            A, f, level.factorization, law, self.state, step.max_iterations, report, self.near, level.motions
+        )
+        self.near, self.state = found.u, found.state
+        return found
+
+    def solution(
+        self,
+        found: Contact,
+        column: Column,
+        gamma: float | None,
+        gamma_change: float = 0.0,
+        gamma_slope: float = 0.0,
+        gamma_iterations: int = 0,
+    ) -> Solution:
+        """Return the solution of the load step; on the finest mesh raises NeutralEquilibrium if nothing holds it."""
+        step = self.step
+        if step.finest:
+            require_hold(step.system.problem, found)
+        return Solution(
+            system=step.system,
+            U=nodal_table(step.system.problem, found.u),
+            contact=found,
+            column=column,
+            gamma=gamma,
+            gamma_change=gamma_change,
+            gamma_slope=gamma_slope,
+            gamma_iterations=gamma_iterations,
+            law=self.law,
+            slip=step.slip + plastic_slip(self.law, found),
+        )
+
+
+def solve_load_step(step: LoadStep, start: Solution | None) -> Solution:
+    """Return the solution of a load step, started from a solution on this mesh or on a coarser one."""
+    iteration, ground = _ContactIteration(step, start), step.system.problem.ground
+    if isinstance(ground, Column):
+        column, gamma = ground, None
+    elif ground.gamma is None:
+        return _iterate_gamma(iteration, ground, start)
+    else:
+        column, gamma = ground.column(ground.gamma), ground.gamma
+    return iteration.solution(iteration.solve(column, gamma), column, gamma)
+
+
+def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | None) -> Solution:
+    """Return the solution whose gamma is the one that its own settlement gives by (2.23); see docs/theory.md."""
+    step, problem = iteration.step, iteration.step.system.problem
+    gamma, slope = GAMMA_START, 0.0
+    if start is not None and start.gamma is not None:
+        gamma, slope = start.gamma, start.gamma_slope
+    tolerance = GAMMA_TOLERANCE if step.finest else GAMMA_TOLERANCE_COARSE
+    history: list[tuple[float, float]] = []
+    while len(history) < MAX_GAMMA_ITERATIONS:
+        column = soil.column(gamma)
+        found = iteration.solve(column, gamma)
+        U = nodal_table(problem, found.u)
+        # a plate that its supports carry clear of the ground leaves nothing to find gamma from
+        pushed = found.force[problem.bearing.support < 0].max(initial=0.0)
+        touches = pushed > NO_CONTACT * np.abs(step.factor * problem.load).max() or not problem.tensionless
+        after = soil.gamma_of(decay_squared(step.system, U, column)) if touches else gamma
+        history.append((gamma, after))
+        change = abs(after - gamma) / max(after, GAMMA_SMALL)
+        if change <= tolerance:
+            return iteration.solution(found, column, gamma, change, _slope(history, slope), len(history))
+        gamma = next_gamma(history, slope)
+    raise NotConverged("gamma", [{"gamma": a, "next": b} for a, b in history], {"U": U, "gamma": gamma})
+
+
+def next_gamma(history: list[tuple[float, float]], slope: float) -> float:
+    """Return the gamma to try next, from pairs of a gamma and the one that (2.23) gives; slope serves for the first.
+
+    A secant step, kept inside the gammas known to be too small and too large; every third step halves these bounds, so
+    that a contact zone that jumps with gamma cannot make the iteration wander forever.
+    """
+    gamma, found = history[-1]
+    slope = _slope(history, slope)
+    # slopes near or above one would throw the secant far off; then one plain step is taken
+    trial = gamma + (found - gamma) / (1 - slope) if slope < 0.98 else found
+    trial = min(max(trial, gamma / 4), 4 * gamma)
+    low = max((a for a, b in history if b > a), default=0.0)
+    high = min((a for a, b in history if b < a), default=np.inf)
+    if 0 < low < high < np.inf and (len(history) % 3 == 0 or not low < trial < high):
+        return float(np.sqrt(low * high))
+    return trial
+
+
+def _slope(history: list[tuple[float, float]], default: float) -> float:
+    """Return the change of the outcome over that of gamma between the last two steps."""
+    if len(history) < 2 or history[-1][0] == history[-2][0]:
+        return default
+    (g0, f0), (g1, f1) = history[-2:]
+    return (f1 - f0) / (g1 - g0)

@@ -1,0 +1,110 @@
+"""Nested iteration: load increments on meshes from coarse to fine, and the effect of the margin of ground."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+
+from groundslab.analysis.gamma_iteration import GAMMA_START, LoadStep, OnStep, solve_load_step
+from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
+from groundslab.arrays import Array
+from groundslab.discretize.plan_layout import coarsest
+from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
+from groundslab.fem.foundation import Column
+from groundslab.fem.problem import W
+from groundslab.fem.system import System
+from groundslab.model.loads.load_cases import Combination
+from groundslab.model.model import Model
+from groundslab.results.results import Step
+from groundslab.solvers.conditioning import require_digits
+from groundslab.solvers.equilibrium import require_equilibrium
+from groundslab.solvers.solution import Solution
+
+#: The elements' size is halved so many times from one of the nested meshes to the next.
+HALVINGS = 2
+
+
+def solve_nested(hierarchy: MeshHierarchy, combination: str, factors: Array, report: OnStep) -> list[Solution]:
+    """Return the solution of each load increment on the finest mesh, reached from the coarsest mesh upwards.
+
+    Or started from that of a similar model, if that converges. factors (cases,) are those of the combination.
+    """
+    model, found = hierarchy.model, list[Solution]()
+    if hierarchy.has_reference(combination):
+        level = hierarchy.level(hierarchy.finest)
+        s = _load_system(level, factors)
+        start = hierarchy.matching(combination, s)
+        if start:
+            with suppress(NotConverged, SingularMatrix):
+                return _solve_increments(model, s, level, start, report, True)
+    for coarsening in _coarsenings(max(_first(model), hierarchy.finest), hierarchy.finest):
+        level = hierarchy.level(coarsening)
+        if coarsening == hierarchy.finest:
+            found = _solve_increments(model, _load_system(level, factors), level, found, report, True)
+        else:
+            # without equilibrium or convergence on a coarse mesh the next mesh has no start
+            start, found = found, []
+            with suppress(NoEquilibrium, NotConverged, SingularMatrix):
+                found = _solve_increments(model, _load_system(level, factors), level, start, report, False)
+    hierarchy.store(combination, found)
+    return found
+
+
+def margin_effect(margins: Sequence[MeshHierarchy], combination: str, factors: Array) -> float:
+    """Return the change of any settlement by a wider margin of infinite ground, over the largest settlement.
+
+    Both meshes are the same on the plate, where their nodes have the same numbers.
+    """
+    narrow, wide = (solve_nested(hierarchy, combination, factors, lambda _: None)[-1] for hierarchy in margins)
+    under = narrow.system.problem.plate_nodes
+    before, after = narrow.U[under, W], wide.U[under, W]
+    largest = max(np.abs(before).max(), np.abs(after).max())
+    return float(np.abs(after - before).max() / largest) if largest else 0.0
+
+
+def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[Combination]) -> list[int]:
+    """Return how often the mesh is coarsened for each of the meshes on which the combinations will be solved."""
+    known = all(hierarchy.has_reference(each.name) for each in combinations)
+    return _coarsenings(hierarchy.finest if known else max(_first(hierarchy.model), hierarchy.finest), hierarchy.finest)
+
+
+def _load_system(level: Level, factors: Array) -> System:
+    """Return the system of a mesh under load cases times factors; raises an error if it cannot be solved."""
+    problem = level.system.problem.combine(factors)
+    require_equilibrium(problem)
+    soil = problem.ground
+    require_digits(level.system, soil if isinstance(soil, Column) else soil.column(soil.gamma or GAMMA_START))
+    return replace(level.system, problem=problem)
+
+
+def _coarsenings(first: int, last: int) -> list[int]:
+    """Return how often the mesh is coarsened, from first to last: HALVINGS at a time, or fewer to begin with."""
+    return sorted({*range(last, first + 1, HALVINGS), first}, reverse=True)
+
+
+def _first(model: Model) -> int:
+    """Return how coarse the first mesh is: the finest one where a coarser one would not help."""
+    one_sided = model.contact.tensionless or any(support.acts != "both ways" for support in model.supports)
+    iterated = getattr(model.ground, "gamma", None) == "iterate"
+    return coarsest(model) if one_sided or iterated else 0
+
+
+def _solve_increments(
+    model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, finest: bool
+) -> list[Solution]:
+    """Return a solution for each load increment, each started from the same increment on the coarser mesh."""
+    found: list[Solution] = []
+    for number in range(1, model.analysis.increments + 1):
+        start = coarser[number - 1] if coarser else (found[-1] if found else None)
+
+        def report_increment(step: Step, number: int = number) -> None:
+            report(replace(step, increment=number))
+
+        factor = number / model.analysis.increments
+        slip = found[-1].slip if found else np.zeros(len(s.problem.bearing.law))
+        step = LoadStep(s, level, factor, slip, finest, model.analysis.max_iterations, report_increment)
+        found.append(solve_load_step(step, start))
+    return found

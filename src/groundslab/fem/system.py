@@ -1,0 +1,243 @@
+"""The equations of a problem: element matrices, the matrix of plate and ground, right-hand side, tables of unknowns."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.fem import assembly, plate
+from groundslab.fem.assembly import Pattern, congruent
+from groundslab.fem.bearings import Bearings
+from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay, mass_and_slope
+from groundslab.fem.problem import TOP, Problem, W
+from groundslab.fem.sparse import Symmetric
+
+
+def current_bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
+    """Return the bearings under a share of the loading, with their plastic slip (c,) [m] of earlier increments.
+
+    Along the plate's edge the limit of the ground's pressure does not limit the line force.
+    """
+    law, support = problem.bearing.law, problem.bearing.support
+    settled = np.append(problem.loading.settlement, 0.0)[support]  # none for the ground, whose support is -1
+    settled = np.where(problem.bearing.field == W, factor * settled, 0.0)
+    limit_force = np.where(on_plate_edge(problem) & (law.limit_force > 0), np.inf, law.limit_force)
+    return replace(law, offset=law.offset + settled - law.sign * slip, limit_force=limit_force)
+
+
+def on_plate_edge(problem: Problem) -> Flags:
+    """Return which bearings (c,) are ground that carries shear at nodes on the plate's edge."""
+    if not problem.shear_at_edges:
+        return np.zeros(len(problem.bearing.law), dtype=bool)
+    on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)
+    on_edge[problem.plate_edges] = True
+    found: Flags = (problem.bearing.support < 0) & on_edge[problem.bearing.node]
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class Blocks:
+    """Element matrices of the different kinds of elements (shape, section or none, voids), and the kind of each one.
+
+    Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
+    column; with a plate whose center w hangs on its other nodes, T makes rows and columns of w from them.
+    """
+
+    kind: Integers  # (m,)
+    plate: Array  # (u, 27, 27), zero beside the plate
+    mass: Array  # (u, 9, 9)
+    slope: Array  # (u, 9, 9)
+    T: Array  # (u, 9, 9)
+
+    def of(self, kinds: Integers) -> Blocks:
+        """Return the blocks of some kinds (k,), renumbered."""
+        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T)))
+
+    def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
+        """Return mass and slope (u, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
+        mass, slope = self.mass, self.slope
+        if plate_rows:
+            mass, slope = np.swapaxes(self.T, 1, 2) @ mass, np.swapaxes(self.T, 1, 2) @ slope
+        if plate_columns:
+            mass, slope = mass @ self.T, slope @ self.T
+        return mass, slope
+
+
+def blocks(problem: Problem) -> Blocks:
+    """Return the element matrices of a problem, each computed once for all elements of its kind."""
+    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.mass_kinds
+    shapes, shape = congruent(xy)
+    section = np.full(len(xy), sections)  # none
+    section[problem.plate_elements] = problem.section
+    kinds, kind = np.unique(
+        (shape * (sections + 1) + section) * len(masses) + problem.depths.mass_kind, return_inverse=True
+    )
+    kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
+    xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
+    under = np.flatnonzero(section < sections)
+    K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
+    section = section[under]
+    K[under] = plate.stiffness(problem.element, xy[under], problem.bending[section], problem.shear[section])
+    T[under] = problem.element.w_functions(xy[under])
+    mass, slope = mass_and_slope(xy)
+    on_diagonal = masses[:, 1:] * mass.sum(axis=2)
+    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T)
+
+
+@dataclass(frozen=True, slots=True)
+class System:
+    """A problem with its pattern and its element matrices; both hold for every column of ground."""
+
+    problem: Problem
+    pattern: Pattern
+    blocks: Blocks
+
+
+def build_system(problem: Problem, like: System | None = None) -> System:
+    """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
+    if like is None or like.problem.mesh is not problem.mesh:
+        return System(problem, _pattern(problem), blocks(problem))
+    known = like.problem
+    same_unknowns = np.array_equal(known.unknown, problem.unknown)
+    same_plate = known.element is problem.element and all(
+        np.array_equal(a, b)
+        for a, b in (
+            (known.section, problem.section), (known.bending, problem.bending), (known.shear, problem.shear),
+            (known.depths.mass_kind, problem.depths.mass_kind), (known.depths.mass_kinds, problem.depths.mass_kinds),
+        )
+    )  # fmt: skip
+    return System(
+        problem,
+        like.pattern if same_unknowns else _pattern(problem),
+        like.blocks if same_plate else blocks(problem),
+    )
+
+
+def _pattern(problem: Problem) -> Pattern:
+    return assembly.build_pattern(problem.mesh.elements, problem.rank, problem.unknown)
+
+
+def surface_fields(surface: int) -> tuple[int, ...]:
+    """Return the fields whose sum is the settlement of a surface of the ground."""
+    return (W, TOP) if surface == 0 else (TOP + surface,)
+
+
+def stiffness(s: System, column: Column) -> Symmetric:
+    """Return the matrix of plate and ground together; the ground's column may differ between elements."""
+    b, F = s.blocks, s.pattern.unknown.shape[1]
+    kind = np.arange(len(b.kind)) if column.varies else b.kind
+
+    def matrices(kinds: Integers) -> Array:
+        own = b.of(b.kind[kinds] if column.varies else kinds)
+        K = np.zeros((len(kinds), 9, 9, F, F))
+        K[..., :TOP, :TOP] = own.plate.reshape(-1, TOP, 9, TOP, 9).transpose(0, 2, 4, 1, 3)
+        here = column.at(kinds)
+        for i, j, A0, A1, mass, slope in _ground(own, here, s.problem.element):
+            K[..., i, j] += A0 * mass + A1 * slope
+        return K
+
+    return assembly.assemble(s.pattern, kind, matrices, *_tail_blocks(s, column))
+
+
+def _ground(
+    b: Blocks, column: Column, element: plate.PlateElement
+) -> Iterator[tuple[int, int, Array, Array, Array, Array]]:
+    """Yield fields i, j that the ground couples, A0 and A1 for their blocks, (u, 1, 1) if they vary, mass and slope."""
+    between = functools.cache(b.ground)
+    for a in range(column.surfaces):
+        for c in range(column.surfaces):
+            A0, A1 = column.A0[..., a, c, None, None], column.A1[..., a, c, None, None]
+            if A0.any() or A1.any():
+                for i in surface_fields(a):
+                    for j in surface_fields(c):
+                        of_w = (field == W and not element.centre_w for field in (i, j))
+                        yield i, j, A0, A1, *between(*of_w)
+
+
+def edge_decays(problem: Problem, column: Column) -> tuple[EdgeDecay, EdgeDecay]:
+    """Return the infinite ground beyond the outer edges and at their corners.
+
+    Where the ground varies, each edge and each corner continues the column of the element inside it.
+    """
+    if not column.varies:
+        everywhere = edge_decay(column)
+        return everywhere, everywhere
+    elements = problem.mesh.elements
+    inside = np.empty(len(problem.mesh.nodes), dtype=np.int64)
+    inside[elements] = np.arange(len(elements))[:, None]
+    return edge_decay(column.at(inside[problem.edges[:, 2]])), edge_decay(column.at(inside[problem.corners]))
+
+
+def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
+    """Return the infinite ground's springs on outer edges and corners (docs/theory.md, infinite ground).
+
+    Which node pairs (t,) they belong to, ascending, and their blocks (t, F, F).
+    """
+    problem, p = s.problem, s.pattern
+    F = p.unknown.shape[1]
+    if not len(problem.edges):
+        return np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
+    t, at_corners = edge_decays(problem, column)
+    length = edge_lengths(problem)
+    a, b = np.triu_indices(3)
+    pair = p.pairs(problem.edges[:, a], problem.edges[:, b])
+    mass, slope = length[:, None] * EDGE_MASS[a, b], EDGE_SLOPE[a, b] / length[:, None]
+    at_corner = p.pairs(problem.corners, problem.corners)
+    spring, along, corner = t.spring, t.slope, at_corners.corner
+
+    pairs, number = np.unique(np.concatenate([pair.ravel(), at_corner]), return_inverse=True)
+    on_edges, on_corners = number[: pair.size].reshape(pair.shape), number[pair.size :]
+    blocks = np.zeros((len(pairs), F, F))
+    for i in range(column.surfaces):
+        for j in range(column.surfaces):
+            own = blocks[:, TOP + i, TOP + j]
+            np.add.at(own, on_edges, spring[..., i, j, None] * mass + along[..., i, j, None] * slope)
+            np.add.at(own, on_corners, corner[..., i, j])
+    return pairs, blocks
+
+
+def edge_lengths(problem: Problem) -> Array:
+    """Return the lengths (e,) [m] of the outer sides on which infinite ground follows."""
+    ends = problem.mesh.nodes[problem.edges[:, :2]]
+    length: Array = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    return length
+
+
+def right_hand_side(s: System, factor: float) -> Array:
+    """Return f (size,): the loads times a factor."""
+    p = s.pattern
+    f = np.zeros(p.size)
+    has = p.unknown >= 0
+    f[p.unknown[has]] = factor * s.problem.load[has]
+    return f
+
+
+def nodal_table(problem: Problem, u: Array) -> Array:
+    """Return unknowns (size,) as a table (n, F), with zeros where there is no unknown."""
+    table = np.zeros(problem.unknown.shape)
+    has = problem.unknown >= 0
+    table[has] = u[problem.unknown[has]]
+    return table
+
+
+def surface_settlement(s: System, U: Array) -> Array:
+    """Return the settlement of every surface of the ground at every node, (S, n) [m], from the table U (n, F)."""
+    top = U[:, TOP].copy()
+    under = s.problem.plate_nodes
+    top[under] += plate_settlement(s, U)[under]
+    return np.vstack([top, U[:, TOP + 1 :].T])
+
+
+def plate_settlement(s: System, U: Array) -> Array:
+    """Return the plate's settlement at every node (n,) [m], dependent centers included."""
+    problem = s.problem
+    w: Array = U[:, W].copy()
+    if not problem.element.centre_w:
+        elements = problem.mesh.elements[problem.plate_elements]
+        at_centre = s.blocks.T[:, 8][s.blocks.kind[problem.plate_elements]]
+        w[elements[:, 8]] = np.einsum("ea,ea->e", at_centre, w[elements])
+    return w
