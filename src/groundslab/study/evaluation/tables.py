@@ -220,13 +220,13 @@ def sobol(sample: Gathered, level: float = LEVEL) -> Table | None:
     return table_of("sobol", "Sobol indices", heads, rows, notes)
 
 
-def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensitivity.Indices | None:
+def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensitivity.SobolIndices | None:
     """Return the indices for one output of Saltelli's sample; blocks that have not been run to their end are missing.
 
     None where they are not defined: too few blocks, or an output that does not vary.
     """
     A, B, AB = sample.mixed(output)
-    return sensitivity.indices(A, B, AB, sample.seed, level)
+    return sensitivity.sobol_indices(A, B, AB, sample.seed, level)
 
 
 def tornado(sample: Gathered, level: float = LEVEL) -> Table | None:
@@ -301,7 +301,7 @@ def correlations(sample: Gathered) -> Table | None:
                 at = _complete(sample, group, output)
                 at = at[np.isfinite(other.values[at])]
                 x, y = other.values[at], output.values[at]
-                both = statistics.correlation(x, y), statistics.correlation(statistics.ranks(x), statistics.ranks(y))
+                both = statistics.correlation(x, y), statistics.rank_correlation(x, y).value
                 rows.append([*_label(sample, group), output.name, other.name, len(at), *map(_cell, both)])
     return table_of("correlations", "Correlations", heads, rows) if rows else None
 

@@ -13,7 +13,6 @@ from scipy import stats
 
 from helpers.paths import ROOT
 
-pytest.importorskip("SALib")
 pytest.importorskip("jinja2")
 
 from groundslab.study.evaluation import tables
