@@ -1,4 +1,4 @@
-"""Fields over the plan of all variants made into one: mean, standard deviation, probability at each node."""
+"""Statistics of nodal fields over all variants: mean, standard deviation, probabilities."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags
 
-#: A settlement this small against the variant's largest is rounding, not uplift.
+#: A settlement this small relative to the variant's largest is rounding, not uplift.
 ROUNDING = 1e-9
 
 

@@ -32,8 +32,8 @@ def sobol_indices(A: Array, B: Array, AB: Array, seed: int, level: float = LEVEL
     AB[i] is A with input i taken from B. First order: the mean of B (AB_i - A) over the variance; total: half the mean
     of (A - AB_i)^2 over it (Saltelli 2010, Table 2 b and f, the latter by Jansen 1999), of centered outputs. Intervals
     by bootstrapping the blocks (Archer, Saltelli and Sobol 1997). A block with a missing output is left out. None if
-    fewer than two blocks are left or the output does not vary. (SciPy's function takes powers of 2 of blocks only, which
-    a study with missing variants does not have.)
+    fewer than two blocks are left or the output does not vary. (SciPy's function only takes numbers
+    of blocks that are powers of 2, which missing variants do not leave.)
     """
     blocks = np.vstack([A, B, AB])
     used = blocks[:, np.isfinite(blocks).all(axis=0)]
@@ -46,9 +46,9 @@ def sobol_indices(A: Array, B: Array, AB: Array, seed: int, level: float = LEVEL
     def estimate(y: Array) -> Array:
         """Return both indices (2, ...) of one input from its A, B and AB (3, n, ...)."""
         A, B, AB = y
-        return np.stack([np.mean(B * (AB - A), axis=0), np.mean((A - AB) ** 2, axis=0) / 2]) / np.var(
-            np.concatenate([A, B]), axis=0
-        )
+        variances = np.stack([np.mean(B * (AB - A), axis=0), np.mean((A - AB) ** 2, axis=0) / 2])
+        shares: Array = variances / np.var(np.concatenate([A, B]), axis=0)
+        return shares
 
     found: list[list[Estimate]] = [[], []]
     for each in used[2:]:

@@ -9,15 +9,17 @@ import numpy as np
 
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.study.evaluation import sensitivity, statistics
+from groundslab.study.evaluation.samples import condition
 from groundslab.study.evaluation.statistics import LEVEL, Estimate
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
-    from groundslab.study.evaluation.samples import Gathered, Group, Input, Limit, Output
+    from groundslab.study.definition.setup import Limit
+    from groundslab.study.evaluation.samples import Gathered, Group, Input, Output
 
-#: The quantiles that are told of each output.
+#: Quantiles of each output.
 QUANTILES = (0.05, 0.5, 0.95)
-#: The names of all tables that there can be.
+#: Names of all tables.
 NAMES = (
     "variants", "statistics", "limit_states", "exceedance", "sobol", "tornado", "correlations", "missing"
 )  # fmt: skip
@@ -26,7 +28,7 @@ MOST_POINTS = 200
 
 
 def tables_of(sample: Gathered, level: float = LEVEL) -> tuple[Table, ...]:
-    """Return all tables that a study's kind of sampling gives; level is the confidence of the intervals."""
+    """Return all tables that a study's kind of sampling permits; level is the confidence of the intervals."""
     made: list[Table | None] = [
         variants(sample),
         summary(sample, level),
@@ -41,12 +43,12 @@ def tables_of(sample: Gathered, level: float = LEVEL) -> tuple[Table, ...]:
 
 
 def variants(sample: Gathered) -> Table:
-    """Return one row a variant: inputs, outputs, why there is no result, seconds."""
+    """Return a row for each variant: inputs, outputs, why there is no result, seconds."""
     heads: list[Head] = [("variant", "")]
     columns: list[list[Cell]] = [[int(number) + 1 for number in sample.number]]
     for each in sample.inputs:
         heads.append((each.name, each.unit.name))
-        columns.append([each.shown(row) for row in range(len(sample.number))])
+        columns.append([each.cell(row) for row in range(len(sample.number))])
     for output in sample.outputs:
         heads.append((output.name, output.unit.name))
         columns.append([_cell(value * output.unit.scale) for value in output.values])
@@ -73,18 +75,18 @@ def summary(sample: Gathered, level: float = LEVEL) -> Table:
     notes = [_intervals(sample, level)] if sample.random else [NO_CHANCE]
     infinite = {output.name: int(np.isinf(output.values).sum()) for output in sample.outputs}
     notes += [
-        f"{count} variants have an infinite {name}; they are left out here, not in the limit states."
+        f"{count} variants have an infinite {name}; they are left out here, but not in the limit states."
         for name, count in infinite.items()
         if count
     ]
     return table_of("statistics", "Statistics of the outputs", heads, rows, notes)
 
 
-NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and no mean is told."
+NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and means are left out."
 
 
 def _summary(sample: Gathered, group: Group, output: Output, level: float) -> list[Cell]:
-    """Return the figures of one row of the statistics."""
+    """Return the statistics of an output in one design."""
     x = sample.of(output, group) * output.unit.scale
     if len(x) == 0:
         return [0, *[None] * (2 + (7 + 3 * len(QUANTILES)) * sample.random)]
@@ -99,7 +101,7 @@ def _summary(sample: Gathered, group: Group, output: Output, level: float) -> li
 
 
 def limit_states(sample: Gathered, level: float = LEVEL) -> Table | None:
-    """Return how often each limit state failed, design by design, and the probability that this tells."""
+    """Return how often each limit state failed, design by design, and the probability of failure."""
     if not sample.limits:
         return None
     heads: list[Head] = [
@@ -116,7 +118,13 @@ def limit_states(sample: Gathered, level: float = LEVEL) -> Table | None:
         for limit in sample.limits:
             x = sample.there(sample.output(limit.output), group)
             failed = int(limit.fails(x).sum())
-            row: list[Cell] = [*_label(sample, group), limit.name, condition(sample, limit), len(x), failed]
+            row: list[Cell] = [
+                *_label(sample, group),
+                limit.name,
+                condition(limit, sample.output(limit.output)),
+                len(x),
+                failed,
+            ]
             if sample.random:
                 row += _probability(sample, group, limit, failed, len(x), level)[: None if aimed else -2]
             rows.append(row)
@@ -125,7 +133,7 @@ def limit_states(sample: Gathered, level: float = LEVEL) -> Table | None:
         notes = [
             f"Intervals of {level:.0%} confidence for the probability by Wilson (1927). The reliability index is "
             "-Phi^-1 of the probability.",
-            "Variants without a result count neither way; the high end if all of them fail is told beside."
+            "Variants without a result are not counted; a column has the high end if all of them fail."
             + " A target is kept if even that end lies below it." * aimed,
         ]
     return table_of("limit_states", "Limit states", heads, rows, notes)
@@ -138,7 +146,7 @@ def failure(sample: Gathered, group: Group, limit: Limit, level: float = LEVEL) 
 
 
 def _probability(sample: Gathered, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
-    """Return the probability of failure, the index, what missing results could change, and the verdict."""
+    """Return the probability of failure, the index, the effect of missing results, and the verdict."""
     from scipy.special import ndtri
 
     p = statistics.probability(failed, n, level)
@@ -147,12 +155,6 @@ def _probability(sample: Gathered, group: Group, limit: Limit, failed: int, n: i
     index = -float(ndtri(p.value)) if 0 < failed < n else None
     verdict = None if limit.target is None else ("yes" if high < limit.target else "no")
     return [*_three(p), index, lost, high, limit.target, verdict]
-
-
-def condition(sample: Gathered, limit: Limit) -> str:
-    """Return a limit state in words: "largest settlement at most 25 mm"."""
-    unit = sample.output(limit.output).unit
-    return f"{limit.output} {limit.sense} {limit.bound * unit.scale:.6g} {unit.name}".rstrip()
 
 
 def exceedance(sample: Gathered, level: float = LEVEL) -> Table | None:
@@ -216,12 +218,12 @@ def sobol(sample: Gathered, level: float = LEVEL) -> Table | None:
         f"{sensitivity.RESAMPLES} resamples of the blocks.",
     ]
     if left_out:
-        notes.append("Blocks with a variant that has no result are left out whole.")
+        notes.append("Blocks with a variant that has no result are left out.")
     return table_of("sobol", "Sobol indices", heads, rows, notes)
 
 
 def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensitivity.SobolIndices | None:
-    """Return the indices for one output of Saltelli's sample; blocks that have not been run to their end are missing.
+    """Return the Sobol indices of one output of a Saltelli sample, without incomplete blocks.
 
     None where they are not defined: too few blocks, or an output that does not vary.
     """
@@ -230,7 +232,7 @@ def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensit
 
 
 def tornado(sample: Gathered, level: float = LEVEL) -> Table | None:
-    """Return how each input moves each output: by its low and high value alone, or by rank correlation."""
+    """Return the influence of each input on each output: by its low and high value alone, or by rank correlation."""
     if sample.kind == "tornado":
         return _swings(sample)
     if not sample.random or not sample.varied:
@@ -244,15 +246,15 @@ def tornado(sample: Gathered, level: float = LEVEL) -> Table | None:
     ]
     notes = [
         "By Spearman's rank correlation of input and output, the strongest first; intervals of "
-        f"{level:.0%} confidence by Bonett and Wright (2000). Inputs that are correlated share in each other's. A "
-        "random field is no number and has none."
+        f"{level:.0%} confidence by Bonett and Wright (2000). Inputs that are correlated share in each other's. "
+        "Random fields have none."
     ]
     return table_of("tornado", "Influence of the inputs (rank correlation)", heads, rows, notes)
 
 
 def ranked(sample: Gathered, group: Group, output: Output, level: float = LEVEL) -> list[tuple[str, Estimate]]:
     """Return the rank correlation of each input that varies by chance with an output, the strongest first."""
-    rows = _complete(sample, group, output)
+    rows = _complete_rows(sample, group, output)
     found = [
         (each.name, statistics.rank_correlation(each.values[rows], output.values[rows], level))
         for each in sample.varied
@@ -260,7 +262,7 @@ def ranked(sample: Gathered, group: Group, output: Output, level: float = LEVEL)
     return sorted(found, key=lambda pair: -abs(np.nan_to_num(pair[1].value)))
 
 
-def _complete(sample: Gathered, group: Group, output: Output) -> Integers:
+def _complete_rows(sample: Gathered, group: Group, output: Output) -> Integers:
     """Return the rows of a design that were drawn and have the output."""
     rows = group.rows[sample.drawn[group.rows]]
     return rows[np.isfinite(output.values[rows])]
@@ -298,7 +300,7 @@ def correlations(sample: Gathered) -> Table | None:
         for place, output in enumerate(sample.outputs):
             others: tuple[Input | Output, ...] = (*sample.varied, *sample.outputs[:place])
             for other in others:
-                at = _complete(sample, group, output)
+                at = _complete_rows(sample, group, output)
                 at = at[np.isfinite(other.values[at])]
                 x, y = other.values[at], output.values[at]
                 both = statistics.correlation(x, y), statistics.rank_correlation(x, y).value
@@ -327,21 +329,21 @@ def _label(sample: Gathered, group: Group) -> list[Cell]:
 
 
 def _with_interval(name: str) -> list[Head]:
-    """Return the heads of an estimate and its two ends."""
+    """Return the headers of an estimate and its two ends."""
     return [(name, ""), (f"{name}, low", ""), (f"{name}, high", "")]
 
 
 def _three(estimate: Estimate) -> list[Cell]:
-    """Return an estimate and its ends as cells; an end that the sample does not tell is empty."""
+    """Return an estimate and its ends as cells; an infinite end is empty."""
     return [_cell(value) for value in (estimate.value, estimate.low, estimate.high)]
 
 
 def _cell(value: float) -> float | None:
-    """Return a number as a cell, nothing for one that is not finite."""
+    """Return a number as a cell, empty if it is not finite."""
     return float(value) if np.isfinite(value) else None
 
 
 def _intervals(sample: Gathered, level: float) -> str:
-    """Return what a reader must know about the intervals."""
+    """Return a note on the intervals."""
     text = f"Intervals of {level:.0%} confidence for independent samples."
-    return text if sample.kind == "monte carlo" else f"{text} This sample is spread more evenly: they are wide."
+    return text if sample.kind == "monte carlo" else f"{text} This sample is spread more evenly: they are too wide."

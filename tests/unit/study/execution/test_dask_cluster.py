@@ -107,7 +107,7 @@ def test_killed_worker(tmp_path: Path, whole: Study) -> None:
     study = groundslab.study(write(tmp_path, MANY), workers=2, quiet=True)
     killer.join()
     assert killed
-    assert study.mishaps() == {}
+    assert study.worker_failures() == {}
     assert same(study, whole)
 
 
@@ -234,7 +234,8 @@ def test_differences() -> None:
     """Packages that differ or are missing are told process by process; others are not."""
     here = {"python": "3.12", "groundslab": "1", "numpy": "2.1"}
     there = {"a": here, "b": {**here, "numpy": "2.0"}, "c": {"python": "3.12", "numpy": "2.1", "gstools": "1.6"}}
-    assert [(issue.location, issue.found) for issue in dask_cluster.differences(versions.MUST_AGREE, here, there)] == [
+    issues = dask_cluster.version_differences(versions.MUST_AGREE, here, there)
+    assert [(issue.location, issue.found) for issue in issues] == [
         ("b", "numpy 2.0"), ("c", "no groundslab"), ("c", "gstools 1.6")
     ]  # fmt: skip
     assert versions.versions(("groundslab", "no_such_package_at_all", "python")).keys() == {"python", "groundslab"}
@@ -273,7 +274,7 @@ def test_strangers_are_kept_out() -> None:
     import distributed
 
     before = set(listening(psutil.Process()))
-    with dask_cluster.local(2, 2) as found:
+    with dask_cluster.start_local(2, 2) as found:
         ports = set(listening(psutil.Process())) - before
         assert len(ports) == 5  # scheduler, two workers, and what looks after each of them
         assert all(map(refuses_strangers, ports))
@@ -289,7 +290,7 @@ def test_strangers_are_kept_out() -> None:
 
 def test_dashboard_when_asked_for() -> None:
     """The dashboard is there if asked for, on the loopback, and answers no other name than that of the loopback."""
-    with dask_cluster.local(1, 1, dashboard=True) as found:
+    with dask_cluster.start_local(1, 1, dashboard=True) as found:
         assert found.dashboard.startswith("http://127.0.0.1:")
         port = int(found.dashboard.split(":")[2].split("/")[0])
         for host, code in (("127.0.0.1", 200), ("localhost", 200), ("evil.example", 404)):
