@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from groundslab.model.model import Model
@@ -21,11 +21,12 @@ Step = str | int
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A key of a case: its path as written, the steps to it, its type."""
+    """A key of a case: its path as written, the steps to it, its type, its value (None if not given)."""
 
     path: str
     steps: tuple[Step, ...]
     key: FieldType
+    value: Any = field(compare=False)
 
 
 def steps_of(path: str) -> tuple[Step, ...]:
@@ -63,7 +64,7 @@ def place_of(model: Model, path: str) -> Place:
     left = list(steps)
     while left:
         name = left.pop(0)
-        known = [key for key, field in type(part).model_fields.items() if key_of(field) or nested(field).parts]
+        known = [key for key, info in type(part).model_fields.items() if key_of(info) or nested(info).parts]
         where = f"{walked} has" if walked else "the case has"
         if not isinstance(name, str) or name not in known:
             if name in type(part).model_fields:
@@ -71,13 +72,13 @@ def place_of(model: Model, path: str) -> Place:
             shown = f"[{name + 1}]" if isinstance(name, int) else quote(name)
             hint = suggestion(name, known)
             raise path_error(path, f"a key that {where}: {one_of(known)}", hint or f"{shown} is none of them")
-        field = type(part).model_fields[name]
+        info = type(part).model_fields[name]
         walked += f".{name}" if walked else name
-        key = key_of(field)
+        key = key_of(info)
         if key is not None:
-            return Place(path, steps, _within(key, getattr(part, name), left, path, walked))
+            return Place(path, steps, *_within(key, getattr(part, name), left, path, walked))
         held = getattr(part, name)
-        if nested(field).many:
+        if nested(info).many:
             if not left or not isinstance(left[0], int):
                 count = f"{walked} is a list of {len(held)}"
                 raise path_error(path, f"a position after {walked}, such as {walked}[1]", count)
@@ -90,12 +91,12 @@ def place_of(model: Model, path: str) -> Place:
         if held is None:
             raise path_error(path, f"a case with {walked}", "the case does not have it")
         part = held
-    keys = [key for key, field in type(part).model_fields.items() if key_of(field)]
+    keys = [key for key, info in type(part).model_fields.items() if key_of(info)]
     raise path_error(path, f"a key of {walked}: {one_of(keys)}", f"{walked} holds keys, not a value")
 
 
-def _within(key: FieldType, held: Any, left: list[Step], path: str, walked: str) -> FieldType:
-    """Return the type of a value in a list or a table of factors; the key itself if no step is left."""
+def _within(key: FieldType, held: Any, left: list[Step], path: str, walked: str) -> tuple[FieldType, Any]:
+    """Return type and value within a list or a table of factors; those of the key itself if no step is left."""
     while left:
         step = left.pop(0)
         if isinstance(key, ListOf) and isinstance(step, int) and held is not None and step < len(held):
@@ -111,20 +112,7 @@ def _within(key: FieldType, held: Any, left: list[Step], path: str, walked: str)
     if isinstance(key, Factors):
         names = [f"{walked}.{name}" for name, _ in held]
         raise path_error(path, f"one of the factors: {listed(map(quote, names))}")
-    return key
-
-
-def value_at(model: Model, place: Place) -> Any:
-    """Return what a case holds at a place, None if nothing is given there."""
-    held: Any = model
-    for step in place.steps:
-        if isinstance(step, int):
-            held = held[step]
-        elif isinstance(held, Section):
-            held = getattr(held, step)
-        else:
-            held = dict(held)[step]
-    return held
+    return key, held
 
 
 def with_values(model: Model, values: Mapping[Place, Any]) -> Model:

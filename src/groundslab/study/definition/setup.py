@@ -19,7 +19,7 @@ from groundslab.model.outputs import OutputPoint
 from groundslab.schema.fields import FieldType, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
-from groundslab.study.definition.case_paths import Place, place_of, value_at
+from groundslab.study.definition.case_paths import Place, place_of
 from groundslab.study.definition.distributions import AnyDistribution, Distribution, distribution_of
 from groundslab.study.definition.field_types import Raw
 from groundslab.study.definition.issues import issues_below
@@ -55,7 +55,7 @@ _GROUND_CONSTANTS = {
 class Variable:
     """A quantity of the case that varies: its values, or their distribution, in SI units.
 
-    With `times` these are factors, and `base` is what they multiply.
+    With `times` these are factors on the value in the case.
     """
 
     name: str
@@ -64,7 +64,6 @@ class Variable:
     distribution: Distribution | None
     times: bool
     chosen: bool  # by the designer, out of the values; not drawn
-    base: Any  # in the case; None if nothing is given there
 
     @property
     def path(self) -> str:
@@ -90,16 +89,16 @@ class Variable:
             for pair, missing in (((limits.above, limits.at_least), -np.inf), ((limits.below, limits.at_most), np.inf))
         ]
         if self.times:
-            if self.base == 0:
+            if self.place.value == 0:
                 return 0.0
             # a negative number turns the range around
-            ends = sorted(end / self.base for end in ends)
+            ends = sorted(end / self.place.value for end in ends)
         low, high = self.distribution.frozen.cdf(ends)
         return float(low + (1 - high))
 
     def value_in_case(self, value: Any) -> Any:
         """Return what stands in the case for a value of the variable."""
-        return value * self.base if self.times else value
+        return value * self.place.value if self.times else value
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +128,7 @@ class Limit:
 
     def fails(self, values: Array) -> Flags:
         """Return which values (n,) are beyond the bound; a missing one is not."""
-        failed: Flags = values > self.bound if self.sense == "at most" else values < self.bound
+        failed: Flags = self.margin(values) < 0
         return failed
 
 
@@ -218,18 +217,17 @@ def _variable(vary: VariedQuantity, model: Model, from_file: bool) -> Variable:
     """Return a variable; raises FieldError."""
     with issues_below("path"):
         place = place_of(model, vary.path)
-    base = value_at(model, place)
     continuous = isinstance(place.key, Quantity | Number)
-    if vary.times and not (continuous and isinstance(base, float)):
+    if vary.times and not (continuous and isinstance(place.value, float)):
         expected = "a key that holds a number in the case"
-        raise FieldError(RelativeIssue(("times",), f"{vary.path}, which is {describe(base)}", expected))
+        raise FieldError(RelativeIssue(("times",), f"{vary.path}, which is {describe(place.value)}", expected))
     if vary.distribution is not None and not continuous:
         raise FieldError(RelativeIssue(("distribution",), "a distribution", "values, as the key takes no real numbers"))
     key: FieldType = Number("", "factor") if vary.times else place.key
     distribution = None if vary.distribution is None else _distribution(vary.distribution, key, from_file)
     with issues_below("values"):
         values = None if vary.values is None else ListOf(key, "", "").read(vary.values, from_file)
-    return Variable(vary.column, place, values, distribution, vary.times, vary.choose, base)
+    return Variable(vary.column, place, values, distribution, vary.times, vary.choose)
 
 
 def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Distribution:
@@ -251,7 +249,7 @@ def _field(field: RandomField, model: Model) -> Field:
     last = place.steps[-1]
     if place.steps[0] != "ground" or last not in ("k", "k0", "k1", "E") or "selvadurai" in place.steps:
         raise FieldError(RelativeIssue(("path",), describe(field.path), expected))
-    if value_at(model, place) is None:
+    if place.value is None:
         raise FieldError(RelativeIssue(("path",), f"{field.path}, which the case does not give", expected))
     distribution = _distribution(field.distribution, Number("", ""), from_file=False)
     return Field(field.column, field.path, distribution, field.correlation_length, field.model)

@@ -47,7 +47,7 @@ class TestPaths:
     )
     def test_value(self, path: str, value: object) -> None:
         """A path finds what the case holds, None where nothing is given."""
-        assert case_paths.value_at(MODEL, case_paths.place_of(MODEL, path)) == value
+        assert case_paths.place_of(MODEL, path).value == value
 
     @pytest.mark.parametrize(
         ("path", "told"),
@@ -186,7 +186,7 @@ class TestFile:
         """Paths, units and names become what the study needs, in SI units."""
         setup = read(tmp_path).setup
         k, machine = setup.variables
-        assert (k.name, k.path, k.unit, k.base) == ("k", "ground.k", "Pa/m", 20e6)
+        assert (k.name, k.path, k.unit, k.place.value) == ("k", "ground.k", "Pa/m", 20e6)
         assert k.distribution is not None
         assert k.distribution.frozen.mean() == pytest.approx(20e6)
         assert (machine.times, machine.unit, machine.value_in_case(1.1)) == (True, "", pytest.approx(220e3))

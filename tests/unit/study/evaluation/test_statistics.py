@@ -135,9 +135,7 @@ def test_maps_are_numpys() -> None:
     assert found.deviation == pytest.approx(fields.std(axis=0, ddof=1), rel=1e-10)
     below = np.where(fields < -1e-9 * np.abs(fields).max(axis=1, keepdims=True), 1.0, 0.0)
     assert found.below_zero == pytest.approx(below.mean(axis=0), rel=1e-13)
-    assert field_maps.share_above(iter(fields), 0.5) == pytest.approx((fields > 0.5).mean(axis=0), rel=1e-13)
     assert field_maps.moments(iter(())) is None
-    assert field_maps.share_above(iter(()), 0.0) is None
 
 
 def test_rounding_is_no_uplift() -> None:
