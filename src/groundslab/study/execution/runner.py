@@ -16,7 +16,7 @@ from groundslab.study.definition import files
 from groundslab.study.definition.setup import column_units, warnings_of
 from groundslab.study.execution import dask_cluster, store, versions
 from groundslab.study.execution.dask_cluster import WorkerFailure
-from groundslab.study.execution.variant import Row, Worker
+from groundslab.study.execution.variant import SOLVED, Row, Worker
 from groundslab.study.sampling import random_fields
 from groundslab.study.sampling.designs import VariantList, list_variants
 
@@ -71,14 +71,14 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
         random_fields.import_gstools()
     prepare(study, folder, resume)
     with store.lock(folder), store.Store(folder, study.setup) as rows:
-        sample = list_variants(study.setup)
-        _require_same_inputs(rows, sample)
-        there = rows.count()
-        failed = rows.count("failed")
+        variants = list_variants(study.setup)
+        _require_same_inputs(rows, variants)
+        there, solved = rows.count(), rows.counts().get(SOLVED, 0)
         progress = Progress(
-            folder, len(sample), there, failed, there - failed, warnings=tuple(warnings_of(study.setup))
+            folder, len(variants), there, there - solved, solved, warnings=tuple(warnings_of(study.setup))
         )
-        todo = [sample[number] for number in _missing(rows, sample)]
+        done = rows.numbers()
+        todo = [variants[number] for number in range(1, len(variants) + 1) if number not in done]
         on_progress(progress)
         if not todo:
             return progress
@@ -91,8 +91,8 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
                 rows.add(*made)
                 for failure in failures:
                     rows.add_failure(failure.number, failure.message)
-                progress.solved += sum(row.status == "solved" for row in made)
-                progress.failed += sum(row.status != "solved" for row in made)
+                progress.solved += sum(row.status == SOLVED for row in made)
+                progress.failed += sum(row.status != SOLVED for row in made)
                 progress.failures += failures
                 on_progress(progress)
     return progress
@@ -153,16 +153,10 @@ def prepare(study: files.StudyInput, folder: Path, resume: bool) -> None:
     store.create(folder, study.study_text, study.case_text, _about(study), study.setup)
 
 
-def _missing(rows: store.Store, sample: VariantList) -> Iterator[int]:
-    """Yield the numbers of the variants that have no row."""
-    there = rows.numbers()
-    return (number for number in range(1, len(sample) + 1) if number not in there)
-
-
-def _require_same_inputs(rows: store.Store, sample: VariantList) -> None:
+def _require_same_inputs(rows: store.Store, variants: VariantList) -> None:
     """Raise InputError if rows that are there have other values than the study has now."""
     for number, *inputs in rows.rows(["number", *rows.columns.inputs]):
-        variant = sample[number]
+        variant = variants[number]
         if tuple(inputs) != tuple(store.plain(value) for value in (*variant.values, *variant.seeds)):
             found = "another version of numpy or scipy, which draws other numbers"
             expected = f"that of {store.ABOUT} there"

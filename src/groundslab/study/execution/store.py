@@ -189,11 +189,9 @@ class Store:
         """Return the numbers of the rows that are there."""
         return {number for (number,) in self._connection.execute("SELECT number FROM rows")}
 
-    def count(self, status: str | None = None) -> int:
-        """Return how many rows there are, of one status or of all."""
-        where, values = ("", ()) if status is None else (" WHERE status = ?", (status,))
-        (found,) = self._connection.execute(f"SELECT COUNT(*) FROM rows{where}", values).fetchone()
-        return int(found)
+    def count(self) -> int:
+        """Return how many rows there are."""
+        return int(self._connection.execute("SELECT COUNT(*) FROM rows").fetchone()[0])
 
     def counts(self) -> dict[str, int]:
         """Return how many rows are solved, and how many failed for each reason, the most frequent first."""

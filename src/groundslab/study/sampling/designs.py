@@ -120,27 +120,14 @@ def unit_points(setup: Setup, dimensions: int) -> Array:
     return points
 
 
-def values_of(setup: Setup, scores: Array) -> tuple[list[Any], ...]:
-    """Return the columns of values (n,) of independent standard normal numbers (n, d), made dependent."""
-    from scipy.special import ndtr
-
-    dependent = scores @ np.linalg.cholesky(setup.correlation).T
-    return _quantiles_of(setup, ndtr(dependent))
-
-
 def _columns(setup: Setup, points: Array) -> tuple[list[Any], ...]:
-    """Return the columns of values of points (n, d) in the unit cube."""
-    from scipy.special import ndtri
+    """Return the columns of values of independent points (n, d) in the unit cube, made dependent by normal scores."""
+    from scipy.special import ndtr, ndtri
 
     points = np.clip(points, _END, 1 - _END)
     # without dependence the detour over the scores would only round
-    if (setup.correlation == np.eye(len(setup.variables))).all():
-        return _quantiles_of(setup, points)
-    return values_of(setup, ndtri(points))
-
-
-def _quantiles_of(setup: Setup, points: Array) -> tuple[list[Any], ...]:
-    """Return the columns of values of points (n, d) in the unit cube, with their dependence."""
+    if (setup.correlation != np.eye(len(setup.variables))).any():
+        points = ndtr(ndtri(points) @ np.linalg.cholesky(setup.correlation).T)
     return tuple(quantiles(variable, column) for variable, column in zip(setup.variables, points.T, strict=True))
 
 
