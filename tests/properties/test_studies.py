@@ -65,10 +65,10 @@ def test_paths_are_refused_in_words(path: str) -> None:
     try:
         place = case_paths.place_of(model, path)
     except FieldError as error:
-        told = error.relative_issues[0].expected
+        message = error.relative_issues[0].expected
     else:
-        told = str(place.value)
-    assert told
+        message = str(place.value)
+    assert message
 
 
 SCRAPS = st.recursive(

@@ -211,7 +211,7 @@ correlation_length = "2 m"
 """
 
     def test_rows_with_a_field(self, tmp_path: Path) -> None:
-        """Variants with a field differ by its seed alone, which the row tells; by it the row can be had again."""
+        """Variants with a field differ by its seed alone, which is in the row and reproduces it."""
         text = (
             'case = "slab.toml"\n[sampling]\nkind = "monte carlo"\ncount = 3\n'
             '[[keep]]\nof = "settlement"\ntake = "mean"\n[[keep]]\nof = "load"\n'
@@ -262,7 +262,7 @@ correlation_length = "2 m"
         assert random_fields.correlation_model(field).correlation(3 * r) == pytest.approx(formulas[model], abs=1e-12)
 
     def test_python_that_lacks_gstools(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """Without the library it is told before anything is solved what to install."""
+        """Without the library an error says what to install, before anything is solved."""
         monkeypatch.setitem(sys.modules, "gstools", None)
         with pytest.raises(InputError, match="groundslab\\[study\\]"):
             run(tmp_path, STUDY + self.FIELD)
@@ -285,7 +285,7 @@ class TestMaps:
         assert study.map("settlement", "mean").unit == "m"
 
     def test_other_meshes(self, tmp_path: Path) -> None:
-        """Where what varies changes the mesh there is no map, and it is told why; the rows are there."""
+        """Where what varies changes the mesh there is no map, and an error says why; the rows are there."""
         text = STUDY.replace('path = "loads[2].q"\nname = "machine"\ntimes = true\n', 'path = "mesh.counts"\n')
         text = text.replace('distribution = {kind = "normal", mean = 1.0, std = 0.2}', "values = [[8, 6], [6, 4]]")
         study = run(tmp_path, text)

@@ -351,7 +351,7 @@ class StudyFile(Section):
 
     @classmethod
     def root(cls) -> str:
-        """Return nothing: paths of faults start with the section."""
+        """Return nothing: locations of issues start with the section."""
         return ""
 
 

@@ -21,7 +21,7 @@ from helpers.studies import CASE, STUDY, read
 MODEL = casefile.loads(CASE)
 
 
-def faults_of(folder: Path, study: str, case: str = CASE) -> dict[str, str]:
+def issues_of(folder: Path, study: str, case: str = CASE) -> dict[str, str]:
     """Return what is wrong with a study, by place."""
     with pytest.raises(InputError) as caught:
         read(folder, study, case)
@@ -29,7 +29,7 @@ def faults_of(folder: Path, study: str, case: str = CASE) -> dict[str, str]:
 
 
 class TestPaths:
-    """Paths lead to keys as faults name them."""
+    """Paths lead to keys as issues name them."""
 
     @pytest.mark.parametrize(
         ("path", "value"),
@@ -50,7 +50,7 @@ class TestPaths:
         assert case_paths.place_of(MODEL, path).value == value
 
     @pytest.mark.parametrize(
-        ("path", "told"),
+        ("path", "expected"),
         [
             ("", "a path such as"),
             ("ground..k", "a path such as"),
@@ -71,11 +71,11 @@ class TestPaths:
             ("combinations[1].factors.lve", 'did you mean "live"?'),
         ],
     )
-    def test_wrong_paths(self, path: str, told: str) -> None:
+    def test_wrong_paths(self, path: str, expected: str) -> None:
         """A path that leads nowhere says where it went wrong."""
         with pytest.raises(FieldError) as caught:
             case_paths.place_of(MODEL, path)
-        assert told in str(caught.value.relative_issues[0])
+        assert expected in str(caught.value.relative_issues[0])
 
     def test_changed_case_is_that_of_a_changed_file(self) -> None:
         """A case with other values at some places is the one that a file with these values describes."""
@@ -92,7 +92,7 @@ class TestPaths:
         assert case_paths.with_values(MODEL, {}) == MODEL
 
     def test_impossible_values_have_their_place(self) -> None:
-        """What is wrong with a changed case is told with the path of the key in the case."""
+        """Issues of a changed case have the path of the key in the case."""
         places = {case_paths.place_of(MODEL, "plate.nu"): 0.6, case_paths.place_of(MODEL, "loads[2].x[2]"): 3.0}
         with pytest.raises(InputError) as caught:
             case_paths.with_values(MODEL, places)
@@ -123,7 +123,7 @@ class TestDistributions:
         ],
     )
     def test_moments(self, part: distributions.AnyDistribution) -> None:
-        """Mean and standard deviation, integrated over the quantiles, are those asked for."""
+        """Mean and standard deviation, integrated over the quantiles, are the given ones."""
         found = distributions.distribution_of(part, read_si)
         # midpoints of equal probabilities; the last ones carry little
         p = (np.arange(200_000) + 0.5) / 200_000
@@ -173,14 +173,14 @@ class TestDistributions:
         ],
     )
     def test_impossible_ones(self, part: distributions.AnyDistribution, place: tuple[str, ...]) -> None:
-        """What cannot be is told at its key."""
+        """Impossible values are reported at their key."""
         with pytest.raises(FieldError) as caught:
             distributions.distribution_of(part, read_si)
         assert caught.value.relative_issues[0].place == place
 
 
 class TestFile:
-    """Study files: all faults at once, with units."""
+    """Study files: all issues at once, with units."""
 
     def test_setup(self, tmp_path: Path) -> None:
         """Paths, units and names become what the study needs, in SI units."""
@@ -197,14 +197,14 @@ class TestFile:
         assert setup.limits[0].margin(0.007) == pytest.approx(0.001)
         assert setup.count == 12
 
-    def test_all_faults_at_once(self, tmp_path: Path) -> None:
-        """Faults of the study's own keys and of its case's file come together."""
+    def test_all_issues_at_once(self, tmp_path: Path) -> None:
+        """Issues of the study's own keys and of its case's file come together."""
         study = STUDY.replace("seed = 3", "seed = -1").replace("count = 12", "").replace('"largest"', '"lagest"')
-        found = faults_of(tmp_path, study, CASE.replace("nu = 0.2", "nu = 2"))
+        found = issues_of(tmp_path, study, CASE.replace("nu = 0.2", "nu = 2"))
         assert found.keys() == {"seed", "sampling.count", "keep[1].take", f"{tmp_path / 'slab.toml'}: plate.nu"}
 
-    def test_all_faults_against_the_case_at_once(self, tmp_path: Path) -> None:
-        """What does not fit the case is told at once as well: paths, units, ranges, names, places."""
+    def test_all_issues_against_the_case_at_once(self, tmp_path: Path) -> None:
+        """What does not fit the case is reported at once as well: paths, units, ranges, names, places."""
         study = (
             STUDY.replace("ground.k", "ground.kk").replace("std = 0.2", 'std = "0.2 m"').replace('"8 mm"', '"8 kPa"')
             + '[[vary]]\npath = "plate.nu"\nvalues = [0.1, 0.7]\n'
@@ -218,7 +218,7 @@ class TestFile:
             + '[[random_field]]\npath = "plate.E"\ndistribution = {kind = "normal", mean = 1, cov = 0.1}\n'
             + 'correlation_length = "2 m"\n'
         )
-        assert faults_of(tmp_path, study).keys() == {
+        assert issues_of(tmp_path, study).keys() == {
             "vary[1].path", "vary[2].distribution.std", "vary[3].values[2]", "vary[4].distribution.high",
             "vary[5].distribution", "vary[6].times", "keep[4].of", "keep[5].take", "keep[6].take", "keep[7].x",
             "keep[8].support", "keep[9].of", "keep[10].combination", "limit_state[1].at_most", "random_field[1].path",
@@ -242,18 +242,18 @@ class TestFile:
         ],
     )
     def test_what_does_not_fit_together(self, tmp_path: Path, old: str, new: str, where: str) -> None:
-        """What two keys say that cannot both be is told at one of them."""
+        """A contradiction of two keys is reported at one of them."""
         assert old in STUDY
-        assert where in faults_of(tmp_path, STUDY.replace(old, new, 1))
+        assert where in issues_of(tmp_path, STUDY.replace(old, new, 1))
 
     def test_saltelli_is_for_independent_variables(self, tmp_path: Path) -> None:
-        """Correlation is refused where Sobol's indices are asked for, and correlations that cannot hold together."""
+        """Correlation is refused where Sobol's indices are computed; so are impossible correlations."""
         pair = '[[correlation]]\nbetween = ["k", "machine"]\nrho = 0.5\n'
-        assert "correlation" in faults_of(tmp_path, STUDY.replace("monte carlo", "saltelli") + pair)
+        assert "correlation" in issues_of(tmp_path, STUDY.replace("monte carlo", "saltelli") + pair)
         third = '[[vary]]\npath = "plate.nu"\nname = "nu"\ndistribution = {kind = "uniform", low = 0.1, high = 0.3}\n'
         more = '[[correlation]]\nbetween = ["k", "nu"]\nrho = -0.9\n'
         more += '[[correlation]]\nbetween = ["nu", "machine"]\nrho = 0.9\n'
-        assert "correlation" in faults_of(tmp_path, STUDY + third + pair + more)
+        assert "correlation" in issues_of(tmp_path, STUDY + third + pair + more)
 
     def test_described_in_python(self, tmp_path: Path) -> None:
         """A study made of parts with numbers in SI units is written with units, and reads back as the same study."""
@@ -322,7 +322,7 @@ class TestSampling:
         assert len(np.unique(boxes, axis=0)) == 256
 
     def test_correlation_of_scores(self, tmp_path: Path) -> None:
-        """Normal scores of drawn values have the correlation asked for, within what 20,000 of them can tell."""
+        """Normal scores of drawn values have the given correlation, within the error of 20,000 of them."""
         more = '[[correlation]]\nbetween = ["k", "machine"]\nrho = -0.6\n'
         setup = setup_with(tmp_path, 'kind = "monte carlo"\ncount = 20000', more)
         k, machine = designs.list_variants(setup).values

@@ -120,11 +120,11 @@ def test_variant_that_kills_its_worker(tmp_path: Path) -> None:
     places = os.pathsep.join([str(tmp_path), *sys.path])
     command = ("groundslab", "study", str(write(tmp_path)), "--workers", "2", "--quiet")
     with ended(started(*command, PYTHONPATH=places)) as process:
-        said, told = process.communicate(timeout=2 * PATIENCE)
+        stdout, stderr = process.communicate(timeout=2 * PATIENCE)
     assert process.returncode == 1
-    assert "11 of 12 variants have a row" in said
-    assert "variant 3 has none: 4 workers died of it" in said
-    assert "--resume" in told
+    assert "11 of 12 variants have a row" in stdout
+    assert "variant 3 has none: 4 workers died of it" in stdout
+    assert "--resume" in stderr
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
@@ -137,14 +137,14 @@ def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None
         children = psutil.Process(process.pid).children(recursive=True)
         # Ctrl-C reaches every process of the terminal
         os.kill(process.pid, how) if how == signal.SIGKILL else os.killpg(process.pid, how)
-        _, told = process.communicate(timeout=PATIENCE)
+        _, stderr = process.communicate(timeout=PATIENCE)
         assert psutil.wait_procs(children, timeout=PATIENCE)[1] == []
     before = groundslab.open_study(folder).table()
     assert 3 <= len(before) < COUNT
     if how == signal.SIGINT:
         assert process.returncode == 130
-        assert f"{len(before)} of {COUNT} rows are kept" in told
-        assert "Traceback" not in told
+        assert f"{len(before)} of {COUNT} rows are kept" in stderr
+        assert "Traceback" not in stderr
     study = alone(path, folder, "--resume")
     assert study.table().loc[before.index].equals(before)
     assert same(study, whole)
@@ -155,7 +155,7 @@ Scheduler = tuple[str, subprocess.Popen[str], Callable[..., None]]
 
 
 def test_program_without_guard(tmp_path: Path) -> None:
-    """A program that would run itself again in each process is told so; nothing is left behind but the folder."""
+    """A program that would run itself again in each process gets an error; only the folder is left behind."""
     path = write(tmp_path)
     program = tmp_path / "program.py"
     program.write_text(f"import groundslab\ngroundslab.study({str(path)!r}, workers=1, quiet=True)\n")
@@ -168,13 +168,13 @@ def test_program_without_guard(tmp_path: Path) -> None:
 def scheduler(tmp_path: Path) -> Iterator[Scheduler]:
     """Return the address of a scheduler on the loopback, its process, and what starts a worker for it."""
     with ExitStack() as stack:
-        told = tmp_path / "scheduler.json"
+        address_file = tmp_path / "scheduler.json"
         process = stack.enter_context(
             ended(started("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
-                          "--scheduler-file", str(told)))
+                          "--scheduler-file", str(address_file)))
         )  # fmt: skip
-        wait_for(lambda: told.exists() and "address" in told.read_text())
-        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+        wait_for(lambda: address_file.exists() and "address" in address_file.read_text())
+        address = next(line.split('"')[3] for line in address_file.read_text().splitlines() if '"address"' in line)
 
         def worker(**environment: str) -> None:
             options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
@@ -197,10 +197,10 @@ def test_cluster(
     with ended(started(*command)) as study:
         wait_for(lambda: count(second) >= 3)
         process.kill()
-        _, told = study.communicate(timeout=PATIENCE)
+        _, stderr = study.communicate(timeout=PATIENCE)
     assert study.returncode == 1
-    assert "lost" in told
-    assert "--resume" in told
+    assert "lost" in stderr
+    assert "--resume" in stderr
     before = groundslab.open_study(second).table()
     assert len(before) < COUNT
     after = alone(path, second, "--resume")
@@ -225,13 +225,13 @@ def test_other_versions(tmp_path: Path, scheduler: Scheduler) -> None:
 
 
 def test_no_scheduler(tmp_path: Path) -> None:
-    """An address where no scheduler answers is a fault of the input."""
+    """An address where no scheduler answers is an error of the input."""
     with pytest.raises(InputError, match="Dask scheduler such as"):
         groundslab.study(write(tmp_path), scheduler="nothing at all", quiet=True)
 
 
 def test_differences() -> None:
-    """Packages that differ or are missing are told process by process; others are not."""
+    """Packages that differ or are missing are reported process by process; others are not."""
     here = {"python": "3.12", "groundslab": "1", "numpy": "2.1"}
     there = {"a": here, "b": {**here, "numpy": "2.0"}, "c": {"python": "3.12", "numpy": "2.1", "gstools": "1.6"}}
     issues = dask_cluster.version_differences(versions.MUST_AGREE, here, there)
@@ -301,7 +301,7 @@ def test_dashboard_when_asked_for() -> None:
 
 
 def test_without_cryptography(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without the package that makes keys nothing is opened, and the fault says what to install."""
+    """Without the package that makes keys nothing is opened, and the error says what to install."""
     monkeypatch.setitem(sys.modules, "cryptography", None)
     for name in [name for name in sys.modules if name.startswith("cryptography.")]:
         monkeypatch.setitem(sys.modules, name, None)
@@ -310,7 +310,7 @@ def test_without_cryptography(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_scheduler_with_keys(tmp_path: Path) -> None:
-    """With the keys in Dask's configuration a scheduler at tls:// solves the study; without them that is a fault."""
+    """With the keys in Dask's configuration a scheduler at tls:// solves the study; without them that is an error."""
     import distributed
 
     made = distributed.Security.temporary()
@@ -320,12 +320,20 @@ def test_a_scheduler_with_keys(tmp_path: Path) -> None:
     keys = {f"{tls}CA_FILE": str(tmp_path / "ca.pem"), "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "true"}
     for role in ("SCHEDULER", "WORKER", "CLIENT"):
         keys |= {f"{tls}{role}__{part}": str(tmp_path / "pair.pem") for part in ("CERT", "KEY")}
-    told = tmp_path / "scheduler.json"
+    address_file = tmp_path / "scheduler.json"
     with ExitStack() as stack:
-        arguments = ("--host", "tls://127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(told))
+        arguments = (
+            "--host",
+            "tls://127.0.0.1",
+            "--port",
+            "0",
+            "--no-dashboard",
+            "--scheduler-file",
+            str(address_file),
+        )
         stack.enter_context(ended(started("distributed.cli.dask_scheduler", *arguments, **keys)))
-        wait_for(lambda: told.exists() and "address" in told.read_text())
-        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+        wait_for(lambda: address_file.exists() and "address" in address_file.read_text())
+        address = next(line.split('"')[3] for line in address_file.read_text().splitlines() if '"address"' in line)
         assert address.startswith("tls://")
         options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
         stack.enter_context(ended(started("distributed.cli.dask_worker", address, *options, **keys)))

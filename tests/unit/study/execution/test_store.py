@@ -54,7 +54,7 @@ class TestStore:
             assert np.array_equal(dict(study.fields("settlement"))[number], whole.astype(np.float32))
 
     def test_interrupted_at_every_row(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """A study cut short again and again has the rows of one that was not, and computed none of them twice."""
+        """A study interrupted again and again has the rows of one that was not, and computed none of them twice."""
         whole = run(tmp_path)
         computed: list[int] = []
         row = variant.Worker.row
@@ -110,7 +110,7 @@ class TestStore:
             assert rows.rows(["number", "seconds"]) == before
 
     def test_full_disk(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """Where the database may not grow the study ends and says so; with room it goes on to the same rows."""
+        """Where the database may not grow the study ends and says so; with room it continues to the same rows."""
         study = run(tmp_path)
         whole, connect = study.table(), store._connect
         with sqlite3.connect(study.folder / "rows.sqlite") as connection:
@@ -247,9 +247,9 @@ class TestCommand:
         path = write(tmp_path)
         monkeypatch.setattr(variant.Worker, "row", until_five)
         assert main.main(["study", str(path), "--workers", "0", "--quiet"]) == 130
-        told = capsys.readouterr().err
-        assert "4 of 12 rows are kept" in told
-        assert f"groundslab study {path} --resume" in told
+        stderr = capsys.readouterr().err
+        assert "4 of 12 rows are kept" in stderr
+        assert f"groundslab study {path} --resume" in stderr
 
     @pytest.mark.parametrize(
         "option", [["--workers", "-1"], ["--workers", "x"], ["--workers", "1", "--scheduler", "a"]]
