@@ -362,14 +362,14 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
         ],
         keep=[{"of": "settlement", "take": "largest"}],
     )
-    read = files.made(described, case)
+    read = files.resolve(described, case)
     found: dict[int, list[float]] = {1: [], 2: []}
     for _ in range(times):
         for workers, paces in found.items():
             seen: list[tuple[float, int]] = []
             with tempfile.TemporaryDirectory() as folder:
                 runner.run(
-                    read, Path(folder) / "study", runner.Where(workers), False,
+                    read, Path(folder) / "study", runner.Resources(workers), False,
                     lambda progress, seen=seen: seen.append((time.perf_counter(), progress.rows)),
                 )  # fmt: skip
             (begin, first), (end, last) = next(each for each in seen if each[1]), seen[-1]

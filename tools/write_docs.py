@@ -19,7 +19,7 @@ def contents() -> dict[Path, str]:
         DOCS / "architecture.md": _page("architecture.md", imports=diagram()),
         DOCS / "input.md": _page("input.md", keys=docs_table()),
         DOCS / "groundslab.schema.json": json.dumps(json_schema(), indent=2) + "\n",
-        DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.kept_table()),
+        DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.outputs_table()),
         DOCS / "study.schema.json": json.dumps(schema.json_schema(), indent=2) + "\n",
     }
 

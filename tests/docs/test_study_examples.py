@@ -14,7 +14,7 @@ from groundslab.design.reinforcement import Concrete
 from groundslab.study.definition import files
 from groundslab.study.evaluation.form import Margin, design_point, values_of
 from groundslab.study.execution.variant import Worker
-from groundslab.study.sampling.designs import sample_of
+from groundslab.study.sampling.designs import list_variants
 from helpers.paths import EXAMPLES
 
 STUDIES = EXAMPLES / "studies"
@@ -41,7 +41,7 @@ def test_the_first_variant_is_solved(path: Path) -> None:
     setup = files.read(path).setup
     if setup.fields:
         pytest.importorskip("gstools")
-    row = Worker(setup).row(sample_of(setup)[1])
+    row = Worker(setup).row(list_variants(setup)[1])
     assert row.status == "solved", row.message
     assert all(value is not None and np.isfinite(value) for value in row.results)
     text = path.read_text(encoding="utf-8")
@@ -68,12 +68,12 @@ def test_crack_moments_of_the_warehouse() -> None:
     f_ctm = 0.30 * 30 ** (2 / 3) * 1e6
     assert f_ctm == pytest.approx(Concrete(30e6).f_ctm, rel=1e-9)
     flexural = max(1.6 - t, 1.0) * f_ctm
-    limits = {limit.name: limit.value for limit in setup.limits}
+    limits = {limit.name: limit.bound for limit in setup.limits}
     assert limits["top reaches f_ctm"] == pytest.approx(-f_ctm * t**2 / 6, abs=50)
     assert limits["bottom reaches f_ctm"] == pytest.approx(f_ctm * t**2 / 6, abs=50)
     assert limits["top reaches the flexural strength"] == pytest.approx(-flexural * t**2 / 6, abs=50)
     (limit,) = files.read(STUDIES / "warehouse_thickness.toml").setup.limits
-    assert limit.value == pytest.approx(f_ctm, rel=0.005)
+    assert limit.bound == pytest.approx(f_ctm, rel=0.005)
 
 
 @pytest.mark.slow
@@ -82,7 +82,7 @@ def test_the_design_point_that_the_page_quotes() -> None:
     pytest.importorskip("openturns")
     setup = files.read(STUDIES / "first_plate_reliability.toml").setup
     (limit,) = setup.limits
-    point = design_point(Margin(setup, limit.keep, limit.margin), setup.correlation)
+    point = design_point(Margin(setup, limit), setup.correlation)
     values = values_of(setup, point.scores)
     page = re.sub(r"\s+", " ", (STUDIES.parents[1] / "docs" / "study-results.md").read_text(encoding="utf-8"))
     assert f"first order, {point.solves} solutions | {point.probability:.4f} | beta = {point.beta:.3f} |" in page

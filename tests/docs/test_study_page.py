@@ -41,7 +41,7 @@ def test_study_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_lists_of_the_page() -> None:
-    """The page tells all ways of sampling, all correlations and all reasons, and no others."""
+    """The page lists all ways of sampling, all correlations and all reasons, and no others."""
     section = PAGE.split("## How variants are made")[1].split("##")[0]
     assert set(re.findall(r"^\| `([^`]+)` \| (?!variants)", section, re.MULTILINE)) == set(get_args(SamplingKind))
     section = PAGE.split("## Random fields")[1].split("##")[0]

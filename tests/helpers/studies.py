@@ -104,7 +104,7 @@ def write(folder: Path, study: str = STUDY, case: str = CASE) -> Path:
     return path
 
 
-def read(folder: Path, study: str = STUDY, case: str = CASE) -> files.Read:
+def read(folder: Path, study: str = STUDY, case: str = CASE) -> files.StudyInput:
     """Return a study of a case as it is read from files."""
     return files.read(write(folder, study, case))
 

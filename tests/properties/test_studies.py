@@ -51,12 +51,12 @@ def test_every_key_can_be_reached(model: Model, number: int) -> None:
     places = {}
     for path, held in all_paths(model, ""):
         place = case_paths.place_of(model, path)
-        assert case_paths.value_at(model, place) == held
+        assert place.value == held
         places[place] = held
     one = list(places)[number % len(places)]
-    assert case_paths.changed(model, {one: places[one]}) == model
+    assert case_paths.with_values(model, {one: places[one]}) == model
     whole = {place: held for place, held in places.items() if not isinstance(place.steps[-1], int)}
-    assert case_paths.changed(model, whole) == model
+    assert case_paths.with_values(model, whole) == model
 
 
 @settings(max_examples=200, derandomize=True, deadline=None)
@@ -67,10 +67,10 @@ def test_paths_are_refused_in_words(path: str) -> None:
     try:
         place = case_paths.place_of(model, path)
     except FieldError as error:
-        told = error.relative_issues[0].expected
+        message = error.relative_issues[0].expected
     else:
-        told = str(case_paths.value_at(model, place))
-    assert told
+        message = str(place.value)
+    assert message
 
 
 SCRAPS = st.recursive(

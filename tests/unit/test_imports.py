@@ -35,7 +35,6 @@ HEAVY = {
     "distributed",
     "dask",
     "gstools",
-    "SALib",
     "openturns",
 }
 #: Modules that are imported by functions only, with the heavy library that they are made of.

@@ -39,7 +39,7 @@ def _part_schema(part: type[Section], definitions: dict[str, Any]) -> dict[str, 
     required = [name for name, field in part.model_fields.items() if field.is_required() or _is_tag(field)]
     return {
         "type": "object",
-        "description": (part.__doc__ or "").strip(),
+        "description": (part.__doc__ or "").strip().partition("\n")[0],
         "properties": properties,
         "additionalProperties": False,
         **({"required": required} if required else {}),

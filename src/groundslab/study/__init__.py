@@ -16,6 +16,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+import lazy_loader
+
 if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.study.definition.schema import StudyFile
@@ -26,16 +28,18 @@ if TYPE_CHECKING:
 
 __all__ = ["Study", "StudyFile", "evaluate", "open_study", "reliability", "run"]
 
-#: Mishaps that are told of.
-MOST_MISHAPS = 10
-#: Where the names live that load when they are first used.
-_HOME = {
-    "Study": "evaluation.study",
-    "open_study": "evaluation.study",
-    "StudyFile": "definition.schema",
-    "evaluate": "report.writer",
-    "reliability": "evaluation.form",
-}
+#: Failures of workers that are listed.
+MAX_FAILURES = 10
+
+__getattr__, __dir__, _ = lazy_loader.attach(
+    __name__,
+    submod_attrs={
+        "definition.schema": ["StudyFile"],
+        "evaluation.form": ["reliability"],
+        "evaluation.study": ["Study", "open_study"],
+        "report.writer": ["evaluate"],
+    },
+)
 
 
 def run(
@@ -49,92 +53,109 @@ def run(
     resume: bool = False,
     quiet: bool = False,
 ) -> Study:
-    """Run a study and return it; raises InputError if it cannot begin.
+    """Run a study: solve all variants of a case and keep a row of each, on the disk as soon as it is solved.
 
-    study is a file or a StudyFile; case takes the place of the case that it names. Variants are solved in so many
-    processes of this machine (workers, one for each core by default; 0 for none but this), or on the cluster of a Dask
-    scheduler such as "tcp://127.0.0.1:8786". With dashboard the processes of this machine can be watched in a
-    browser. Rows are kept in the folder out, by default `<study>-study` beside the file; with resume a study that is
-    there goes on. Progress is shown on standard error unless quiet.
+    Parameters
+    ----------
+    study : str or Path or StudyFile
+        A study file, or a study described in Python.
+    case : str or Path or Model, optional
+        Takes the place of the case that the study names.
+    out : str or Path, optional
+        Folder for the rows; by default `<study>-study` beside the file.
+    workers : int, optional
+        Number of processes on this machine, by default one for each core; 0 solves in this process.
+    scheduler : str, optional
+        Address of a Dask scheduler, such as "tcp://127.0.0.1:8786", whose cluster is used instead.
+    dashboard : bool
+        Whether to serve Dask's dashboard for the processes of this machine.
+    resume : bool
+        Continue the study in the folder, if there is one.
+    quiet : bool
+        Show no progress on standard error.
 
-    Where rows cannot be written, or the scheduler is lost, GroundslabError is raised; rows that were there are kept.
+    Returns
+    -------
+    Study
+        The study in its folder, with the rows of all variants but those whose workers failed.
+
+    Raises
+    ------
+    InputError
+        If the study cannot begin: issues in the files, a folder that is taken, missing packages.
+    GroundslabError
+        If rows cannot be written or the scheduler is lost; earlier rows are kept.
+
+    Examples
+    --------
+    >>> study = groundslab.study("slab.study.toml", workers=4)  # doctest: +SKIP
     """
     from groundslab.errors import InputError, Issue
     from groundslab.study.definition import files
-    from groundslab.study.evaluation import study as opened
+    from groundslab.study.evaluation.study import Study
     from groundslab.study.execution import progress, runner
 
     if workers is not None and scheduler is not None:
         raise InputError([Issue("workers", "workers and a scheduler", "one of them", "a cluster has its own workers")])
-    read = files.read(study, case) if isinstance(study, str | Path) else files.made(study, case)
+    resolved = files.read(study, case) if isinstance(study, str | Path) else files.resolve(study, case)
     folder = folder_of(study, out)
-    where = runner.Where(workers, scheduler, dashboard)
-    with progress.shown(quiet) as on_progress:
-        runner.run(read, folder, where, resume, on_progress)
-    return opened.Study(folder)
+    with progress.show_progress(quiet) as on_progress:
+        runner.run(resolved, folder, runner.Resources(workers, scheduler, dashboard), resume, on_progress)
+    return Study(folder)
 
 
 def folder_of(study: str | Path | StudyFile, out: str | Path | None) -> Path:
-    """Return the folder of a study: the one that is named, or one beside the study's file."""
+    """Return the folder of a study: `out`, or by default one beside the study's file."""
     if out is not None:
         return Path(out)
     return Path(study).with_name(f"{Path(study).stem}-study") if isinstance(study, str | Path) else Path("study")
 
 
 def described(path: Path) -> list[str]:
-    """Return what a study file describes, a line each; raises InputError with all that is wrong with it."""
+    """Return a summary of a study file, line by line; raises InputError with all its issues."""
     from groundslab.study.definition import files, setup
 
     found = files.read(path).setup
     lines = [f"{path}: fine ({found.count} variants, {found.sampling.kind})"]
-    lines += [f"  varies {each.name}: {_how(each)}" for each in found.variables]
+    lines += [f"  varies {each.name}: {_describe_variable(each)}" for each in found.variables]
     lines += [f"  random field {each.name}: a factor on {each.path}" for each in found.fields]
     lines += [f"  keeps {output.name}" + (f" [{output.unit}]" if output.unit else "") for output in found.outputs]
     return lines + [f"warning: {line}" for line in setup.warnings_of(found)]
 
 
-def _how(variable: Variable) -> str:
+def _describe_variable(variable: Variable) -> str:
     """Return in words how a quantity varies."""
     parts = [variable.path if variable.name != variable.path else "", "a factor" if variable.times else ""]
-    drawn = variable.distribution
-    if drawn is None:
+    if variable.distribution is None:
         parts.append(f"{len(variable.values or ())} values")
     else:
-        parts.append(f"{drawn.name}, mean {drawn.mean:.5g} {variable.unit}".strip())
-        parts.append(f"standard deviation {drawn.std:.5g} {variable.unit}".strip())
+        frozen = variable.distribution.frozen
+        parts.append(f"{variable.distribution.name}, mean {frozen.mean():.5g} {variable.unit}".strip())
+        parts.append(f"standard deviation {frozen.std():.5g} {variable.unit}".strip())
     return ", ".join(filter(None, parts))
 
 
 def outcome(study: Study) -> list[str]:
-    """Return what became of a study's variants, a line each."""
+    """Return a summary of a study's variants, line by line."""
     counts = study.counts()
     lines = [f"{study.folder}: {len(study)} of {study.count} variants have a row, {counts.pop('solved', 0)} solved"]
     lines += [f"  {number} failed: {reason}" for reason, number in counts.items()]
-    mishaps = study.mishaps()
-    lines += [f"  variant {number} has none: {message}" for number, message in list(mishaps.items())[:MOST_MISHAPS]]
-    if len(mishaps) > MOST_MISHAPS:
-        lines.append(f"  and {len(mishaps) - MOST_MISHAPS} more")
+    failures = study.worker_failures()
+    lines += [f"  variant {number} has none: {message}" for number, message in list(failures.items())[:MAX_FAILURES]]
+    if len(failures) > MAX_FAILURES:
+        lines.append(f"  and {len(failures) - MAX_FAILURES} more")
     return lines
 
 
 def how_to_go_on(folder: Path, command: str) -> str:
-    """Return what is kept of a study that is not at its end, and the command by which it goes on."""
-    from groundslab.study.evaluation import study as opened
+    """Return how many rows an incomplete study has, and the command that continues it."""
+    from groundslab.study.evaluation.study import Study
     from groundslab.study.execution import store
 
     if not store.is_store(folder):
-        return f"nothing was begun; again: {command}"
-    study = opened.Study(folder)
-    return f"{len(study)} of {study.count} rows are kept in {folder}; go on with: {command} --resume"
-
-
-def __getattr__(name: str) -> object:
-    """Return a public name from the module that it lives in, which is imported now."""
-    if name not in _HOME:
-        raise AttributeError(f"module 'groundslab.study' has no attribute {name!r}")
-    from importlib import import_module
-
-    return getattr(import_module(f"groundslab.study.{_HOME[name]}"), name)
+        return f"no rows yet; start again with: {command}"
+    study = Study(folder)
+    return f"{len(study)} of {study.count} rows are kept in {folder}; continue with: {command} --resume"
 
 
 class _Callable(ModuleType):

@@ -11,10 +11,10 @@ from scipy import stats
 from groundslab import Model, Plate, PointLoad, Winkler
 from groundslab.analysis.driver import solve_combinations
 from groundslab.errors import InputError
-from groundslab.study.definition.outputs import Output, figure_of, whole_of
+from groundslab.study.definition.outputs import Output, nodal_values_of, scalar_of
 from groundslab.study.definition.schema import StudyFile
 from groundslab.study.definition.setup import Setup, setup_of
-from groundslab.study.sampling.designs import sample_of
+from groundslab.study.sampling.designs import list_variants
 
 CASE = Model(
     plate=Plate(length_x=4.0, length_y=2.0, thickness=0.3, E=30e9, nu=0.2),
@@ -40,7 +40,7 @@ def test_choices_are_solved_with_the_same_chance(kind: str) -> None:
     field = {"path": "ground.k", "distribution": {"kind": "lognormal", "mean": 1.0, "cov": 0.3}}
     fields = [field | {"correlation_length": 2.0}]
     setup = described(kind, [P, T, NU], random_field=fields)
-    made, plain = sample_of(setup), sample_of(described(kind, [P], random_field=fields))
+    made, plain = list_variants(setup), list_variants(described(kind, [P], random_field=fields))
     assert setup.count == len(made) == 16 * 6
     assert made.values[0] == plain.values[0] * 6
     assert made.values[1] == [t for t in (0.2, 0.3, 0.4) for _ in range(32)]
@@ -51,8 +51,8 @@ def test_choices_are_solved_with_the_same_chance(kind: str) -> None:
 def test_tornado_takes_one_variable_after_the_other() -> None:
     """Of d variables there are 1 + 2 d variants: the medians, then each one's 10 % and 90 % quantile by itself."""
     setup = described("tornado", [K, P])
-    made = sample_of(setup)
-    k, p = (variable.distribution.frozen() for variable in setup.variables if variable.distribution is not None)
+    made = list_variants(setup)
+    k, p = (variable.distribution.frozen for variable in setup.variables if variable.distribution is not None)
     assert setup.count == len(made) == 5
     assert made.values[0] == pytest.approx(k.ppf([0.5, 0.1, 0.9, 0.5, 0.5]), rel=1e-12)
     assert made.values[1] == pytest.approx(p.ppf([0.5, 0.5, 0.5, 0.1, 0.9]), rel=1e-12)
@@ -110,7 +110,7 @@ def test_tensile_stress_and_settlement_difference() -> None:
     names = tuple(combined.results)
 
     def kept(of: str, take: Any, x: float | None = None, y: float | None = None) -> Any:
-        made = whole_of if take == "everywhere" else figure_of
+        made = nodal_values_of if take == "everywhere" else scalar_of
         return made(Output("s", of, take, x, y, "", "", None), combined, names)
 
     stress = kept("tensile stress", "everywhere")

@@ -37,7 +37,7 @@ class TestOutputs:
     def output(self, of: str, take: str | None = None, **more: object) -> outputs.Output:
         """Return an output."""
         given = {"x": None, "y": None, "combination": "", "support": "", "layer": None} | more
-        return outputs.Output(name=of, of=of, take=take, **given)  # type: ignore[arg-type]
+        return outputs.Output(name=of, of=of, statistic=take, **given)  # type: ignore[arg-type]
 
     def test_fields_of_the_plate(self) -> None:
         """Largest, smallest and value at a node are those of the result's own arrays, the worst over combinations."""
@@ -46,12 +46,12 @@ class TestOutputs:
             arrays = [getattr(self.combined[name].plate, field) for name in names]
             plate = self.combined["service"].plate
             of = field.replace("_", " ")
-            assert outputs.figure_of(self.output(of, "largest"), self.combined, names) == max(a.max() for a in arrays)
-            assert outputs.figure_of(self.output(of, "smallest"), self.combined, names) == min(a.min() for a in arrays)
+            assert outputs.scalar_of(self.output(of, "largest"), self.combined, names) == max(a.max() for a in arrays)
+            assert outputs.scalar_of(self.output(of, "smallest"), self.combined, names) == min(a.min() for a in arrays)
             x, y = plate.nodes[17]
-            found = outputs.figure_of(self.output(of, "at", x=x, y=y), self.combined, ["service"])
+            found = outputs.scalar_of(self.output(of, "at", x=x, y=y), self.combined, ["service"])
             assert found == pytest.approx(arrays[0][17], rel=1e-9, abs=1e-12 * np.abs(arrays[0]).max())
-            whole = outputs.whole_of(self.output(of, "everywhere"), self.combined, names)
+            whole = outputs.nodal_values_of(self.output(of, "everywhere"), self.combined, names)
             assert whole is not None
             assert np.array_equal(np.abs(whole), np.maximum(*np.abs(arrays)))
 
@@ -63,13 +63,13 @@ class TestOutputs:
         for name in outputs.FIELDS:
             field = outputs.field_of(self.combined["design"], name)
             assert field.shape == (len(plate.nodes),)
-            found = outputs.figure_of(self.output(name, "at", x=x, y=y), self.combined, ["design"])
+            found = outputs.scalar_of(self.output(name, "at", x=x, y=y), self.combined, ["design"])
             assert found == pytest.approx(field[node], rel=1e-8, abs=1e-12 * np.abs(field).max())
         there = {
-            name for name in outputs.FIGURES
-            if outputs.figure_of(self.output(name), self.combined, ["design"]) is not None
+            name for name in outputs.SCALARS
+            if outputs.scalar_of(self.output(name), self.combined, ["design"]) is not None
         }  # fmt: skip
-        assert there == outputs.FIGURES.keys() - {"support force", "gamma", "margin effect", "k1"} | {"k1"} - (
+        assert there == outputs.SCALARS.keys() - {"support force", "gamma", "margin effect", "k1"} | {"k1"} - (
             set() if self.combined["design"].constants.k1 else {"k1"}
         )
 
@@ -78,24 +78,24 @@ class TestOutputs:
         # 2 kPa on 12 m2 and 200 kPa on 1 m2
         loads = {"service": 24e3 + 200e3, "design": 1.35 * 24e3 + 1.5 * 200e3}
         for name, load in loads.items():
-            assert outputs.figure_of(self.output("load"), self.combined, [name]) == pytest.approx(load)
-            assert outputs.figure_of(self.output("reaction"), self.combined, [name]) == pytest.approx(load)
-        share = outputs.figure_of(self.output("in contact"), self.combined, ["service"])
+            assert outputs.scalar_of(self.output("load"), self.combined, [name]) == pytest.approx(load)
+            assert outputs.scalar_of(self.output("reaction"), self.combined, [name]) == pytest.approx(load)
+        share = outputs.scalar_of(self.output("in contact"), self.combined, ["service"])
         assert share is not None
         assert 0.1 < share < 0.9
-        tilt = outputs.figure_of(self.output("tilt x"), self.combined, ["service"])
+        tilt = outputs.scalar_of(self.output("tilt x"), self.combined, ["service"])
         assert tilt is not None
         assert tilt > 0
 
     def test_mean_is_over_the_area(self) -> None:
         """Of pressure the mean times the area is the reaction."""
-        mean = outputs.figure_of(self.output("pressure", "mean"), self.combined, ["service"])
+        mean = outputs.scalar_of(self.output("pressure", "mean"), self.combined, ["service"])
         assert mean == pytest.approx(224e3 / 12)
 
     def test_combination_without_results(self) -> None:
         """What needs a combination that has no results is None."""
-        assert outputs.figure_of(self.output("load"), self.combined, ["service", "nothing"]) is None
-        assert outputs.whole_of(self.output("gap", "everywhere"), self.combined, ["nothing"]) is None
+        assert outputs.scalar_of(self.output("load"), self.combined, ["service", "nothing"]) is None
+        assert outputs.nodal_values_of(self.output("gap", "everywhere"), self.combined, ["nothing"]) is None
 
 
 class TestRows:
@@ -156,7 +156,7 @@ class TestRows:
             case += '[[ground.layers]]\nE = "20 MPa"\nnu = 0.3\nthickness = "4 m"\n'
             study = study.replace("ground.k", "ground.layers[1].E").replace("20 MPa/m", "20 MPa")
         setup = read(tmp_path, study, case).setup
-        sample = designs.sample_of(setup)
+        sample = designs.list_variants(setup)
         worker = variant.Worker(setup)
         one = {number: worker.row(sample[number]) for number in (1, 2, 3, 4, 5)}
         for number in (5, 1, 3):
@@ -216,7 +216,7 @@ correlation_length = "2 m"
 
     @pytest.mark.slow
     def test_rows_with_a_field(self, tmp_path: Path) -> None:
-        """Variants with a field differ by its seed alone, which the row tells; by it the row can be had again."""
+        """Variants with a field differ by its seed alone, which is in the row and reproduces it."""
         text = (
             'case = "slab.toml"\n[sampling]\nkind = "monte carlo"\ncount = 3\n'
             '[[keep]]\nof = "settlement"\ntake = "mean"\n[[keep]]\nof = "load"\n'
@@ -265,10 +265,10 @@ correlation_length = "2 m"
             "gaussian": np.exp(-(r**2)), "exponential": np.exp(-r),
             "matern32": (1 + np.sqrt(3) * r) * np.exp(-np.sqrt(3) * r),
         }  # fmt: skip
-        assert random_fields.waves(field).correlation(3 * r) == pytest.approx(formulas[model], abs=1e-12)
+        assert random_fields.correlation_model(field).correlation(3 * r) == pytest.approx(formulas[model], abs=1e-12)
 
     def test_python_that_lacks_gstools(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """Without the library it is told before anything is solved what to install."""
+        """Without the library an error says what to install, before anything is solved."""
         monkeypatch.setitem(sys.modules, "gstools", None)
         with pytest.raises(InputError, match="groundslab\\[study\\]"):
             run(tmp_path, STUDY + self.FIELD)
@@ -293,7 +293,7 @@ class TestMaps:
 
     @pytest.mark.slow
     def test_other_meshes(self, tmp_path: Path) -> None:
-        """Where what varies changes the mesh there is no map, and it is told why; the rows are there."""
+        """Where what varies changes the mesh there is no map, and an error says why; the rows are there."""
         text = STUDY.replace('path = "loads[2].q"\nname = "machine"\ntimes = true\n', 'path = "mesh.counts"\n')
         text = text.replace('distribution = {kind = "normal", mean = 1.0, std = 0.2}', "values = [[8, 6], [6, 4]]")
         study = run(tmp_path, text)

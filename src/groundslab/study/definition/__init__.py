@@ -1,1 +1,1 @@
-"""What a study file says: distributions, outputs, and the case that they apply to."""
+"""The study file: distributions, variables, outputs, limit states, and the case that they apply to."""

@@ -1,10 +1,10 @@
-"""Keys of a case by their paths, as faults name them: what kind they are, what they hold, cases with other values."""
+"""Keys of a case by their paths, such as `ground.layers[1].E`: their types, their values, cases with other values."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from groundslab.model.model import Model
@@ -21,24 +21,25 @@ Step = str | int
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A key of a case: its path as written, the steps to it, its kind."""
+    """A key of a case: its path as written, the steps to it, its type, its value (None if not given)."""
 
     path: str
     steps: tuple[Step, ...]
     key: FieldType
+    value: Any = field(compare=False)
 
 
 def steps_of(path: str) -> tuple[Step, ...]:
-    """Return the steps of a path such as ``ground.layers[1].E``; raises Wrong."""
+    """Return the steps of a path such as ``ground.layers[1].E``; raises FieldError."""
     steps: list[Step] = []
     position = 0
     while position < len(path):
         match = _STEP.match(path, position)
         first = position == 0
         if not match or (first and path[0] in ".[") or match["number"] == "0":
-            raise wrong_path(path, 'a path such as "ground.layers[1].E"', "positions count from 1")
+            raise path_error(path, 'a path such as "ground.layers[1].E"', "positions count from 1")
         if not first and match["number"] is None and path[position] != ".":
-            raise wrong_path(path, 'a path such as "ground.layers[1].E"', "a dot stands between keys")
+            raise path_error(path, 'a path such as "ground.layers[1].E"', "a dot stands between keys")
         if match["number"] is not None:
             steps.append(int(match["number"]) - 1)
         else:
@@ -46,56 +47,56 @@ def steps_of(path: str) -> tuple[Step, ...]:
             steps.append(match["name"] if quoted is None else re.sub(r"\\(.)", r"\1", quoted))
         position = match.end()
     if not steps:
-        raise wrong_path(path, 'a path such as "ground.layers[1].E"')
+        raise path_error(path, 'a path such as "ground.layers[1].E"')
     return tuple(steps)
 
 
-def wrong_path(path: str, expected: str, hint: str = "") -> FieldError:
+def path_error(path: str, expected: str, hint: str = "") -> FieldError:
     """Return the error for a path that leads to no key that can vary."""
     return FieldError(RelativeIssue((), describe(path), expected, hint))
 
 
 def place_of(model: Model, path: str) -> Place:
-    """Return the key of a case that a path leads to; raises Wrong if it leads to none that holds a value."""
+    """Return the key of a case that a path leads to; raises FieldError if it leads to none with a value."""
     steps = steps_of(path)
     part: Section = model
     walked = ""
     left = list(steps)
     while left:
         name = left.pop(0)
-        known = [key for key, field in type(part).model_fields.items() if key_of(field) or nested(field).parts]
+        known = [key for key, info in type(part).model_fields.items() if key_of(info) or nested(info).parts]
         where = f"{walked} has" if walked else "the case has"
         if not isinstance(name, str) or name not in known:
             if name in type(part).model_fields:
-                raise wrong_path(path, f"a key that {where} a value for", f"{quote(str(name))} says which kind it is")
+                raise path_error(path, f"a key that {where} a value for", f"{quote(str(name))} says which kind it is")
             shown = f"[{name + 1}]" if isinstance(name, int) else quote(name)
             hint = suggestion(name, known)
-            raise wrong_path(path, f"a key that {where}: {one_of(known)}", hint or f"{shown} is none of them")
-        field = type(part).model_fields[name]
+            raise path_error(path, f"a key that {where}: {one_of(known)}", hint or f"{shown} is none of them")
+        info = type(part).model_fields[name]
         walked += f".{name}" if walked else name
-        key = key_of(field)
+        key = key_of(info)
         if key is not None:
-            return Place(path, steps, _within(key, getattr(part, name), left, path, walked))
+            return Place(path, steps, *_within(key, getattr(part, name), left, path, walked))
         held = getattr(part, name)
-        if nested(field).many:
+        if nested(info).many:
             if not left or not isinstance(left[0], int):
                 count = f"{walked} is a list of {len(held)}"
-                raise wrong_path(path, f"a position after {walked}, such as {walked}[1]", count)
+                raise path_error(path, f"a position after {walked}, such as {walked}[1]", count)
             number = left.pop(0)
             assert isinstance(number, int)
             if number >= len(held):
-                raise wrong_path(path, f"{walked}[1] to {walked}[{len(held)}]" if held else f"a case with {walked}")
+                raise path_error(path, f"{walked}[1] to {walked}[{len(held)}]" if held else f"a case with {walked}")
             held = held[number]
             walked += f"[{number + 1}]"
         if held is None:
-            raise wrong_path(path, f"a case with {walked}", "the case does not have it")
+            raise path_error(path, f"a case with {walked}", "the case does not have it")
         part = held
-    keys = [key for key, field in type(part).model_fields.items() if key_of(field)]
-    raise wrong_path(path, f"a key of {walked}: {one_of(keys)}", f"{walked} holds keys, not a value")
+    keys = [key for key, info in type(part).model_fields.items() if key_of(info)]
+    raise path_error(path, f"a key of {walked}: {one_of(keys)}", f"{walked} holds keys, not a value")
 
 
-def _within(key: FieldType, held: Any, left: list[Step], path: str, walked: str) -> FieldType:
-    """Return the kind of what stands in a list or a table of factors; the key itself if no step is left."""
+def _within(key: FieldType, held: Any, left: list[Step], path: str, walked: str) -> tuple[FieldType, Any]:
+    """Return type and value within a list or a table of factors; those of the key itself if no step is left."""
     while left:
         step = left.pop(0)
         if isinstance(key, ListOf) and isinstance(step, int) and held is not None and step < len(held):
@@ -104,35 +105,22 @@ def _within(key: FieldType, held: Any, left: list[Step], path: str, walked: str)
         elif isinstance(key, Factors) and isinstance(step, str):
             names = [name for name, _ in held]
             if step not in names:
-                raise wrong_path(path, f"a name in {walked}: {one_of(names)}", suggestion(step, names))
+                raise path_error(path, f"a name in {walked}: {one_of(names)}", suggestion(step, names))
             key, held = Number("", "factor"), dict(held)[step]
         else:
-            raise wrong_path(path, f"a path that ends with {walked}, or a place within it", "there is no such place")
+            raise path_error(path, f"a path that ends with {walked}, or a place within it", "there is no such place")
     if isinstance(key, Factors):
         names = [f"{walked}.{name}" for name, _ in held]
-        raise wrong_path(path, f"one of the factors: {listed(map(quote, names))}")
-    return key
+        raise path_error(path, f"one of the factors: {listed(map(quote, names))}")
+    return key, held
 
 
-def value_at(model: Model, place: Place) -> Any:
-    """Return what a case holds at a place, None if nothing is given there."""
-    held: Any = model
-    for step in place.steps:
-        if isinstance(step, int):
-            held = held[step]
-        elif isinstance(held, Section):
-            held = getattr(held, step)
-        else:
-            held = dict(held)[step]
-    return held
+def with_values(model: Model, values: Mapping[Place, Any]) -> Model:
+    """Return a case with other values at some places, checked again; raises InputError with all issues."""
+    return Model(**_replace(model, [(place.steps, value) for place, value in values.items()])) if values else model
 
 
-def changed(model: Model, values: Mapping[Place, Any]) -> Model:
-    """Return a case with other values at some places, checked anew; raises InputError with all faults."""
-    return Model(**_changed(model, [(place.steps, value) for place, value in values.items()])) if values else model
-
-
-def _changed(held: Any, changes: Sequence[tuple[tuple[Step, ...], Any]]) -> Any:
+def _replace(held: Any, changes: Sequence[tuple[tuple[Step, ...], Any]]) -> Any:
     """Return a part, list or table of factors with the changes made, as data to be checked."""
     if not changes[0][0]:
         return changes[-1][1]
@@ -140,7 +128,7 @@ def _changed(held: Any, changes: Sequence[tuple[tuple[Step, ...], Any]]) -> Any:
     for steps, value in changes:
         by_step.setdefault(steps[0], []).append((steps[1:], value))
     if isinstance(held, Section):
-        return {**dict(held), **{step: _changed(getattr(held, str(step)), below) for step, below in by_step.items()}}
+        return {**dict(held), **{step: _replace(getattr(held, str(step)), below) for step, below in by_step.items()}}
     if all(isinstance(step, str) for step in by_step):
-        return tuple((name, _changed(value, by_step[name]) if name in by_step else value) for name, value in held)
-    return [_changed(item, by_step[n]) if n in by_step else item for n, item in enumerate(held)]
+        return tuple((name, _replace(value, by_step[name]) if name in by_step else value) for name, value in held)
+    return [_replace(item, by_step[n]) if n in by_step else item for n, item in enumerate(held)]

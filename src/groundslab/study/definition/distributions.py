@@ -1,6 +1,6 @@
-"""Distributions of what varies: as a study file says them, and as scipy.stats knows them.
+"""Probability distributions: as a study file describes them, and as scipy.stats knows them.
 
-Kinds are given by mean and cov or std, or by their ends, never by parameters that only one library knows; parameters
+Most are given by mean and cov or std, or by their ends, not by parameters that only one library knows; parameters
 follow from the moments (Johnson, Kotz and Balakrishnan 1994, Johnson, Kotz and Balakrishnan 1995).
 """
 
@@ -9,8 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from functools import cached_property
+from typing import Annotated, Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Discriminator, Tag
 
 from groundslab.schema.base import Check, Section, Table, kind_of
@@ -19,99 +21,72 @@ from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, quote, suggestion
 from groundslab.study.definition.field_types import Amount, Raw
+from groundslab.study.definition.issues import issues_below, require_one
 
-if TYPE_CHECKING:
-    from groundslab.arrays import Array
-
-#: Reads an amount as a float in SI units; raises Wrong.
+#: Reads an amount as a float in SI units; raises FieldError.
 Read = Callable[[Raw], float]
 
 #: Keys that hold an amount.
 AMOUNTS = ("mean", "std", "low", "mode", "high")
 
-Mean = Annotated[Raw, Amount("mu", "mean")]
-Cov = Annotated[float | None, Number("V", "standard deviation over the mean's size", Range(above=0))]
-Std = Annotated[Raw | None, Amount("sigma", "standard deviation, instead of cov")]
 Low = Annotated[Raw, Amount("a", "smallest value")]
 High = Annotated[Raw, Amount("b", "largest value")]
 
 
 def _cov_or_std(cov: float | None, std: Raw | None) -> Iterator[RelativeIssue]:
-    if (cov is None) == (std is None):
-        yield RelativeIssue(
-            (), "neither cov nor std" if cov is None else "both cov and std", "exactly one of cov and std"
-        )
+    yield from require_one(cov=cov, std=std)
 
 
-class Normal(Section):
+class _Moments(Section):
+    """A distribution by its mean and its standard deviation or coefficient of variation."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+
+    kind: str
+    mean: Annotated[Raw, Amount("mu", "mean")]
+    cov: Annotated[float | None, Number("V", "standard deviation over the mean's size", Range(above=0))] = None
+    std: Annotated[Raw | None, Amount("sigma", "standard deviation, instead of cov")] = None
+
+
+class Normal(_Moments):
     """The normal distribution."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
-
     kind: Annotated[Literal["normal"], Table("the normal distribution")] = "normal"
-    mean: Mean
-    cov: Cov = None
-    std: Std = None
 
 
-class TruncatedNormal(Section):
+class TruncatedNormal(_Moments):
     """The normal distribution between two ends."""
-
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
 
     kind: Annotated[
         Literal["truncated normal"],
         Table("the normal distribution cut off at one end or both; mean, cov and std are those before the cut"),
     ] = "truncated normal"
-    mean: Mean
-    cov: Cov = None
-    std: Std = None
     low: Annotated[Raw | None, Amount("a", "smallest value; no end by default")] = None
     high: Annotated[Raw | None, Amount("b", "largest value; no end by default")] = None
 
 
-class Lognormal(Section):
+class Lognormal(_Moments):
     """The lognormal distribution."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
-
     kind: Annotated[Literal["lognormal"], Table("the lognormal distribution from zero on")] = "lognormal"
-    mean: Mean
-    cov: Cov = None
-    std: Std = None
 
 
-class Gamma(Section):
+class Gamma(_Moments):
     """The gamma distribution."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
-
     kind: Annotated[Literal["gamma"], Table("the gamma distribution from zero on")] = "gamma"
-    mean: Mean
-    cov: Cov = None
-    std: Std = None
 
 
-class Weibull(Section):
+class Weibull(_Moments):
     """Weibull's distribution of smallest values."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
-
     kind: Annotated[Literal["weibull"], Table("Weibull's distribution of smallest values, from zero on")] = "weibull"
-    mean: Mean
-    cov: Cov = None
-    std: Std = None
 
 
-class Gumbel(Section):
+class Gumbel(_Moments):
     """Gumbel's distribution of largest values."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
-
     kind: Annotated[Literal["gumbel"], Table("Gumbel's distribution of largest values")] = "gumbel"
-    mean: Mean
-    cov: Cov = None
-    std: Std = None
 
 
 class Uniform(Section):
@@ -131,17 +106,12 @@ class Triangular(Section):
     high: High
 
 
-class Beta(Section):
+class Beta(_Moments):
     """The beta distribution between two ends."""
-
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
 
     kind: Annotated[Literal["beta"], Table("the beta distribution between two ends")] = "beta"
     low: Low
     high: High
-    mean: Mean
-    cov: Cov = None
-    std: Std = None
 
 
 class Scipy(Section):
@@ -171,62 +141,48 @@ DistributionOf = Annotated[
 ]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Distribution:
     """A distribution by its name in scipy.stats and its parameters there, in SI units."""
 
     name: str
     parameters: tuple[tuple[str, float], ...]
 
+    @cached_property
     def frozen(self) -> Any:
-        """Return scipy's own object."""
+        """SciPy's frozen distribution."""
         from scipy import stats
 
         return getattr(stats, self.name)(**dict(self.parameters))
 
-    def at(self, probability: Array) -> Array:
-        """Return the values (n,) whose probabilities of not being exceeded are given, (n,), each within (0, 1)."""
-        found: Array = self.frozen().ppf(probability)
-        return found
-
-    @property
-    def mean(self) -> float:
-        """Return the mean; not a number where there is none."""
-        return float(self.frozen().mean())
-
-    @property
-    def std(self) -> float:
-        """Return the standard deviation; not a number where there is none."""
-        return float(self.frozen().std())
-
 
 def distribution_of(part: AnyDistribution, read: Read) -> Distribution:
-    """Return the distribution that a part describes, its amounts read by `read`; raises Wrong with all faults."""
+    """Return the distribution that a section describes, its amounts read by `read`; raises FieldError."""
     if isinstance(part, Scipy):
         return _from_scipy(part)
-    read_of = _amounts(part, read)
-    mean, low, high = read_of.get("mean", 0.0), read_of.get("low", -math.inf), read_of.get("high", math.inf)
+    amounts = _read_amounts(part, read)
+    mean, low, high = (amounts.get(*each) for each in (("mean", 0.0), ("low", -math.inf), ("high", math.inf)))
     if not low < high:
         raise FieldError(RelativeIssue(("high",), f"{high:g}, where low is {low:g}", "more than low"))
     if isinstance(part, Uniform):
-        return _made("uniform", loc=low, scale=high - low)
+        return _named("uniform", loc=low, scale=high - low)
     if isinstance(part, Triangular):
-        mode = read_of["mode"]
+        mode = amounts["mode"]
         if not low <= mode <= high:
             raise FieldError(RelativeIssue(("mode",), f"{mode:g}", f"a value from {low:g} to {high:g}"))
-        return _made("triang", c=(mode - low) / (high - low), loc=low, scale=high - low)
+        return _named("triang", c=(mode - low) / (high - low), loc=low, scale=high - low)
     if part.cov is not None and mean == 0:
         raise FieldError(RelativeIssue(("cov",), repr(part.cov), "std, as the mean is 0"))
-    std = part.cov * abs(mean) if part.cov is not None else read_of["std"]
+    std = part.cov * abs(mean) if part.cov is not None else amounts["std"]
     if not std > 0:
         raise FieldError(RelativeIssue(("std",), f"{std:g}", "more than 0"))
     if isinstance(part, Normal):
-        return _made("norm", loc=mean, scale=std)
+        return _named("norm", loc=mean, scale=std)
     if isinstance(part, TruncatedNormal):
-        return _made("truncnorm", a=(low - mean) / std, b=(high - mean) / std, loc=mean, scale=std)
+        return _named("truncnorm", a=(low - mean) / std, b=(high - mean) / std, loc=mean, scale=std)
     if isinstance(part, Gumbel):
         scale = std * math.sqrt(6) / math.pi
-        return _made("gumbel_r", loc=mean - _EULER * scale, scale=scale)
+        return _named("gumbel_r", loc=mean - np.euler_gamma * scale, scale=scale)
     if isinstance(part, Beta):
         return _beta(mean, std, low, high)
     if not mean > 0:
@@ -234,27 +190,20 @@ def distribution_of(part: AnyDistribution, read: Read) -> Distribution:
     return _positive(part, mean, std / mean)
 
 
-_EULER = 0.5772156649015329  # Euler's constant
-
-
-def _amounts(part: AnyDistribution, read: Read) -> dict[str, float]:
-    """Return all amounts of a part that are given, by their names, in SI units."""
+def _read_amounts(part: AnyDistribution, read: Read) -> dict[str, float]:
+    """Return all amounts of a section that are given, by their names, in SI units."""
     found: dict[str, float] = {}
-    relative_issues: list[RelativeIssue] = []
+    issues: list[RelativeIssue] = []
     for name in AMOUNTS:
-        raw = getattr(part, name, None)
-        if raw is None:
-            continue
-        try:
-            found[name] = read(raw)
-        except FieldError as error:
-            relative_issues += [relative.below((name,)) for relative in error.relative_issues]
-    if relative_issues:
-        raise FieldError(*relative_issues)
+        if (raw := getattr(part, name, None)) is not None:
+            with issues_below(name, collected=issues):
+                found[name] = read(raw)
+    if issues:
+        raise FieldError(*issues)
     return found
 
 
-def _made(name: str, **parameters: float) -> Distribution:
+def _named(name: str, **parameters: float) -> Distribution:
     return Distribution(name, tuple(parameters.items()))
 
 
@@ -269,18 +218,18 @@ def _beta(mean: float, std: float, low: float, high: float) -> Distribution:
             RelativeIssue((), f"a standard deviation of {std:g}", f"less than {most:g} with this mean and ends")
         )
     nu = m * (1 - m) / v - 1
-    return _made("beta", a=m * nu, b=(1 - m) * nu, loc=low, scale=high - low)
+    return _named("beta", a=m * nu, b=(1 - m) * nu, loc=low, scale=high - low)
 
 
 def _positive(part: AnyDistribution, mean: float, cov: float) -> Distribution:
     """Return a distribution on the positive numbers by its mean and its coefficient of variation."""
     if isinstance(part, Lognormal):
         variance = math.log1p(cov**2)
-        return _made("lognorm", s=math.sqrt(variance), scale=mean * math.exp(-variance / 2))
+        return _named("lognorm", s=math.sqrt(variance), scale=mean * math.exp(-variance / 2))
     if isinstance(part, Gamma):
-        return _made("gamma", a=cov**-2, scale=mean * cov**2)
+        return _named("gamma", a=cov**-2, scale=mean * cov**2)
     shape = _weibull_shape(cov)
-    return _made("weibull_min", c=shape, scale=mean / math.gamma(1 + 1 / shape))
+    return _named("weibull_min", c=shape, scale=mean / math.gamma(1 + 1 / shape))
 
 
 def _weibull_shape(cov: float) -> float:
@@ -320,7 +269,7 @@ def _from_scipy(part: Scipy) -> Distribution:
     missing = [name for name in names[:-2] if name not in dict(part.parameters)]
     if missing:
         raise FieldError(RelativeIssue(("parameters",), f"none called {missing[0]}", f"all of {', '.join(names[:-2])}"))
-    if not math.isfinite(float(found.frozen().ppf(0.5))):
+    if not math.isfinite(float(found.frozen.ppf(0.5))):
         raise FieldError(
             RelativeIssue(("parameters",), "parameters outside their range", "those that scipy.stats takes")
         )

@@ -1,4 +1,4 @@
-"""Kinds of keys that only a study file has: values in the unit of another key, one length or two."""
+"""Field types that only a study file has: values in the unit of another key, one length or two."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from groundslab.schema.fields import FieldType, ListOf
 from groundslab.schema.issues import field_error
 from groundslab.schema.wording import quote
 
-#: A value before it is known which key it is for: as the file or Python gives it.
+#: A value as the file or Python gives it, before its key is known.
 Raw = str | float | int | bool | tuple[Any, ...]
 
 
 @dataclass(frozen=True)
 class Amount(FieldType):
-    """A value for a key elsewhere, whose unit and range it takes; they are checked once that key is known."""
+    """A value of a key elsewhere, with that key's unit and range, which are checked once the key is known."""
 
     symbol: str
     meaning: str

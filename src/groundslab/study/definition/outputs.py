@@ -1,88 +1,83 @@
-"""What can be kept of a variant: fields of the plate, and figures of the whole; how they are taken from results."""
+"""Results that can be kept of a variant: fields of the plate and scalars, and how they are taken from results."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from groundslab.design.design_moments import derived, fields_of, wood_armer
+from groundslab.design.tilt import tilt
 from groundslab.errors import InputError, Issue
 from groundslab.results.contact_zone import contact_share
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
+from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import Combined, Results
+from groundslab.schema.fields import FieldType, Number, Quantity
+from groundslab.units import DIMENSIONS
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
 
-#: The dimension of each unit in PLATE_FIELDS.
-_DIMENSION = {
-    "mm": "length", "mrad": "slope", "kPa": "pressure", "kNm/m": "moment per length", "kN/m": "force per length",
-}  # fmt: skip
+Statistic = Literal["largest", "smallest", "mean", "at", "everywhere"]
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
-    """Something that can be kept: its name, its dimension (empty for a pure number), what it means."""
+class OutputQuantity:
+    """A quantity that can be kept: its name, its dimension (empty for a pure number), its meaning."""
 
     name: str
     dimension: str
     meaning: str
 
 
-def _of_plate(name: str) -> Kept:
-    field = PLATE_FIELDS[name]
-    return Kept(name.replace("_", " "), _DIMENSION[field.unit], field.meaning)
-
-
-_LINE_FORCE = LINE_FORCE.replace("_", " ")
-_MOMENT = "moment per length"
+#: Names of fields in the table of results, by their names in studies.
+_RESULT_FIELDS = {name.replace("_", " "): name for name in PLATE_FIELDS}
+_RESULT_FIELDS |= {"principal moment 1": "m_1", "principal moment 2": "m_2"}
+_RESULT_FIELDS |= {f"design moment {name.replace('_', ' ')}": name for name in LAYERS}
 _STEEL = "area per length"
 
-#: Fields, by name: ``take`` says what of them is kept.
-FIELDS: dict[str, Kept] = {
-    kept.name: kept
-    for kept in (
-        *map(_of_plate, PLATE_FIELDS),
-        Kept("shear", "force per length", "transverse shear force in its own direction, never negative"),
-        Kept("principal moment 1", _MOMENT, "larger principal moment"),
-        Kept("principal moment 2", _MOMENT, "smaller principal moment"),
-        Kept("tensile stress", "pressure", "largest tension by bending at either face, 6 m / t^2"),
-        Kept("design moment bottom x", _MOMENT, "Wood's moment for bars along x at the bottom, never negative"),
-        Kept("design moment bottom y", _MOMENT, "the same along y"),
-        Kept("design moment top x", _MOMENT, "the same along x at the top, never positive"),
-        Kept("design moment top y", _MOMENT, "the same along y at the top"),
-        Kept("reinforcement bottom x", _STEEL, "bars along x at the bottom by EN 1992-1-1, infinite where the concrete "
-             "is too weak, over the ultimate combinations; the case needs [reinforcement]"),
-        Kept("reinforcement bottom y", _STEEL, "the same along y"),
-        Kept("reinforcement top x", _STEEL, "the same along x at the top"),
-        Kept("reinforcement top y", _STEEL, "the same along y at the top"),
-        Kept("reinforcement", _STEEL, "the largest of these four"),
+#: Fields, by name.
+FIELDS: dict[str, OutputQuantity] = {
+    each.name: each
+    for each in (
+        *(
+            OutputQuantity(name, RANGED_FIELDS[field].dimension, RANGED_FIELDS[field].meaning)
+            for name, field in _RESULT_FIELDS.items()
+        ),
+        OutputQuantity("shear", "force per length", "transverse shear force in its own direction, never negative"),
+        OutputQuantity("tensile stress", "pressure", "largest tension by bending at either face, 6 m / t^2"),
+        OutputQuantity("reinforcement bottom x", _STEEL, "bars along x at the bottom by EN 1992-1-1, infinite where "
+             "the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
+        OutputQuantity("reinforcement bottom y", _STEEL, "the same along y"),
+        OutputQuantity("reinforcement top x", _STEEL, "the same along x at the top"),
+        OutputQuantity("reinforcement top y", _STEEL, "the same along y at the top"),
+        OutputQuantity("reinforcement", _STEEL, "the largest of these four"),
     )
 }  # fmt: skip
 
-#: Fields that the thickness of the plate is part of.
-_OF_THICKNESS = {name for name in FIELDS if name.startswith("reinforcement")} | {"tensile stress"}
+#: Fields that depend on the thickness of the plate.
+_NEEDS_THICKNESS = {name for name in FIELDS if name.startswith("reinforcement")} | {"tensile stress"}
 
-#: Figures of the whole plate, by name.
-FIGURES: dict[str, Kept] = {
-    kept.name: kept
-    for kept in (
-        Kept("load", "force", "sum of the loads"),
-        Kept("reaction", "force", "sum of the reactions of ground and supports"),
-        Kept("settlement difference", "length", "largest settlement less the smallest"),
-        Kept("in contact", "", "share of the plate's area that rests on the ground"),
-        Kept("tilt", "slope", "largest slope of the plane that fits the settlement best"),
-        Kept("tilt x", "slope", "its slope along x, positive where the side of larger x is lower"),
-        Kept("tilt y", "slope", "its slope along y"),
-        Kept("deflection", "length", "deflection of the largest size from that plane, positive downwards"),
-        Kept("support force", "force", "force of the support named by support, upwards positive"),
-        Kept("k0", "pressure per length", "stiffness of a layer against compression that the analysis ended with"),
-        Kept("k1", "pressure times length", "stiffness of a layer against shear"),
-        Kept("gamma", "", "decay of the mode over the depth; none if the ground has no such mode"),
-        Kept("margin effect", "", "largest change of the settlement when the margin of infinite ground is wider, "
-         "over the largest settlement; none if the ground is not infinite"),
+#: Quantities of the whole plate, by name.
+SCALARS: dict[str, OutputQuantity] = {
+    each.name: each
+    for each in (
+        OutputQuantity("load", "force", "sum of the loads"),
+        OutputQuantity("reaction", "force", "sum of the reactions of ground and supports"),
+        OutputQuantity("settlement difference", "length", "largest settlement less the smallest"),
+        OutputQuantity("in contact", "", "share of the plate's area that rests on the ground"),
+        OutputQuantity("tilt", "slope", "largest slope of the plane that fits the settlement best"),
+        OutputQuantity("tilt x", "slope", "its slope along x, positive where the side of larger x is lower"),
+        OutputQuantity("tilt y", "slope", "its slope along y"),
+        OutputQuantity("deflection", "length", "deflection of the largest size from that plane, positive downwards"),
+        OutputQuantity("support force", "force", "force of the support named by support, upwards positive"),
+        OutputQuantity("k0", "pressure per length", "final stiffness of a layer against compression"),
+        OutputQuantity("k1", "pressure times length", "stiffness of a layer against shear"),
+        OutputQuantity("gamma", "", "decay of the mode over the depth; none if the ground has no such mode"),
+        OutputQuantity("margin effect", "", "largest change of the settlement when the margin of infinite ground is "
+         "wider, over the largest settlement; none if the ground is not infinite"),
     )
 }  # fmt: skip
 
@@ -92,25 +87,28 @@ class Output:
     """A result that is kept of each variant."""
 
     name: str
-    of: str  # in FIELDS or FIGURES
-    take: Take | None
+    of: str  # name in FIELDS or SCALARS
+    statistic: Statistic | None
     x: float | None
     y: float | None
-    combination: str  # empty: all of them
+    combination: str  # empty: all
     support: str
     layer: int | None
 
     @property
     def dimension(self) -> str:
         """Return the dimension, as `units` knows it; empty for a pure number."""
-        return (FIELDS.get(self.of) or FIGURES[self.of]).dimension
+        return (FIELDS.get(self.of) or SCALARS[self.of]).dimension
 
     @property
     def unit(self) -> str:
         """Return the SI unit, empty for a pure number."""
-        from groundslab.units import DIMENSIONS
-
         return DIMENSIONS[self.dimension].si if self.dimension else ""
+
+    @property
+    def key(self) -> FieldType:
+        """Return the type of a bound of it in a study file."""
+        return Quantity(self.dimension, "", "") if self.dimension else Number("", "")
 
     @property
     def is_steel(self) -> bool:
@@ -119,69 +117,85 @@ class Output:
 
     @property
     def everywhere(self) -> bool:
-        """Return whether the whole field is kept."""
-        return self.take == "everywhere"
+        """Return whether all nodal values of the field are kept."""
+        return self.statistic == "everywhere"
 
 
-def figure_of(output: Output, combined: Combined, wanted: Sequence[str]) -> float | None:
-    """Return the one number that is kept of a variant, in SI units; None if a combination that it needs has none.
+def scalar_of(output: Output, combined: Combined, names: Sequence[str]) -> float | None:
+    """Return the number that is kept of a variant, in SI units; None if a combination that it needs has none.
 
-    `wanted` are the names of the combinations that it is of. Of several the worst one's is taken: the largest of the
-    largest, the smallest of the smallest, else the one of the largest size.
+    `names` are the combinations that it is of. Of several the worst one's is taken: the largest of the largest, the
+    smallest of the smallest, else the one of the largest size.
     """
-    if not all(name in combined.results for name in wanted):
+    values = [_scalar(output, combined.results[name]) if name in combined.results else None for name in names]
+    there = [value for value in values if value is not None]
+    if len(there) < len(values):
         return None
-    figures = [_figure(output, combined.results[name]) for name in wanted]
-    there = [figure for figure in figures if figure is not None]
-    if len(there) < len(figures):
-        return None
-    if output.take == "largest":
+    if output.statistic == "largest":
         return max(there)
-    return min(there) if output.take == "smallest" else max(there, key=abs)
+    return min(there) if output.statistic == "smallest" else max(there, key=abs)
 
 
-def whole_of(output: Output, combined: Combined, wanted: Sequence[str]) -> Array | None:
-    """Return the whole field that is kept of a variant (n,), in SI units; None if a combination has no results.
+def nodal_values_of(output: Output, combined: Combined, names: Sequence[str]) -> Array | None:
+    """Return the nodal values that are kept of a variant (n,), in SI units; None if a combination has no results.
 
     Of several combinations each node has the value of the largest size, with its sign.
     """
-    if not all(name in combined.results for name in wanted):
+    if not all(name in combined.results for name in names):
         return None
-    return _largest_size(np.stack([field_of(combined.results[name], output.of) for name in wanted]))
-
-
-def _largest_size(fields: Array) -> Array:
-    """Return at each node the value of the largest size of several fields (c, n), with its sign: (n,)."""
-    worst: Array = np.take_along_axis(fields, np.argmax(np.abs(fields), axis=0)[None], axis=0)[0]
+    values = np.stack([field_of(combined.results[name], output.of) for name in names])
+    worst: Array = np.take_along_axis(values, np.argmax(np.abs(values), axis=0)[None], axis=0)[0]
     return worst
 
 
-def _figure(output: Output, results: Results) -> float | None:
-    """Return the one number that is kept of a combination's results."""
-    if output.of in FIGURES:
-        return _FIGURE[output.of](results, output)
-    if output.take == "at":
-        return _at(results, output)
+def _scalar(output: Output, results: Results) -> float | None:
+    """Return the number that is kept of a combination's results."""
+    if output.of in SCALARS:
+        return _scalar_quantity(output, results)
+    if output.statistic == "at":
+        return _value_at(results, output)
     values, weights = field_of(results, output.of), results.plate.area
-    if output.of == _LINE_FORCE:
+    if output.of == "line force":
         on_edge = results.plate.edge_length > 0
         values, weights = values[on_edge], results.plate.edge_length[on_edge]
-    if output.take == "mean":
+    if output.statistic == "mean":
         return float(values @ weights / weights.sum())
-    return float(values.max() if output.take == "largest" else values.min())
+    return float(values.max() if output.statistic == "largest" else values.min())
+
+
+def _scalar_quantity(output: Output, results: Results) -> float | None:
+    """Return one of SCALARS of a combination's results."""
+    certificate, constants = results.certificate, results.constants
+    match output.of:
+        case "load":
+            return certificate.load
+        case "reaction":
+            return certificate.reaction
+        case "margin effect":
+            return certificate.margin_effect
+        case "settlement difference":
+            return float(np.ptp(results.plate.settlement))
+        case "in contact":
+            return contact_share(results.plate)
+        case "support force":
+            return next((each.total for each in results.supports if each.name == output.support), None)
+        case "gamma":
+            return constants.gamma
+        case "k0" | "k1":
+            return dict(enumerate(map(float, getattr(constants, output.of)), 1)).get(output.layer or 1)
+    return float(getattr(tilt(results.plate), output.of.replace(" ", "_")))
 
 
 def field_of(results: Results, name: str) -> Array:
     """Return a field of FIELDS at the plate's nodes (n,), in SI units."""
     from groundslab.design.tables.thickness import of_nodes
 
-    fields = {each: getattr(results.plate, each) for each in PLATE_FIELDS}
-    thickness = of_nodes(results.model, results.plate) if name in _OF_THICKNESS else np.zeros(0)
-    return _made(results, name, fields, thickness)
+    thickness = of_nodes(results.model, results.plate) if name in _NEEDS_THICKNESS else np.zeros(0)
+    return _derive(results, name, fields_of(results.plate), thickness)
 
 
-def _at(results: Results, output: Output) -> float:
-    """Return a field at a place; what is made of moments is made there, as it has kinks between the nodes."""
+def _value_at(results: Results, output: Output) -> float:
+    """Return a field at a point; what derives from moments is computed there, as it has kinks between the nodes."""
     from groundslab.fem.mesh import Mesh, locate
     from groundslab.fem.shape_functions import q9
 
@@ -193,35 +207,25 @@ def _at(results: Results, output: Output) -> float:
         raise InputError([Issue(output.name, f"({output.x:g}, {output.y:g}) m", "a point on the plate")])
     weights = q9(local)[0]
     fields = {name: weights @ getattr(plate, name)[plate.elements[element]] for name in PLATE_FIELDS}
-    return float(_made(results, output.of, fields, results.elements.thickness[[element]])[0])
+    return float(_derive(results, output.of, fields, results.elements.thickness[[element]])[0])
 
 
-def _made(results: Results, name: str, fields: dict[str, Array], thickness: Array) -> Array:
-    """Return a field of FIELDS (n,) from the plate's own (n,), all in SI units."""
-    from groundslab.design.design_moments import principal_moments, wood_armer
-
-    plain = name.removesuffix(" inside").replace(" ", "_")
-    if plain in PLATE_FIELDS:
-        return fields[plain]
+def _derive(results: Results, name: str, fields: dict[str, Array], thickness: Array) -> Array:
+    """Return a field of FIELDS (n,) from the plate's own fields (n,), all in SI units."""
+    if name in _RESULT_FIELDS:
+        return derived(fields, _RESULT_FIELDS[name])
     if name == "shear":
         return np.hypot(fields["shear_x"], fields["shear_y"])
-    moments = fields["moment_x"], fields["moment_y"], fields["moment_xy"]
-    if name.startswith("principal"):
-        principal = principal_moments(*moments)
-        return principal.m_1 if name.endswith("1") else principal.m_2
     if name == "tensile stress":
-        principal = principal_moments(*moments)
         # linear over the thickness: at the bottom by the larger moment, at the top by the smaller one
-        stress: Array = 6 * np.maximum(np.maximum(principal.m_1, -principal.m_2), 0.0) / thickness**2
+        moment = np.maximum(derived(fields, "m_1"), -derived(fields, "m_2"))
+        stress: Array = 6 * np.maximum(moment, 0.0) / thickness**2
         return stress
-    design = wood_armer(*moments)
-    if name.startswith("design"):
-        values: Array = getattr(design, name.removeprefix("design moment ").replace(" ", "_"))
-        return values
-    return _steel(results, name, design, thickness)
+    design = wood_armer(fields["moment_x"], fields["moment_y"], fields["moment_xy"])
+    return _required_bars(results, name, design, thickness)
 
 
-def _steel(results: Results, name: str, design: Any, thickness: Array) -> Array:
+def _required_bars(results: Results, name: str, design: Any, thickness: Array) -> Array:
     """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
     from groundslab.design.reinforcement import Axes, slab
     from groundslab.design.tables.reinforcement import materials
@@ -234,46 +238,3 @@ def _steel(results: Results, name: str, design: Any, thickness: Array) -> Array:
     wanted = name.removeprefix("reinforcement").strip().replace(" ", "_")
     area: Array = layers[wanted] if wanted else np.max(list(layers.values()), axis=0)
     return area
-
-
-def _tilt(attribute: str) -> Callable[[Results, Output], float | None]:
-    def figure(results: Results, output: Output) -> float | None:  # noqa: ARG001
-        from groundslab.design.tilt import tilt
-
-        return float(getattr(tilt(results.plate), attribute))
-
-    return figure
-
-
-def _layer(attribute: str) -> Callable[[Results, Output], float | None]:
-    def figure(results: Results, output: Output) -> float | None:
-        values = getattr(results.constants, attribute)
-        number = output.layer or 1
-        return float(values[number - 1]) if number <= len(values) else None
-
-    return figure
-
-
-def _support_force(results: Results, output: Output) -> float | None:
-    found = [support.total for support in results.supports if support.name == output.support]
-    return found[0] if found else None
-
-
-_FIGURE: dict[str, Callable[[Results, Output], float | None]] = {
-    "load": lambda results, _: results.certificate.load,
-    "reaction": lambda results, _: results.certificate.reaction,
-    "settlement difference": lambda results, _: float(np.ptp(results.plate.settlement)),
-    "in contact": lambda results, _: contact_share(results.plate),
-    "tilt": _tilt("tilt"),
-    "tilt x": _tilt("tilt_x"),
-    "tilt y": _tilt("tilt_y"),
-    "deflection": _tilt("deflection"),
-    "support force": _support_force,
-    "k0": _layer("k0"),
-    "k1": _layer("k1"),
-    "gamma": lambda results, _: results.constants.gamma,
-    "margin effect": lambda results, _: results.certificate.margin_effect,
-}
-
-
-Take = Literal["largest", "smallest", "mean", "at", "everywhere"]

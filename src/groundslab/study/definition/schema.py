@@ -1,8 +1,9 @@
-"""A study as its file says it: which case, what varies and how, what is kept of each variant."""
+"""The study file: which case, what varies and how, which results are kept of each variant."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import itertools
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
@@ -12,30 +13,39 @@ from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
-from groundslab.schema.wording import describe, one_of, quote, suggestion
+from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.study.definition.distributions import DistributionOf
 from groundslab.study.definition.field_types import Amount, OneOrTwo, Raw
-from groundslab.study.definition.outputs import Take
+from groundslab.study.definition.issues import require_one
+from groundslab.study.definition.outputs import FIELDS, SCALARS, Statistic
 
 SamplingKind = Literal["grid", "list", "latin hypercube", "sobol", "saltelli", "monte carlo", "tornado"]
 Correlogram = Literal["gaussian", "exponential", "matern32"]
 
-#: What is counted through, not drawn.
-COUNTED = ("grid", "list")
-#: What says by itself how many variants there are.
-UNCOUNTED = (*COUNTED, "tornado")
+Place = tuple[str | int, ...]
+
+#: Kinds of sampling that go through listed values.
+LISTED = ("grid", "list")
+#: Kinds of sampling whose number of variants follows from the variables.
+UNCOUNTED = (*LISTED, "tornado")
+
+#: Columns that every study has.
+RESERVED = ("number", "status", "reason", "message", "seconds", "mesh", "rowid", "oid", "_rowid_")
+MAX_NAME_LENGTH = 200
+#: SQLite takes 2000 columns.
+MAX_COLUMNS = 1000
 
 
 def _count_fits(kind: str, count: int | None) -> Iterator[RelativeIssue]:
     if kind in UNCOUNTED and count is not None:
-        hint = "the values say how many there are" if kind in COUNTED else "two for each variable, and one more"
+        hint = "the values say how many there are" if kind in LISTED else "two for each variable, and one more"
         yield RelativeIssue(("count",), str(count), f"no count, as kind is {quote(kind)}", hint)
     if kind not in UNCOUNTED and count is None:
         yield RelativeIssue(("count",), "nothing", "a whole number of variants", f"kind is {quote(kind)}")
 
 
 class Sampling(Section):
-    """How variants are made of what varies."""
+    """How variants are sampled."""
 
     checks: ClassVar[tuple[Check, ...]] = (_count_fits,)
 
@@ -58,12 +68,10 @@ def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[
 
 
 def _values_or_distribution(values: tuple[Raw, ...] | None, distribution: Section | None) -> Iterator[RelativeIssue]:
-    if (values is None) == (distribution is None):
-        found = "neither values nor distribution" if values is None else "both values and distribution"
-        yield RelativeIssue((), found, "exactly one of values and distribution")
+    yield from require_one(values=values, distribution=distribution)
 
 
-class Vary(Section):
+class VariedQuantity(Section):
     """A quantity of the case that varies."""
 
     checks: ClassVar[tuple[Check, ...]] = (_values_or_distribution, _choice_of_values)
@@ -80,6 +88,11 @@ class Vary(Section):
     times: Annotated[bool, Boolean("whether values are pure numbers that the value in the case is multiplied by")] = (
         False
     )
+
+    @property
+    def column(self) -> str:
+        """Return its name in the study and its table."""
+        return self.name or self.path
 
 
 class Correlation(Section):
@@ -107,16 +120,21 @@ class RandomField(Section):
         ),
     ] = "gaussian"
 
+    @property
+    def column(self) -> str:
+        """Return its name in the study, also that of the column with its seed."""
+        return self.name or f"{self.path} field"
 
-class Keep(Section):
+
+class RequestedOutput(Section):
     """A result to be kept of each variant."""
 
     name: Annotated[str, Text("its name; made of what it is by default")] = ""
     of: Annotated[str, Text("a field of the plate or a figure, see below")]
     take: Annotated[
-        Take | None,
-        Choice(Take, "what to take of a field: its largest or smallest value, its mean over the area, the value at a "
-               "place, or the whole field"),
+        Statistic | None,
+        Choice(Statistic, "what to take of a field: its largest or smallest value, its mean over the area, the "
+               "value at a place, or all nodal values"),
     ] = None  # fmt: skip
     x: Annotated[float | None, Quantity("length", "x", "place, for at")] = None
     y: Annotated[float | None, Quantity("length", "y", "place, for at")] = None
@@ -126,11 +144,23 @@ class Keep(Section):
     support: Annotated[str, Text("name of the support, for support force")] = ""
     layer: Annotated[int | None, Integer("layer of the ground from the top, for k0 and k1")] = None
 
+    @property
+    def column(self) -> str:
+        """Return its name in the study and its table."""
+        if self.name:
+            return self.name
+        words = [self.take or "", self.of]
+        if self.take == "at":
+            words = [self.of, f"at ({self.x:g}, {self.y:g}) m" if None not in (self.x, self.y) else ""]
+        if self.take == "everywhere":
+            words = [self.of, "everywhere"]
+        words += [f"of {self.support}" if self.support else "", f"of layer {self.layer}" if self.layer else ""]
+        words.append(f"under {self.combination}" if self.combination else "")
+        return " ".join(filter(None, words))
+
 
 def _one_limit(at_most: Raw | None, at_least: Raw | None) -> Iterator[RelativeIssue]:
-    if (at_most is None) == (at_least is None):
-        found = "neither at_most nor at_least" if at_most is None else "both at_most and at_least"
-        yield RelativeIssue((), found, "exactly one of at_most and at_least")
+    yield from require_one(at_most=at_most, at_least=at_least)
 
 
 class LimitState(Section):
@@ -147,91 +177,89 @@ class LimitState(Section):
     ] = None
 
 
-def _something_varies(vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]) -> Iterator[RelativeIssue]:
+def _misfit(place: Place, found: str, expected: str, sampling: Sampling, hint: str = "") -> RelativeIssue:
+    """Return the issue of something that the kind of sampling excludes."""
+    return RelativeIssue(place, found, f"{expected}, as sampling.kind is {quote(sampling.kind)}", hint)
+
+
+def _choices_fit(
+    sampling: Sampling, vary: tuple[VariedQuantity, ...], correlation: tuple[Correlation, ...]
+) -> Iterator[RelativeIssue]:
+    """Find choices where nothing is drawn, and choices that are correlated with drawn variables."""
+    for position, each in enumerate(vary):
+        if each.choose and sampling.kind in (*UNCOUNTED, "saltelli"):
+            yield _misfit(("vary", position, "choose"), "true", "no choice", sampling)
+        if each.choose and any(each.column in pair.between for pair in correlation):
+            yield RelativeIssue(("vary", position, "choose"), "true", "no choice, as [[correlation]] names it")
+
+
+def _kinds_fit(sampling: Sampling, vary: tuple[VariedQuantity, ...]) -> Iterator[RelativeIssue]:
+    for position, each in enumerate(vary):
+        if sampling.kind == "tornado" and each.values is not None:
+            yield _misfit(("vary", position, "values"), "values", "a distribution", sampling)
+        if sampling.kind in LISTED and each.distribution is not None:
+            yield _misfit(("vary", position, "distribution"), "a distribution", "values", sampling)
+    lengths = {len(each.values) for each in vary if each.values is not None}
+    if sampling.kind == "list" and len(lengths) > 1:
+        found = f"lists of {listed(map(str, sorted(lengths)), 'and')} values"
+        yield _misfit(("vary",), found, "as many values for each", sampling)
+
+
+def _fields_fit(
+    sampling: Sampling, vary: tuple[VariedQuantity, ...], random_field: tuple[RandomField, ...]
+) -> Iterator[RelativeIssue]:
+    if sampling.kind in ("grid", "tornado") and random_field:
+        yield _misfit(("random_field",), describe(random_field), "none", sampling)
+    if sampling.kind == "list" and not vary:
+        yield _misfit(("vary",), "nothing", "at least one variable with a list", sampling)
+
+
+def _correlation_fits(sampling: Sampling, correlation: tuple[Correlation, ...]) -> Iterator[RelativeIssue]:
+    if correlation and sampling.kind in (*UNCOUNTED, "saltelli"):
+        why = "Sobol's indices are for independent variables" if sampling.kind == "saltelli" else "nothing is drawn"
+        yield _misfit(("correlation",), describe(correlation), "none", sampling, why)
+
+
+def _something_varies(
+    vary: tuple[VariedQuantity, ...], random_field: tuple[RandomField, ...]
+) -> Iterator[RelativeIssue]:
     if not vary and not random_field:
         yield RelativeIssue((), "nothing that varies", "[[vary]] or [[random_field]]")
 
 
-def _choices_fit(
-    sampling: Sampling, vary: tuple[Vary, ...], correlation: tuple[Correlation, ...]
-) -> Iterator[RelativeIssue]:
-    """Find choices where nothing is drawn, and choices that are said to hang together with chance."""
-    for position, each in enumerate(vary):
-        if each.choose and sampling.kind in (*UNCOUNTED, "saltelli"):
-            expected = f"no choice, as sampling.kind is {quote(sampling.kind)}"
-            yield RelativeIssue(("vary", position, "choose"), "true", expected)
-        if each.choose and any((each.name or each.path) in pair.between for pair in correlation):
-            yield RelativeIssue(("vary", position, "choose"), "true", "no choice, as [[correlation]] names it")
-
-
-def _kinds_fit(sampling: Sampling, vary: tuple[Vary, ...]) -> Iterator[RelativeIssue]:
-    if sampling.kind == "tornado":
-        for position, each in enumerate(vary):
-            if each.values is not None:
-                yield RelativeIssue(
-                    ("vary", position, "values"), "values", 'a distribution, as sampling.kind is "tornado"'
-                )
-    if sampling.kind not in COUNTED:
-        return
-    for position, each in enumerate(vary):
-        if each.distribution is not None:
-            expected = f"values, as sampling.kind is {quote(sampling.kind)}"
-            yield RelativeIssue(("vary", position, "distribution"), "a distribution", expected)
-    lengths = {len(each.values) for each in vary if each.values is not None}
-    if sampling.kind == "list" and len(lengths) > 1:
-        expected = 'as many values for each, as sampling.kind is "list"'
-        yield RelativeIssue(("vary",), f"lists of {one_of_numbers(lengths)} values", expected)
-
-
-def one_of_numbers(numbers: set[int]) -> str:
-    """Return numbers in words: ``2, 3 or 5``."""
-    from groundslab.schema.wording import listed
-
-    return listed(map(str, sorted(numbers)), "and")
-
-
-def _fields_fit(
-    sampling: Sampling, vary: tuple[Vary, ...], random_field: tuple[RandomField, ...]
-) -> Iterator[RelativeIssue]:
-    if sampling.kind in ("grid", "tornado") and random_field:
-        yield RelativeIssue(
-            ("random_field",), describe(random_field), f"none, as sampling.kind is {quote(sampling.kind)}"
-        )
-    if sampling.kind == "list" and not vary:
-        yield RelativeIssue(("vary",), "nothing", 'at least one variable with a list, as sampling.kind is "list"')
-
-
-def _known_keeps(keep: tuple[Keep, ...], limit_state: tuple[LimitState, ...]) -> Iterator[RelativeIssue]:
-    names = [name_of_keep(each) for each in keep]
+def _known_outputs(keep: tuple[RequestedOutput, ...], limit_state: tuple[LimitState, ...]) -> Iterator[RelativeIssue]:
+    outputs = {each.column: each for each in reversed(keep)}
     for position, each in enumerate(limit_state):
-        if each.keep not in names:
-            hint = suggestion(each.keep, names)
-            yield RelativeIssue(("limit_state", position, "keep"), describe(each.keep), one_of(names), hint)
-        elif keep[names.index(each.keep)].take == "everywhere":
-            yield RelativeIssue(("limit_state", position, "keep"), describe(each.keep), "a result that is one number")
+        place = ("limit_state", position, "keep")
+        if each.keep not in outputs:
+            names = [output.column for output in keep]
+            yield RelativeIssue(place, describe(each.keep), one_of(names), suggestion(each.keep, names))
+        elif outputs[each.keep].take == "everywhere":
+            yield RelativeIssue(place, describe(each.keep), "a result that is one number")
 
 
-def _names_once(
-    vary: tuple[Vary, ...],
+def _unique_names(
+    vary: tuple[VariedQuantity, ...],
     random_field: tuple[RandomField, ...],
-    keep: tuple[Keep, ...],
+    keep: tuple[RequestedOutput, ...],
     limit_state: tuple[LimitState, ...],
 ) -> Iterator[RelativeIssue]:
-    """Find names that stand twice; those of columns also if only capitals tell them apart, which a table cannot."""
+    """Find names that occur twice; for SQLite's columns capitals make no difference."""
+    columns: dict[str, Sequence[VariedQuantity | RandomField | RequestedOutput]]
+    columns = {"vary": vary, "random_field": random_field, "keep": keep}
     seen: set[str] = set(RESERVED)
-    for part, names in (
-        ("vary", [each.name or each.path for each in vary]),
-        ("random_field", [name_of_field(each) for each in random_field]),
-        ("keep", [name_of_keep(each) for each in keep]),
-    ):
-        for position, name in enumerate(names):
+    for key, parts in columns.items():
+        for position, part in enumerate(parts):
+            name, place = part.column, (key, position, "name")
             if name.casefold() in seen:
                 expected = "a name that no other column of the study has"
-                yield RelativeIssue((part, position, "name"), describe(name), expected, "capitals make no difference")
-            if not name.isprintable() or len(name) > LONGEST_NAME:
-                expected = f"one line of at most {LONGEST_NAME} characters"
-                yield RelativeIssue((part, position, "name"), describe(name), expected)
+                yield RelativeIssue(place, describe(name), expected, "capitals make no difference")
+            if not name.isprintable() or len(name) > MAX_NAME_LENGTH:
+                yield RelativeIssue(place, describe(name), f"one line of at most {MAX_NAME_LENGTH} characters")
             seen.add(name.casefold())
+    total = sum(map(len, columns.values()))
+    if total > MAX_COLUMNS:
+        yield RelativeIssue((), f"{total} variables and results", f"at most {MAX_COLUMNS} together")
     limits: set[str] = set()
     for position, each in enumerate(limit_state):
         if each.name in limits:
@@ -239,91 +267,91 @@ def _names_once(
         limits.add(each.name)
 
 
-def _few_columns(
-    vary: tuple[Vary, ...], random_field: tuple[RandomField, ...], keep: tuple[Keep, ...]
+def _known_correlations(
+    vary: tuple[VariedQuantity, ...], correlation: tuple[Correlation, ...]
 ) -> Iterator[RelativeIssue]:
-    total = len(vary) + len(random_field) + len(keep)
-    if total > MOST_COLUMNS:
-        yield RelativeIssue((), f"{total} variables and results", f"at most {MOST_COLUMNS} together")
-
-
-def _known_correlations(vary: tuple[Vary, ...], correlation: tuple[Correlation, ...]) -> Iterator[RelativeIssue]:
-    names = [each.name or each.path for each in vary]
+    names = [each.column for each in vary]
     pairs: set[frozenset[str]] = set()
     for position, each in enumerate(correlation):
         for number, name in enumerate(each.between):
             if name not in names:
-                hint = suggestion(name, names)
                 expected = one_of(names) if names else "a variable"
-                yield RelativeIssue(("correlation", position, "between", number), describe(name), expected, hint)
-        own = {frozenset((a, b)) for a in each.between for b in each.between if a != b}
+                place = ("correlation", position, "between", number)
+                yield RelativeIssue(place, describe(name), expected, suggestion(name, names))
+        own = {frozenset(pair) for pair in itertools.combinations(each.between, 2)}
         if own & pairs:
             yield RelativeIssue(("correlation", position, "between"), "a pair that stands above", "each pair once")
         pairs |= own
 
 
-def _correlation_fits(sampling: Sampling, correlation: tuple[Correlation, ...]) -> Iterator[RelativeIssue]:
-    if correlation and sampling.kind in (*UNCOUNTED, "saltelli"):
-        why = "Sobol's indices are for independent variables" if sampling.kind == "saltelli" else "nothing is drawn"
-        yield RelativeIssue(
-            ("correlation",), describe(correlation), f"none, as sampling.kind is {quote(sampling.kind)}", why
-        )
-
-
-#: Columns that every study has.
-RESERVED = ("number", "status", "reason", "message", "seconds", "mesh", "rowid", "oid", "_rowid_")
-LONGEST_NAME = 200
-#: SQLite takes 2000 columns.
-MOST_COLUMNS = 1000
-
-
-def name_of_field(field: RandomField) -> str:
-    """Return the name of a random field in the study, also that of the column with its seed."""
-    return field.name or f"{field.path} field"
-
-
-def name_of_keep(keep: Keep) -> str:
-    """Return the name of a kept result."""
-    if keep.name:
-        return keep.name
-    words = [keep.take or "", keep.of]
-    if keep.take == "at":
-        words = [keep.of, f"at ({keep.x:g}, {keep.y:g}) m" if None not in (keep.x, keep.y) else ""]
-    if keep.take == "everywhere":
-        words = [keep.of, "everywhere"]
-    words += [f"of {keep.support}" if keep.support else "", f"of layer {keep.layer}" if keep.layer else ""]
-    words.append(f"under {keep.combination}" if keep.combination else "")
-    return " ".join(filter(None, words))
-
-
 class StudyFile(Section):
-    """The whole description of a study."""
+    """The description of a study: the contents of a study file.
+
+    Numbers are in SI units; text with a unit, such as ``"30 MPa"``, may stand for any quantity.
+
+    Attributes
+    ----------
+    case : str
+        Case file, relative to the study file's folder; `groundslab.study` takes a `Model` in its place.
+    sampling : Sampling or dict
+        Kind of sampling and number of variants.
+    vary : sequence of VariedQuantity or dict
+        Quantities of the case that vary: path in the case, values or distribution.
+    random_field : sequence of RandomField or dict
+        Factors on constants of the ground that vary over the plan.
+    correlation : sequence of Correlation or dict
+        Correlations between variables, in normal scores.
+    keep : sequence of RequestedOutput or dict
+        Results to keep of each variant.
+    limit_state : sequence of LimitState or dict
+        Limits of kept results, with target probabilities of failure.
+    seed : int
+        Seed of all random numbers.
+    title : str
+        Title of the study.
+
+    Raises
+    ------
+    InputError
+        If keys are missing, unknown, wrong or contradict each other; with all issues at once.
+
+    Examples
+    --------
+    >>> from groundslab.study import StudyFile
+    >>> file = StudyFile(
+    ...     case="slab.toml",
+    ...     sampling={"kind": "monte carlo", "count": 100},
+    ...     vary=[{"path": "ground.k", "distribution": {"kind": "lognormal", "mean": 20e6, "cov": 0.3}}],
+    ...     keep=[{"of": "settlement", "take": "largest"}],
+    ... )
+    >>> file.vary[0].column
+    'ground.k'
+    """
 
     checks: ClassVar[tuple[Check, ...]] = (
         _something_varies,
         _kinds_fit,
         _choices_fit,
         _fields_fit,
-        _names_once,
-        _few_columns,
+        _unique_names,
         _known_correlations,
         _correlation_fits,
-        _known_keeps,
+        _known_outputs,
     )
 
     title: Annotated[str, Text("title of the study")] = ""
     case: Annotated[str, Text("case file, from the folder of this file on")]
     seed: Annotated[int, Integer("seed of all that is drawn", at_least=0)] = 1
     sampling: Annotated[Sampling, Table("how variants are made of what varies")]
-    vary: Annotated[tuple[Vary, ...], Table("quantities of the case that vary")] = ()
+    vary: Annotated[tuple[VariedQuantity, ...], Table("quantities of the case that vary")] = ()
     correlation: Annotated[tuple[Correlation, ...], Table("variables that depend on each other")] = ()
     random_field: Annotated[tuple[RandomField, ...], Table("ground that varies from place to place by chance")] = ()
-    keep: Annotated[tuple[Keep, ...], Field(min_length=1), Table("results to be kept of each variant")]
+    keep: Annotated[tuple[RequestedOutput, ...], Field(min_length=1), Table("results to be kept of each variant")]
     limit_state: Annotated[tuple[LimitState, ...], Table("limits that kept results should not pass")] = ()
 
     @classmethod
     def root(cls) -> str:
-        """Return nothing: paths of faults start with the section."""
+        """Return nothing: locations of issues start with the section."""
         return ""
 
 
@@ -338,12 +366,10 @@ def docs_table() -> str:
     return "\n### ".join(each for each in sections if not each.startswith("`[random_field.distribution]`"))
 
 
-def kept_table() -> str:
-    """Return all that can be kept of a variant as Markdown."""
-    from groundslab.study.definition.outputs import FIELDS, FIGURES
-
+def outputs_table() -> str:
+    """Return all results that can be kept of a variant as Markdown."""
     lines = []
-    for title, kept in (("fields: `take` says what of them", FIELDS), ("figures: without `take`", FIGURES)):
+    for title, kept in (("fields: `take` says what of them", FIELDS), ("figures: without `take`", SCALARS)):
         lines += [f"| {title} | dimension | meaning |", "|---|---|---|"]
         lines += [f"| `{each.name}` | {each.dimension or 'pure number'} | {each.meaning} |" for each in kept.values()]
         lines.append("")

@@ -1,47 +1,49 @@
-"""A study with its case: paths looked up, units read, distributions made; all faults at once."""
+"""Resolves a study file against its case: paths, units, distributions; all issues at once."""
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 from groundslab.errors import InputError
 from groundslab.model.combinations import combinations_of
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.model import Model
 from groundslab.model.outputs import OutputPoint
-from groundslab.schema.fields import FieldType, Number, Quantity
+from groundslab.schema.fields import FieldType, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
-from groundslab.study.definition.case_paths import Place, place_of, value_at
+from groundslab.study.definition.case_paths import Place, place_of
 from groundslab.study.definition.distributions import AnyDistribution, Distribution, distribution_of
 from groundslab.study.definition.field_types import Raw
-from groundslab.study.definition.outputs import FIELDS, FIGURES, Output
+from groundslab.study.definition.issues import issues_below
+from groundslab.study.definition.outputs import FIELDS, SCALARS, Output
 from groundslab.study.definition.schema import (
     Correlation,
-    Keep,
     LimitState,
     RandomField,
+    RequestedOutput,
     Sampling,
     StudyFile,
-    Vary,
-    name_of_field,
-    name_of_keep,
+    VariedQuantity,
 )
 
-#: Nobody waits for more; a typing error would fill the disk.
-MOST_VARIANTS = 10_000_000
+T = TypeVar("T")
 
-#: Fewer values outside a key's range are not worth a word.
-MOST_OUTSIDE = 0.5
+#: More would take years; a typographical error would fill the disk.
+MAX_VARIANTS = 10_000_000
 
-#: The constants of the ground that a random field can multiply, by the kind of ground.
-_OF_GROUND = {
+#: Expected number of values outside a key's range above which a study warns.
+MAX_OUTSIDE = 0.5
+
+#: Constants of the ground that a random field can multiply, by the kind of ground.
+_GROUND_CONSTANTS = {
     "winkler": ("ground.k",),
     "pasternak": ("ground.k0", "ground.k1"),
     "vlasov": ("ground.layers[1].E", "..."),
@@ -53,7 +55,7 @@ _OF_GROUND = {
 class Variable:
     """A quantity of the case that varies: its values, or their distribution, in SI units.
 
-    With `times` these are factors, and `base` is what they multiply.
+    With `times` these are factors on the value in the case.
     """
 
     name: str
@@ -62,7 +64,6 @@ class Variable:
     distribution: Distribution | None
     times: bool
     chosen: bool  # by the designer, out of the values; not drawn
-    base: Any  # in the case; None if nothing is given there
 
     @property
     def path(self) -> str:
@@ -83,23 +84,21 @@ class Variable:
         limits = getattr(self.place.key, "range", None)
         if self.distribution is None or limits is None:
             return 0.0
-        cdf = self.distribution.frozen().cdf
-        low, high = (
-            next((each for each in ends if each is not None), None)
-            for ends in ((limits.above, limits.at_least), (limits.below, limits.at_most))
-        )
-        if self.times and self.base == 0:
-            return 0.0
+        ends = [
+            next((end for end in pair if end is not None), missing)
+            for pair, missing in (((limits.above, limits.at_least), -np.inf), ((limits.below, limits.at_most), np.inf))
+        ]
         if self.times:
-            low, high = (None if end is None else end / self.base for end in (low, high))
+            if self.place.value == 0:
+                return 0.0
             # a negative number turns the range around
-            if self.base < 0:
-                low, high = high, low
-        return (0.0 if low is None else float(cdf(low))) + (0.0 if high is None else float(1 - cdf(high)))
+            ends = sorted(end / self.place.value for end in ends)
+        low, high = self.distribution.frozen.cdf(ends)
+        return float(low + (1 - high))
 
-    def put(self, value: Any) -> Any:
+    def value_in_case(self, value: Any) -> Any:
         """Return what stands in the case for a value of the variable."""
-        return value * self.base if self.times else value
+        return value * self.place.value if self.times else value
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,22 +114,27 @@ class Field:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A limit state: the kept result that it is about, and where fine ends, in SI units."""
+    """A limit state: an output that must be at most, or at least, a bound (SI); the target probability, if any."""
 
     name: str
-    keep: str
-    value: float
-    at_most: bool  # else at least
-    target: float | None  # probability of failure aimed at
+    output: str
+    sense: Literal["at most", "at least"]
+    bound: float
+    target: float | None = None
 
-    def margin(self, result: float) -> float:
-        """Return how far a result is on the safe side, negative beyond the limit."""
-        return self.value - result if self.at_most else result - self.value
+    def margin(self, value: Any) -> Any:
+        """Return how far values are on the safe side, negative where they fail."""
+        return self.bound - value if self.sense == "at most" else value - self.bound
+
+    def fails(self, values: Array) -> Flags:
+        """Return which values (n,) are beyond the bound; a missing one is not."""
+        failed: Flags = self.margin(values) < 0
+        return failed
 
 
 @dataclass(frozen=True, eq=False)
 class Setup:
-    """All that a study's variants have in common."""
+    """What all variants of a study have in common."""
 
     title: str
     model: Model
@@ -141,6 +145,16 @@ class Setup:
     fields: tuple[Field, ...]
     outputs: tuple[Output, ...]
     limits: tuple[Limit, ...]
+
+    @property
+    def scalar_outputs(self) -> tuple[Output, ...]:
+        """Return the outputs that are one number."""
+        return tuple(each for each in self.outputs if not each.everywhere)
+
+    @property
+    def nodal_outputs(self) -> tuple[Output, ...]:
+        """Return the outputs that are a value at each node."""
+        return tuple(each for each in self.outputs if each.everywhere)
 
     @property
     def count(self) -> int:
@@ -159,128 +173,107 @@ class Setup:
 
 
 def setup_of(file: StudyFile, model: Model, from_file: bool = True) -> Setup:
-    """Return a study with its case; raises InputError with all faults. Without `from_file` numbers are in SI units."""
-    relative_issues: list[RelativeIssue] = []
+    """Return a study with its case; raises InputError with all issues. Without `from_file` numbers are in SI units."""
+    issues: list[RelativeIssue] = []
 
-    def tried(make: Any, place: tuple[str | int, ...]) -> Any:
-        try:
-            return make()
-        except FieldError as error:
-            relative_issues.extend(relative.below(place) for relative in error.relative_issues)
-            return None
+    def resolve_each(key: str, parts: Sequence[Any], resolve: Callable[..., T], *context: Any) -> list[T | None]:
+        """Resolve the parts below a key; None where one has issues."""
+        found: list[T | None] = [None] * len(parts)
+        for position, part in enumerate(parts):
+            with issues_below(key, position, collected=issues):
+                found[position] = resolve(part, *context)
+        return found
 
-    variables = [
-        tried(lambda each=each: _variable(each, model, from_file), ("vary", n)) for n, each in enumerate(file.vary)
-    ]
-    seen: dict[tuple[str | int, ...], str] = {}
+    variables = resolve_each("vary", file.vary, _variable, model, from_file)
+    paths: set[tuple[str | int, ...]] = set()
     for position, variable in enumerate(variables):
         if variable is not None:
-            if variable.place.steps in seen:
-                expected = "a key that no other variable has"
-                relative_issues.append(RelativeIssue(("vary", position, "path"), describe(variable.path), expected))
-            seen[variable.place.steps] = variable.name
-    fields = [
-        tried(lambda each=each: _field(each, model), ("random_field", n)) for n, each in enumerate(file.random_field)
-    ]
-    outputs = [tried(lambda each=each: _output(each, model), ("keep", n)) for n, each in enumerate(file.keep)]
-    limits = [
-        tried(lambda each=each: _limit(each, outputs, from_file), ("limit_state", n))
-        for n, each in enumerate(file.limit_state)
-    ]
-    names = [each.name or each.path for each in file.vary]
-    correlation = tried(lambda: _correlation(names, file.correlation), ("correlation",))
-    if not relative_issues:
+            if variable.place.steps in paths:
+                place = ("vary", position, "path")
+                issues.append(RelativeIssue(place, describe(variable.path), "a key that no other variable has"))
+            paths.add(variable.place.steps)
+    fields = resolve_each("random_field", file.random_field, _field, model)
+    outputs = resolve_each("keep", file.keep, _output, model)
+    limits = resolve_each("limit_state", file.limit_state, _limit, outputs, from_file)
+    correlation = np.eye(len(file.vary))
+    with issues_below("correlation", collected=issues):
+        correlation = _correlation([each.column for each in file.vary], file.correlation)
+    if not issues:
         setup = Setup(
-            file.title, model, file.seed, file.sampling, tuple(variables), correlation, tuple(fields), tuple(outputs),
-            tuple(limits),
+            file.title, model, file.seed, file.sampling, _all(variables), correlation, _all(fields), _all(outputs),
+            _all(limits),
         )  # fmt: skip
-        if setup.count <= MOST_VARIANTS:
+        if setup.count <= MAX_VARIANTS:
             return setup
-        relative_issues.append(
-            RelativeIssue(("sampling",), f"{setup.count:.3g} variants", f"at most {MOST_VARIANTS:,}")
-        )
-    raise InputError([relative.issue(StudyFile.root()) for relative in relative_issues])
+        issues.append(RelativeIssue(("sampling",), f"{setup.count:.3g} variants", f"at most {MAX_VARIANTS:,}"))
+    raise InputError([issue.issue(StudyFile.root()) for issue in issues])
 
 
-def _variable(vary: Vary, model: Model, from_file: bool) -> Variable:
-    """Return a variable; raises Wrong."""
-    try:
+def _all(found: Sequence[T | None]) -> tuple[T, ...]:
+    return tuple(each for each in found if each is not None)
+
+
+def _variable(vary: VariedQuantity, model: Model, from_file: bool) -> Variable:
+    """Return a variable; raises FieldError."""
+    with issues_below("path"):
         place = place_of(model, vary.path)
-    except FieldError as error:
-        raise FieldError(*(relative.below(("path",)) for relative in error.relative_issues)) from None
-    base = value_at(model, place)
     continuous = isinstance(place.key, Quantity | Number)
-    if vary.times and not (continuous and isinstance(base, float)):
+    if vary.times and not (continuous and isinstance(place.value, float)):
         expected = "a key that holds a number in the case"
-        raise FieldError(RelativeIssue(("times",), f"{vary.path}, which is {describe(base)}", expected))
+        raise FieldError(RelativeIssue(("times",), f"{vary.path}, which is {describe(place.value)}", expected))
     if vary.distribution is not None and not continuous:
         raise FieldError(RelativeIssue(("distribution",), "a distribution", "values, as the key takes no real numbers"))
     key: FieldType = Number("", "factor") if vary.times else place.key
     distribution = None if vary.distribution is None else _distribution(vary.distribution, key, from_file)
-    values: list[Any] | None = None if vary.values is None else []
-    relative_issues: list[RelativeIssue] = []
-    for position, raw in enumerate(vary.values or ()):
-        assert values is not None
-        try:
-            values.append(key.read(raw, from_file))
-        except FieldError as error:
-            relative_issues += [relative.below(("values", position)) for relative in error.relative_issues]
-    if relative_issues:
-        raise FieldError(*relative_issues)
-    name = vary.name or vary.path
-    kept = None if values is None else tuple(values)
-    return Variable(name, place, kept, distribution, vary.times, vary.choose, base)
+    with issues_below("values"):
+        values = None if vary.values is None else ListOf(key, "", "").read(vary.values, from_file)
+    return Variable(vary.column, place, values, distribution, vary.times, vary.choose)
 
 
 def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Distribution:
-    """Return a distribution of values of a key; raises Wrong. Its ends need not lie in the key's range."""
+    """Return a distribution of values of a key; raises FieldError. Its ends need not lie in the key's range."""
     key = Quantity(key.dimension, key.symbol, key.meaning) if isinstance(key, Quantity) else Number("", "")
 
     def read(raw: Raw) -> float:
         return float(key.read(raw, from_file))
 
-    try:
+    with issues_below("distribution"):
         return distribution_of(part, read)
-    except FieldError as error:
-        raise FieldError(*(relative.below(("distribution",)) for relative in error.relative_issues)) from None
 
 
 def _field(field: RandomField, model: Model) -> Field:
-    """Return a random field; raises Wrong."""
-    expected = f"a constant of the ground such as {_OF_GROUND[model.ground.kind][0]}"
-    try:
+    """Return a random field; raises FieldError."""
+    expected = f"a constant of the ground such as {_GROUND_CONSTANTS[model.ground.kind][0]}"
+    with issues_below("path"):
         place = place_of(model, field.path)
-    except FieldError as error:
-        raise FieldError(*(relative.below(("path",)) for relative in error.relative_issues)) from None
     last = place.steps[-1]
     if place.steps[0] != "ground" or last not in ("k", "k0", "k1", "E") or "selvadurai" in place.steps:
         raise FieldError(RelativeIssue(("path",), describe(field.path), expected))
-    if value_at(model, place) is None:
+    if place.value is None:
         raise FieldError(RelativeIssue(("path",), f"{field.path}, which the case does not give", expected))
     distribution = _distribution(field.distribution, Number("", ""), from_file=False)
-    return Field(name_of_field(field), field.path, distribution, field.correlation_length, field.model)
+    return Field(field.column, field.path, distribution, field.correlation_length, field.model)
 
 
-def _output(keep: Keep, model: Model) -> Output:
-    """Return what is kept; raises Wrong."""
+def _output(keep: RequestedOutput, model: Model) -> Output:
+    """Return an output; raises FieldError."""
     of = keep.of.replace("_", " ")
-    relative_issues = list(_output_fits(keep, of, model))
-    if relative_issues:
-        raise FieldError(*relative_issues)
-    return Output(name_of_keep(keep), of, keep.take, keep.x, keep.y, keep.combination, keep.support, keep.layer)
+    issues = list(_output_issues(keep, of, model))
+    if issues:
+        raise FieldError(*issues)
+    return Output(keep.column, of, keep.take, keep.x, keep.y, keep.combination, keep.support, keep.layer)
 
 
-def _output_fits(keep: Keep, of: str, model: Model) -> Iterator[RelativeIssue]:
-    """Find what speaks against keeping a result."""
-    if of not in FIELDS and of not in FIGURES:
-        known = [*FIELDS, *FIGURES]
-        yield RelativeIssue(
-            ("of",), describe(keep.of), "a field or a figure", suggestion(of, known) or f"among {one_of(known)}"
-        )
+def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[RelativeIssue]:
+    """Find why a result cannot be kept."""
+    if of not in FIELDS and of not in SCALARS:
+        known = [*FIELDS, *SCALARS]
+        hint = suggestion(of, known) or f"among {one_of(known)}"
+        yield RelativeIssue(("of",), describe(keep.of), "a field or a figure", hint)
         return
     if of in FIELDS and keep.take is None:
-        yield RelativeIssue(("take",), "nothing", "what to take of a field", "figures of the whole need none")
-    if of in FIGURES and keep.take is not None:
+        yield RelativeIssue(("take",), "nothing", "what to take of a field", "figures of the whole plate need none")
+    if of in SCALARS and keep.take is not None:
         yield RelativeIssue(("take",), describe(keep.take), f"nothing, as {of} is one figure")
     if keep.take == "at" and None in (keep.x, keep.y):
         yield RelativeIssue(("take",), '"at"', "x and y that say where")
@@ -288,10 +281,6 @@ def _output_fits(keep: Keep, of: str, model: Model) -> Iterator[RelativeIssue]:
         yield RelativeIssue(("x" if keep.x is not None else "y",), "a place", 'none, as take is not "at"')
     if keep.x is not None and keep.y is not None:
         yield from on_plate(model.plate, OutputPoint(name="", x=keep.x, y=keep.y), ())
-    combinations = [each.name for each in combinations_of(model)]
-    if keep.combination and keep.combination not in combinations:
-        hint = suggestion(keep.combination, combinations)
-        yield RelativeIssue(("combination",), describe(keep.combination), one_of(combinations), hint)
     supports = [support.name for support in model.supports if support.name]
     if of == "support force" and keep.support not in supports:
         expected = one_of(supports) if supports else "a case with a support that has a name"
@@ -300,38 +289,36 @@ def _output_fits(keep: Keep, of: str, model: Model) -> Iterator[RelativeIssue]:
         yield RelativeIssue(("support",), describe(keep.support), 'none, as of is not "support force"')
     if of not in ("k0", "k1") and keep.layer is not None:
         yield RelativeIssue(("layer",), str(keep.layer), "none, as of is neither k0 nor k1")
-    if of.startswith("reinforcement"):
-        ultimate = [each.name for each in combinations_of(model) if each.limit_state == "ultimate"]
-        if model.reinforcement is None:
-            yield RelativeIssue(("of",), describe(keep.of), "a case with [reinforcement]")
-        elif keep.combination in combinations and keep.combination not in ultimate:
-            found = f"{describe(keep.combination)}, which is not for the ultimate limit state"
-            yield RelativeIssue(("combination",), found, one_of(ultimate))
+    combinations = {each.name: each.limit_state for each in combinations_of(model)}
+    if keep.combination and keep.combination not in combinations:
+        hint = suggestion(keep.combination, combinations)
+        yield RelativeIssue(("combination",), describe(keep.combination), one_of(list(combinations)), hint)
+    if of.startswith("reinforcement") and model.reinforcement is None:
+        yield RelativeIssue(("of",), describe(keep.of), "a case with [reinforcement]")
+    elif of.startswith("reinforcement") and combinations.get(keep.combination, "ultimate") != "ultimate":
+        found = f"{describe(keep.combination)}, which is not for the ultimate limit state"
+        ultimate = [name for name, limit_state in combinations.items() if limit_state == "ultimate"]
+        yield RelativeIssue(("combination",), found, one_of(ultimate))
 
 
 def _limit(limit: LimitState, outputs: list[Output | None], from_file: bool) -> Limit | None:
-    """Return a limit state, None if what it is about is wrong already; raises Wrong."""
+    """Return a limit state, None if its output has issues; raises FieldError."""
     output = next((each for each in outputs if each is not None and each.name == limit.keep), None)
     if output is None:
         return None
-    key: FieldType = Quantity(output.dimension, "", "") if output.dimension else Number("", "")
     name, raw = ("at_most", limit.at_most) if limit.at_most is not None else ("at_least", limit.at_least)
-    try:
-        value = key.read(raw, from_file)
-    except FieldError as error:
-        raise FieldError(*(relative.below((name,)) for relative in error.relative_issues)) from None
-    return Limit(limit.name, limit.keep, float(value), name == "at_most", limit.target)
+    with issues_below(name):
+        bound = output.key.read(raw, from_file)
+    sense: Literal["at most", "at least"] = "at most" if name == "at_most" else "at least"
+    return Limit(limit.name, limit.keep, sense, float(bound), limit.target)
 
 
 def _correlation(names: list[str], correlation: tuple[Correlation, ...]) -> Array:
-    """Return the matrix of correlations (d, d); raises Wrong if there are no variables that are correlated so."""
+    """Return the correlation matrix (d, d); raises FieldError if it is not positive definite."""
     found = np.eye(len(names))
     for each in correlation:
-        positions = [names.index(name) for name in each.between]
-        for a in positions:
-            for b in positions:
-                if a != b:
-                    found[a, b] = each.rho
+        for a, b in itertools.permutations([names.index(name) for name in each.between], 2):
+            found[a, b] = each.rho
     least = float(np.linalg.eigvalsh(found).min()) if names else 1.0
     if least < 1e-10:
         given = f"correlations that cannot hold together (least eigenvalue {least:.2g})"
@@ -340,20 +327,16 @@ def _correlation(names: list[str], correlation: tuple[Correlation, ...]) -> Arra
 
 
 def warnings_of(setup: Setup) -> list[str]:
-    """Return what a reader should know before a study is run, a line each."""
-    found = []
-    for variable in setup.variables:
-        share = variable.outside
-        if share * setup.count > MOST_OUTSIDE:
-            words = variable.place.key.range_words()
-            found.append(
-                f"{variable.name}: about {share * setup.count:.2g} of {setup.count} values will lie outside the range "
-                f"of {variable.path} ({words}); these variants will fail"
-            )
-    return found
+    """Return warnings before a study is run, a line each."""
+    return [
+        f"{each.name}: about {each.outside * setup.count:.2g} of {setup.count} values will lie outside the range of "
+        f"{each.path} ({each.place.key.range_words()}); these variants will fail"
+        for each in setup.variables
+        if each.outside * setup.count > MAX_OUTSIDE
+    ]
 
 
-def columns_of(setup: Setup) -> Mapping[str, str]:
+def column_units(setup: Setup) -> Mapping[str, str]:
     """Return the SI unit of each column of inputs and outputs, in the order of the table; empty where there is none."""
     units = {variable.name: variable.unit for variable in setup.variables}
     units |= {field.name: "" for field in setup.fields}

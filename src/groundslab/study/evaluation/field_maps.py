@@ -1,4 +1,4 @@
-"""Fields over the plan of all variants made into one: mean, standard deviation, probability at each node."""
+"""Statistics of nodal fields over all variants: mean, standard deviation, probabilities."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags
 
-#: A settlement this small against the variant's largest is rounding, not uplift.
+#: A settlement this small relative to the variant's largest is rounding, not uplift.
 ROUNDING = 1e-9
 
 
@@ -49,14 +49,3 @@ def lifted(field: Array) -> Flags:
     """Return where a field (k,) is negative by more than rounding: for a settlement, where the plate lifts."""
     found: Flags = field < -ROUNDING * np.abs(field).max(initial=0.0)
     return found
-
-
-def share_above(fields: Iterable[Array], level: float) -> Array | None:
-    """Return the share (k,) of the fields (k,) that exceed a level at each node; None if there are none."""
-    n, above = 0, np.zeros(0)
-    for field in fields:
-        if n == 0:
-            above = np.zeros(len(field))
-        n += 1
-        above += field > level
-    return above / n if n else None

@@ -1,4 +1,4 @@
-"""The first-order reliability index of a limit state: the nearest failure in the space of standard normal scores."""
+"""First-order reliability of a limit state: the nearest failure in the space of standard normal scores."""
 
 from __future__ import annotations
 
@@ -11,16 +11,15 @@ import numpy as np
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
 from groundslab.schema.wording import describe, one_of, suggestion
-from groundslab.study.evaluation.samples import Input, Output
+from groundslab.study.evaluation.samples import Input, Output, condition, show_value
+from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from groundslab.arrays import Array
     from groundslab.design.tables.table import Cell, Head, Table
-    from groundslab.study.definition.setup import Limit as StudyLimit
-    from groundslab.study.definition.setup import Setup
-    from groundslab.study.evaluation.samples import Limit
+    from groundslab.study.definition.setup import Limit, Setup
     from groundslab.study.evaluation.statistics import Estimate
     from groundslab.study.evaluation.study import Study
 
@@ -29,15 +28,15 @@ if TYPE_CHECKING:
 STEP = 1e-2
 #: The search ends when a step moves the design point by less than this, in standard deviations.
 TOLERANCE = 1e-3
-#: What is found is accepted if the limit state lies no farther from it, and the origin no farther from its normal, as a
+#: A result is accepted if the limit state lies no farther from it, and the origin no farther from its normal, as a
 #: share of the distance or of one standard deviation.
 ACCEPTED = 1e-2
-MOST_ITERATIONS = 40
+MAX_ITERATIONS = 40
 
 
 @dataclass(frozen=True, slots=True)
 class DesignPoint:
-    """The most probable failure in the space of normal scores, and what it tells (Hasofer and Lind 1974)."""
+    """The most probable failure in the space of normal scores (Hasofer and Lind 1974)."""
 
     beta: float  # its distance from the origin; negative if the medians fail already
     probability: float  # Phi(-beta)
@@ -55,7 +54,7 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
     """
     from scipy.special import ndtr
 
-    ot = _openturns()
+    ot = import_optional("openturns", "which finds the design point")
     d, known, raised = len(correlation), dict[tuple[float, ...], float](), list[GroundslabError]()
 
     def raw(z: Iterable[float]) -> float:
@@ -65,7 +64,7 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
             try:
                 known[at] = float(g(np.array(at)))
             except GroundslabError as error:
-                # OpenTURNS makes errors of its own of it
+                # OpenTURNS replaces it by an error of its own
                 raised.append(error)
                 raise
         return known[at]
@@ -75,7 +74,7 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
         return np.array([raw(at + step) - raw(at - step) for step in steps]) / (2 * STEP)
 
     L = np.linalg.cholesky(correlation)
-    # so scaled the limit state counts standard deviations of itself, whatever its unit
+    # scaled to its own standard deviations, whatever its unit
     scale = float(np.linalg.norm(L.T @ slope(np.zeros(d))))
     if not 0 < scale < np.inf:
         raise GroundslabError("the limit state does not depend on any of the inputs near their medians")
@@ -86,7 +85,7 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
     )
     scores = ot.Normal([0.0] * d, [1.0] * d, ot.CorrelationMatrix(d, [float(each) for each in correlation.ravel()]))
     event = ot.ThresholdEvent(ot.CompositeRandomVector(function, ot.RandomVector(scores)), ot.Less(), 0.0)
-    algorithm = ot.FORM(_search(ot, d), event)
+    algorithm = ot.FORM(_search_algorithm(ot, d), event)
     try:
         algorithm.run()
     except Exception as error:
@@ -95,9 +94,9 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
         raise NotConverged("the search for the design point", _history(known), {}) from error
     z = np.array(algorithm.getResult().getPhysicalSpaceDesignPoint())
     u, steepest = np.linalg.solve(L, z), L.T @ slope(z) / scale
-    if _off(u, raw(z) / scale, steepest) > ACCEPTED:
+    if _distance_from_solution(u, raw(z) / scale, steepest) > ACCEPTED:
         raise NotConverged("the search for the design point", _history(known), {"scores": z})
-    # one more step, that needs no solution: to the foot of the tangent plane
+    # one more step, without a solution: to the foot of the tangent plane
     size = float(np.linalg.norm(steepest))
     beta = (raw(z) / scale - float(steepest @ u)) / size
     z = L @ (-beta * steepest / size)
@@ -107,7 +106,7 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
 
 @dataclass(frozen=True, slots=True)
 class Reliability:
-    """A limit state at first order, beside what a study's own sample tells of it."""
+    """First-order reliability of a limit state, beside the probability by the study's own sample."""
 
     limit: Limit
     inputs: tuple[Input, ...]  # with one value each: that at the design point, SI
@@ -118,11 +117,10 @@ class Reliability:
     @property
     def condition(self) -> str:
         """Return the limit state in words: "largest settlement at most 25 mm"."""
-        unit = self.output.unit
-        return f"{self.limit.output} {self.limit.sense} {self.limit.bound * unit.scale:.6g} {unit.name}".rstrip()
+        return condition(self.limit, self.output)
 
     def __str__(self) -> str:
-        """Return the figures in a few lines."""
+        """Return a summary in a few lines."""
         point, p = self.point, self.sampled
         beside = "" if p is None else f"; by sampling {p.value:.4g} ({p.low:.4g} to {p.high:.4g})"
         lines = [
@@ -131,17 +129,47 @@ class Reliability:
             f"design point, after {point.solves} solutions:",
         ]
         for each, z, share in zip(self.inputs, point.scores, point.importance, strict=True):
-            value = f"{each.values[0] * each.unit.scale:.5g} {each.unit.name}".rstrip()
+            value = show_value(each.values[0], each.unit, 5)
             lines.append(f"  {each.name} = {value}, normal score {z:+.3f}, importance {share:.1%}")
         return "\n".join(lines)
 
 
 def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability:
-    """Return the first-order reliability of a limit state of a study, by name if it has several.
+    """First-order reliability of a limit state of a study.
 
-    Solves the case anew at points between the medians and the design point, in this process: about 2 d + 1 times as
-    often as the search has steps, with d variables. What the study has sampled is told beside. Raises InputError for a
-    study with random fields or listed values, which have no normal scores, and NotConverged.
+    Solves the case at points between the medians and the design point, in this process: about 2 d + 1 times per step
+    of the search, with d variables.
+
+    Parameters
+    ----------
+    study : Study or str or Path
+        A study or its folder.
+    limit_state : str
+        Name of the limit state; may be left out if the study has only one.
+
+    Returns
+    -------
+    Reliability
+        Reliability index, probability of failure, design point and importance of the inputs; beside them the
+        probability of failure by the study's own sample, if that is random.
+
+    Raises
+    ------
+    InputError
+        If the study has no such limit state, has random fields or listed values, which have no normal scores, or if
+        OpenTURNS is not installed.
+    NotConverged
+        If no design point is found.
+
+    References
+    ----------
+    Hasofer and Lind 1974; Rackwitz and Fiessler 1978.
+
+    Examples
+    --------
+    >>> found = groundslab.study.reliability("slab-study", "settles too much")  # doctest: +SKIP
+    >>> found.point.beta  # doctest: +SKIP
+    1.72
     """
     from groundslab.study.evaluation import from_study
     from groundslab.study.evaluation import tables as evaluation
@@ -150,30 +178,26 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     study = study if isinstance(study, Study) else Study(study)
     setup = study.setup
     limit = _limit(setup, limit_state)
-    margin = Margin(setup, limit.keep, limit.margin)
-    point = design_point(margin, setup.correlation)
+    point = design_point(Margin(setup, limit), setup.correlation)
     sample = from_study.sample_in(study)
-    shown = next(each for each in sample.limits if each.name == limit.name)
-    output = sample.output(limit.keep)
-    values = values_of(setup, point.scores)
     inputs = tuple(
-        Input(each.name, each.unit, np.array([value])) for each, value in zip(sample.inputs, values, strict=True)
+        Input(each.name, each.unit, np.array([value]))
+        for each, value in zip(sample.inputs, values_of(setup, point.scores), strict=True)
     )
-    rows = sample.groups[0]
-    sampled = evaluation.failure(sample, rows, shown) if sample.random and len(sample.number) else None
-    bound = Output(output.name, output.unit, np.array([limit.value]))
-    return Reliability(shown, inputs, bound, point, sampled)
+    sampled = evaluation.failure(sample, sample.groups[0], limit) if sample.random and len(sample.number) else None
+    output = sample.output(limit.output)
+    return Reliability(limit, inputs, Output(output.name, output.unit, np.array([limit.bound])), point, sampled)
 
 
 class Margin:
-    """How far a study's limit state is on the safe side at given scores; each call solves the case."""
+    """The margin of a study's limit state as a function of normal scores; each call solves the case."""
 
-    def __init__(self, setup: Setup, keep: str, margin: Callable[[float], float]) -> None:
-        from groundslab.study.execution.variant import Worker, split
+    def __init__(self, setup: Setup, limit: Limit) -> None:
+        from groundslab.study.execution.variant import Worker
 
-        self._setup, self._margin = setup, margin
+        self._setup, self._limit = setup, limit
         self._worker = Worker(setup)
-        self._place = [output.name for output in split(setup.outputs)[0]].index(keep)
+        self._index = [output.name for output in setup.scalar_outputs].index(limit.output)
 
     def __call__(self, scores: Array) -> float:
         """Return the margin at dependent normal scores (d,); raises GroundslabError where there is no result."""
@@ -181,13 +205,15 @@ class Margin:
 
         values = values_of(self._setup, scores)
         row = self._worker.row(Variant(0, values, ()))
-        result = row.results[self._place]
+        result = row.results[self._index]
         if result is None:
             at = ", ".join(
                 f"{each.name} = {value:g}" for each, value in zip(self._setup.variables, values, strict=True)
             )
-            raise GroundslabError(f"no result on the way to the design point, at {at}: {row.reason} {row.message}")
-        return self._margin(result)
+            raise GroundslabError(
+                f"no result during the search for the design point, at {at}: {row.reason} {row.message}"
+            )
+        return float(self._limit.margin(result))
 
 
 def values_of(setup: Setup, scores: Array) -> tuple[float, ...]:
@@ -197,14 +223,14 @@ def values_of(setup: Setup, scores: Array) -> tuple[float, ...]:
     found = []
     for variable, z in zip(setup.variables, scores, strict=True):
         assert variable.distribution is not None
-        marginal = variable.distribution.frozen()
-        # on the side where the probability is small it has all its digits
+        marginal = variable.distribution.frozen
+        # the smaller of both probabilities has all its digits
         found.append(float(marginal.ppf(ndtr(z)) if z < 0 else marginal.isf(ndtr(-z))))
     return tuple(found)
 
 
-def _limit(setup: Setup, name: str) -> StudyLimit:
-    """Return the limit state of a name, or the only one; raises InputError, also if the study is not of that kind."""
+def _limit(setup: Setup, name: str) -> Limit:
+    """Return the limit state of a name, or the only one; raises InputError, also if the study has no scores."""
     issues = []
     if setup.fields:
         expected = "variables only: a random field is too many of them for a design point"
@@ -248,11 +274,11 @@ def tables(found: Sequence[Reliability]) -> tuple[Table, Table]:
     return first, table_of("design_points", "Design points", [*heads, ("importance", "")], points, notes)
 
 
-def _search(ot: Any, d: int) -> Any:
+def _search_algorithm(ot: Any, d: int) -> Any:
     """Return the iteration of Rackwitz and Fiessler 1978 from the medians."""
     search = ot.AbdoRackwitz()
     search.setStartingPoint([0.0] * d)
-    search.setMaximumIterationNumber(MOST_ITERATIONS)
+    search.setMaximumIterationNumber(MAX_ITERATIONS)
     search.setMaximumAbsoluteError(TOLERANCE)
     search.setMaximumRelativeError(TOLERANCE)
     search.setMaximumResidualError(TOLERANCE)
@@ -260,7 +286,7 @@ def _search(ot: Any, d: int) -> Any:
     return search
 
 
-def _off(u: Array, g: float, steepest: Array) -> float:
+def _distance_from_solution(u: Array, g: float, steepest: Array) -> float:
     """Return how far a point u (d,) is from being the nearest one with g = 0: along the normal, and across it.
 
     g and its gradient (d,) are those at u. The distance along is in standard deviations, that across a share of |u|.
@@ -274,16 +300,5 @@ def _off(u: Array, g: float, steepest: Array) -> float:
 
 
 def _history(known: dict[tuple[float, ...], float]) -> list[dict[str, Any]]:
-    """Return the points that the limit state was asked for, in their order."""
+    """Return the points at which the limit state was evaluated, in their order."""
     return [{"scores": [round(each, 4) for each in at], "margin": value} for at, value in known.items()]
-
-
-def _openturns() -> Any:
-    """Return OpenTURNS."""
-    try:
-        import openturns
-    except ImportError:
-        expected = "OpenTURNS, which finds the design point"
-        issue = Issue("openturns", "nothing that can be imported", expected, "pip install groundslab[study]")
-        raise InputError([issue]) from None
-    return openturns

@@ -1,4 +1,4 @@
-"""From a study's folder to arrays: the rows that are there, with what they mean."""
+"""Reads the rows of a study into arrays."""
 
 from __future__ import annotations
 
@@ -8,46 +8,44 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.schema.fields import Quantity
-from groundslab.study.evaluation.samples import PURE, RANDOM, Gathered, Input, Limit, Output, unit_for
+from groundslab.study.evaluation.samples import PURE, RANDOM, Gathered, Input, Output, unit_for
 from groundslab.study.execution import store
-from groundslab.study.execution.store import columns_in
-from groundslab.study.execution.variant import SOLVED, split
+from groundslab.study.execution.variant import SOLVED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from groundslab.study.definition.outputs import Output as StudyOutput
     from groundslab.study.definition.setup import Setup, Variable
     from groundslab.study.evaluation.study import Study
 
 
 def sample_in(study: Study) -> Gathered:
     """Return all rows of a study that are there; of one that still runs, those that it has so far."""
-    setup, columns = study.setup, columns_in(study.setup)
+    setup = study.setup
     with study.opened_rows() as kept:
-        rows = kept.rows([*store.FIXED, *columns.inputs, *columns.results])
-    table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in columns.all]
+        names = kept.columns.scalars
+        rows = kept.rows(names)
+    table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in names]
     number, status, reason, message, seconds = table[: len(store.FIXED)]
     own = iter(table[len(store.FIXED) :])
     return Gathered(
         kind=setup.sampling.kind,
         seed=setup.seed,
         number=np.array(number, dtype=np.int64) - 1,
-        reason=tuple(map(_why, status, reason, message)),
+        reason=tuple(map(_failure_reason, status, reason, message)),
         seconds=np.array(seconds, dtype=float),
         inputs=(
             *(_input(variable, next(own), setup) for variable in setup.variables),
             *(_labelled(field.name, next(own)) for field in setup.fields),
         ),
-        outputs=tuple(_output(each.name, each.dimension, next(own)) for each in split(setup.outputs)[0]),
-        limits=tuple(
-            Limit(each.name, each.keep, "at most" if each.at_most else "at least", each.value, each.target)
-            for each in setup.limits
-        ),
+        outputs=tuple(_output(each, next(own)) for each in setup.scalar_outputs),
+        limits=setup.limits,
         planned=study.count,
     )
 
 
-def _why(status: str, reason: str, message: str) -> str:
+def _failure_reason(status: str, reason: str, message: str) -> str:
     """Return why a variant has no result, empty if it has one: the reason and the first line of the message."""
     if status == SOLVED:
         return ""
@@ -60,19 +58,20 @@ def _input(variable: Variable, values: Sequence[Any], setup: Setup) -> Input:
         return _labelled(variable.name, values, variable.chosen)
     key, numeric = variable.place.key, np.array(values, dtype=float)
     dimension = key.dimension if isinstance(key, Quantity) and not variable.times else None
-    drawn = variable.distribution is not None and setup.sampling.kind in RANDOM
-    density = variable.distribution.frozen().pdf if drawn and variable.distribution is not None else None
+    density = None
+    if variable.distribution is not None and setup.sampling.kind in RANDOM:
+        density = variable.distribution.frozen.pdf
     return Input(variable.name, unit_for(dimension, numeric), numeric, density, variable.chosen)
 
 
 def _labelled(name: str, values: Sequence[Any], chosen: bool = False) -> Input:
-    """Return an input that is no number, counted in the order in which its values first occur."""
+    """Return an input that is not a number, numbered in the order in which its values first occur."""
     labels = tuple(map(str, values))
     number = {label: place for place, label in enumerate(dict.fromkeys(labels))}
     return Input(name, PURE, np.array([number[label] for label in labels], dtype=float), None, chosen, labels)
 
 
-def _output(name: str, dimension: str, values: Sequence[float | None]) -> Output:
-    """Return a kept result with its values; what is missing is nan."""
-    numeric = np.array([np.nan if value is None else value for value in values], dtype=float)
-    return Output(name, unit_for(dimension or None, numeric), numeric)
+def _output(output: StudyOutput, values: Sequence[float | None]) -> Output:
+    """Return an output with its values; what is missing is nan."""
+    numeric = np.array(values, dtype=float)  # None becomes nan
+    return Output(output.name, unit_for(output.dimension, numeric), numeric)

@@ -1,39 +1,31 @@
-"""The rows of a study as arrays: what went in, what came out, what must not happen, in groups of one design each."""
+"""The variants of a study as arrays: inputs, outputs, limit states, grouped by design."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab import units
+from groundslab.units import DIMENSIONS, Unit
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags, Integers
+    from groundslab.study.definition.setup import Limit
 
 #: Kinds of sampling whose variants follow the distributions of the inputs.
 RANDOM = ("monte carlo", "latin hypercube", "sobol", "saltelli")
 
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """A unit of display and the factor from SI to it; no name for pure numbers."""
-
-    name: str
-    scale: float
-
-
-PURE = Unit("", 1.0)
+PURE = Unit("", "", 1.0)
 
 
 @dataclass(frozen=True, slots=True)
 class Input:
     """A quantity that varies: by chance, with a density over values in SI if it has one, or by choice of the designer.
 
-    What is no number (a word, a list, a random field) has labels, and its values count through them.
+    What is not a number (a word, a list, a random field) has labels; its values are their numbers.
     """
 
     name: str
@@ -43,14 +35,18 @@ class Input:
     chosen: bool = False
     labels: tuple[str, ...] = ()  # (n,)
 
-    def shown(self, row: int) -> str | float:
+    def cell(self, row: int) -> str | float:
         """Return the value of a variant in the unit of display, or its label."""
         return self.labels[row] if self.labels else float(self.values[row] * self.unit.scale)
+
+    def text(self, row: int) -> str:
+        """Return the value of a variant with its unit, "200 mm", or its label."""
+        return self.labels[row] if self.labels else show_value(self.values[row], self.unit)
 
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A figure of each variant, nan where there is none; infinite where no finite one would do, as of reinforcement."""
+    """A result of each variant, nan where there is none; infinite where no finite one suffices, as of reinforcement."""
 
     name: str
     unit: Unit
@@ -58,28 +54,8 @@ class Output:
 
 
 @dataclass(frozen=True, slots=True)
-class Limit:
-    """A limit state: an output that must be at most, or at least, a bound (SI); the probability aimed at, if any."""
-
-    name: str
-    output: str
-    sense: Literal["at most", "at least"]
-    bound: float
-    target: float | None = None
-
-    def fails(self, values: Array) -> Flags:
-        """Return which values (n,) are beyond the bound; a missing one is not."""
-        beyond: Flags = values > self.bound if self.sense == "at most" else values < self.bound
-        return beyond
-
-    def margin(self, value: float) -> float:
-        """Return how far a value is on the safe side, negative where it fails."""
-        return self.bound - value if self.sense == "at most" else value - self.bound
-
-
-@dataclass(frozen=True, slots=True)
 class Group:
-    """The variants of one design: which rows they are, and what the designer chose."""
+    """The variants of one design: their rows, and what the designer chose."""
 
     label: str
     rows: Integers
@@ -147,9 +123,8 @@ class Gathered:
         for number, design in enumerate(designs):
             pairs = tuple((each.name, float(value)) for each, value in zip(chosen, design, strict=True))
             rows = every[which.ravel() == number]
-            found.append(
-                Group(", ".join(f"{each.name} = {_words(each, int(rows[0]))}" for each in chosen), rows, pairs)
-            )
+            label = ", ".join(f"{each.name} = {each.text(int(rows[0]))}" for each in chosen)
+            found.append(Group(label, rows, pairs))
         return tuple(found)
 
     def falls(self, output: Output) -> bool:
@@ -159,35 +134,35 @@ class Gathered:
 
     def output(self, name: str) -> Output:
         """Return the output of a name; KeyError if there is none."""
-        for each in self.outputs:
-            if each.name == name:
-                return each
-        raise KeyError(name)
+        return {each.name: each for each in self.outputs}[name]
 
     def there(self, output: Output, group: Group) -> Array:
-        """Return the values of an output that follow the inputs' distributions and are there, in one design."""
+        """Return the values of an output in one design that follow the inputs' distributions and are not missing."""
         values = output.values[group.rows[self.drawn[group.rows]]]
         return values[~np.isnan(values)]
 
     def of(self, output: Output, group: Group) -> Array:
-        """Return those of them that are finite."""
+        """Return the finite ones of these values."""
         values = self.there(output, group)
         return values[np.isfinite(values)]
 
 
-def _words(each: Input, row: int) -> str:
-    """Return the value of a variant with its unit: "200 mm"."""
-    shown = each.shown(row)
-    return shown if isinstance(shown, str) else f"{shown:.6g} {each.unit.name}".rstrip()
+def show_value(value: float, unit: Unit, digits: int = 6) -> str:
+    """Return a value (SI) with its unit of display: "25 mm"."""
+    return f"{value * unit.scale:.{digits}g} {unit.name}".rstrip()
+
+
+def condition(limit: Limit, output: Output) -> str:
+    """Return a limit state in words: "largest settlement at most 25 mm"."""
+    return f"{limit.output} {limit.sense} {show_value(limit.bound, output.unit)}"
 
 
 def unit_for(dimension: str | None, values: Array) -> Unit:
     """Return a fitting unit of display for values in SI of one dimension; none for pure numbers."""
-    if dimension is None:
+    if not dimension:
         return PURE
-    steps = units.DIMENSIONS[dimension].steps
-    finite = values[np.isfinite(values)]
-    size = float(np.median(np.abs(finite))) if len(finite) else 0.0
-    fitting = [step for step in steps if size >= step[0]] or list(steps[:1])
-    scale, name = fitting[-1]
-    return Unit(name, 1 / scale)
+    known = DIMENSIONS[dimension]
+    finite = np.abs(values[np.isfinite(values)])
+    size = float(np.median(finite)) if len(finite) else 0.0
+    scale, name = next((step for step in reversed(known.steps) if size >= step[0]), known.steps[0])
+    return Unit(name, known.si, 1 / scale)

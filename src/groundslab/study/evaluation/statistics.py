@@ -1,4 +1,4 @@
-"""What a sample tells: means, percentiles, probabilities and correlations, each with an interval of confidence.
+"""Statistics of a sample: means, percentiles, probabilities and correlations, each with a confidence interval.
 
 All intervals are for independent samples. A Latin hypercube or a Sobol sequence spreads its samples more evenly: there
 the intervals are, as a rule, too wide (docs/study-results.md).
@@ -14,21 +14,24 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
 
-#: The confidence of intervals, unless another one is asked for.
+#: Default confidence of intervals.
 LEVEL = 0.95
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """A figure and the interval that holds the true one with a given confidence; an end may be infinite."""
+    """A value and its confidence interval; an end may be infinite."""
 
     value: float
     low: float
     high: float
 
-    def times(self, scale: float) -> Estimate:
-        """Return the estimate in another unit; scale is positive."""
-        return Estimate(self.value * scale, self.low * scale, self.high * scale)
+
+def half_width(level: float) -> float:
+    """Return the half-width of a standard normal's central interval: 1.96 for a level of 0.95."""
+    from scipy.special import ndtri
+
+    return float(ndtri(0.5 + level / 2))
 
 
 def mean(x: Array, level: float = LEVEL) -> Estimate:
@@ -48,8 +51,6 @@ def deviation(x: Array, level: float = LEVEL) -> Estimate:
     The variance of s^2 is (m4 - s^4 (n - 3) / (n - 1)) / n with the fourth central moment m4 (Cramer 1946, 27.4); that
     of s is a (2 s)^2-th of it.
     """
-    from scipy.special import ndtri
-
     n = len(x)
     if n < 4:
         return Estimate(float(np.std(x, ddof=1)) if n > 1 else np.nan, 0.0, np.inf)
@@ -57,27 +58,21 @@ def deviation(x: Array, level: float = LEVEL) -> Estimate:
     if s == 0.0:
         return Estimate(0.0, 0.0, 0.0)
     m4 = float(np.mean((x - np.mean(x)) ** 4))
-    error = np.sqrt(max(m4 - s**4 * (n - 3) / (n - 1), 0.0) / n) / (2 * s)
-    half = float(ndtri(0.5 + level / 2)) * float(error)
+    half = half_width(level) * float(np.sqrt(max(m4 - s**4 * (n - 3) / (n - 1), 0.0) / n)) / (2 * s)
     return Estimate(s, max(s - half, 0.0), s + half)
 
 
 def percentile(x: Array, p: float, level: float = LEVEL) -> Estimate:
     """Return the p-quantile of samples (n,), 0 < p < 1, and the interval between two of the ordered samples.
 
-    Whatever the distribution, the number of samples below the true quantile is binomial, so that two order statistics
-    hold it with the confidence asked for (David and Nagaraja 2003, 7.1). The samples may be too few for an end.
+    The number of samples below the true quantile is binomial, whatever the distribution, so that two order statistics
+    enclose it with the given confidence (David and Nagaraja 2003, 7.1). Where the samples are too few for an end, it is
+    infinite.
     """
-    from scipy.special import bdtr
+    from scipy.stats import quantile_test
 
-    n, ordered = len(x), np.sort(x)
-    below = bdtr(np.arange(n + 1.0), n, p)  # of k = 0 ... n
-    outside = (1 - level) / 2
-    # P(B < first) <= outside and P(B > last) <= outside
-    first = int(np.searchsorted(below, outside, side="right"))
-    last = int(np.searchsorted(below, 1 - outside, side="left"))
-    low = float(ordered[first - 1]) if first >= 1 else -np.inf
-    high = float(ordered[last]) if last < n else np.inf
+    low, high = quantile_test(x, p=p).confidence_interval(level)
+    low, high = float(np.nan_to_num(low, nan=-np.inf)), float(np.nan_to_num(high, nan=np.inf))
     return Estimate(float(np.quantile(x, p)), low, high)
 
 
@@ -90,21 +85,17 @@ def probability(count: int, n: int, level: float = LEVEL) -> Estimate:
 def wilson(count: Integers, n: int, level: float = LEVEL) -> tuple[Array, Array, Array]:
     """Return count / n and the score intervals' ends, each (k,), of counts (k,) out of n (Wilson 1927).
 
-    The ends are the probabilities p with |count / n - p| = z sqrt(p (1 - p) / n).
+    The ends are the probabilities p with |count / n - p| = z sqrt(p (1 - p) / n). SciPy has it for one count only.
     """
-    from scipy.special import ndtri
-
     if n == 0:
         unknown = np.full(len(count), np.nan)
         return unknown, np.zeros(len(count)), np.ones(len(count))
-    z2 = float(ndtri(0.5 + level / 2)) ** 2
+    z2 = half_width(level) ** 2
     value = count / n
-    middle = (value + z2 / (2 * n)) / (1 + z2 / n)
+    center = (value + z2 / (2 * n)) / (1 + z2 / n)
     half = np.sqrt(z2 * (value * (1 - value) / n + z2 / (4 * n**2))) / (1 + z2 / n)
     # both ends are exact where the count is 0 or n, without rounding
-    low = np.where(count == 0, 0.0, middle - half)
-    high = np.where(count == n, 1.0, middle + half)
-    return value, low, high
+    return value, np.where(count == 0, 0.0, center - half), np.where(count == n, 1.0, center + half)
 
 
 def exceedance(x: Array, level: float = LEVEL, *, below: bool = False) -> tuple[Array, Array, Array, Array]:
@@ -121,32 +112,24 @@ def exceedance(x: Array, level: float = LEVEL, *, below: bool = False) -> tuple[
     return ordered, *wilson(beyond, n, level)
 
 
-def ranks(x: Array) -> Array:
-    """Return the ranks (n,) of samples (n,) from 1; equal samples share the mean of theirs."""
-    from scipy.stats import rankdata
-
-    found: Array = rankdata(x)
-    return found
-
-
 def correlation(x: Array, y: Array) -> float:
-    """Return Pearson's coefficient of correlation of samples (n,); nan where one of them does not vary."""
+    """Return Pearson's correlation coefficient of samples (n,); nan where one of them does not vary."""
     if len(x) < 2 or np.ptp(x) == 0.0 or np.ptp(y) == 0.0:
         return float("nan")
     return float(np.corrcoef(x, y)[0, 1])
 
 
 def rank_correlation(x: Array, y: Array, level: float = LEVEL) -> Estimate:
-    """Return Spearman's coefficient of correlation of samples (n,) and its interval.
+    """Return Spearman's correlation coefficient of samples (n,) and its interval.
 
     Fisher's transformation atanh(r) is taken as normal with variance (1 + r^2 / 2) / (n - 3) (Bonett and Wright 2000).
     """
-    from scipy.special import ndtri
+    from scipy.stats import rankdata
 
-    r, n = correlation(ranks(x), ranks(y)), len(x)
+    r, n = correlation(rankdata(x), rankdata(y)), len(x)
     if not np.isfinite(r) or n < 4:
         return Estimate(r, -1.0, 1.0)
-    half = float(ndtri(0.5 + level / 2)) * np.sqrt((1 + r * r / 2) / (n - 3))
+    half = half_width(level) * np.sqrt((1 + r * r / 2) / (n - 3))
     z = np.arctanh(np.clip(r, -1 + 1e-15, 1 - 1e-15))
     # a perfect correlation is not rounded out of its own interval
     return Estimate(r, min(r, float(np.tanh(z - half))), max(r, float(np.tanh(z + half))))

@@ -1,4 +1,4 @@
-"""A study in its folder, opened to read: its rows as a table, its fields as maps over the plan."""
+"""A study in its folder: its rows as a table, its fields as maps over the plan."""
 
 from __future__ import annotations
 
@@ -14,12 +14,11 @@ from typing import TYPE_CHECKING, Any
 from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import one_of, suggestion
 from groundslab.study.definition import files
-from groundslab.study.definition.setup import Setup, columns_of
+from groundslab.study.definition.setup import Setup, column_units
 from groundslab.study.evaluation.field_maps import moments
 from groundslab.study.execution import store
-from groundslab.study.execution.store import columns_in
-from groundslab.study.execution.variant import split
-from groundslab.study.sampling.designs import Sample, sample_of
+from groundslab.study.optional import import_optional
+from groundslab.study.sampling.designs import VariantList, list_variants
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,89 +29,156 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Map:
-    """A value at each node of the plate's mesh, over all solved variants: (n,), in SI units."""
+    """A statistic of a field over all solved variants.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The plate's mesh.
+    values : ndarray, shape (n,)
+        Value at each node, in SI units.
+    unit : str
+        SI unit; empty for probabilities.
+    variants : int
+        Number of variants that the statistic is of.
+    """
 
     mesh: Mesh
     values: Array
     unit: str
-    variants: int  # that it was made of
+    variants: int
 
 
 class Study:
-    """A study in its folder. While it runs, what is there so far can be read."""
+    """A study in its folder; the rows of a running study can be read, too.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Folder of the study, `<study>-study` by default.
+
+    Attributes
+    ----------
+    folder : Path
+        Folder of the study.
+    about : dict
+        Seed, versions, and SHA-256 of the study file and its case.
+
+    Raises
+    ------
+    InputError
+        If the folder is not that of a study, or its files are damaged.
+
+    Examples
+    --------
+    >>> study = groundslab.open_study("slab-study")  # doctest: +SKIP
+    >>> study.table()["largest settlement"].mean()  # doctest: +SKIP
+    >>> study.map("settlement", "std").values  # doctest: +SKIP
+    """
 
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder)
-        #: What the folder says of itself: seed, versions, SHA-256 of both files, runs.
         self.about: dict[str, Any] = store.about(folder)
         self._read = files.read(self.folder / store.STUDY, self.folder / store.CASE)
 
     @property
     def setup(self) -> Setup:
-        """Return variables, random fields, outputs, limits and the case."""
+        """Variables, random fields, outputs, limit states and the case."""
         return self._read.setup
 
     @property
     def title(self) -> str:
-        """Return the study's title, or that of its case."""
+        """Title of the study, or of its case."""
         return self.setup.title or self.setup.model.title
 
     @cached_property
     def units(self) -> dict[str, str]:
-        """Return the SI unit of each input and output by its column, empty for pure numbers and words."""
-        return dict(columns_of(self.setup))
+        """SI unit of each input and output by its column, empty for pure numbers and words."""
+        return dict(column_units(self.setup))
 
     @cached_property
-    def sample(self) -> Sample:
-        """Return all variants of the study, made anew from its seed."""
-        return sample_of(self.setup)
+    def variants(self) -> VariantList:
+        """All variants of the study, from its seed."""
+        return list_variants(self.setup)
 
     @property
     def count(self) -> int:
-        """Return how many variants the study has, whether they have a row or not."""
+        """Number of variants of the study, with a row or without."""
         return self.setup.count
 
     def __len__(self) -> int:
-        """Return how many variants have a row."""
+        """Return the number of variants with a row."""
         with self.opened_rows() as rows:
             return rows.count()
 
     def counts(self) -> dict[str, int]:
-        """Return how many variants are solved, and how many failed for each reason."""
+        """Count the variants by outcome.
+
+        Returns
+        -------
+        dict of str to int
+            Number of variants with status "solved", and of failed ones by reason, the most frequent first.
+        """
         with self.opened_rows() as rows:
             return rows.counts()
 
     def table(self) -> pd.DataFrame:
-        """Return all rows that are there as a pandas.DataFrame, in SI units; its index is the variant's number.
+        """Return all rows as a table.
 
-        Columns: status ("solved" or "failed"), reason, message, seconds, then the inputs and the results that are one
-        number by their names; what a failed variant lacks is NaN.
+        Returns
+        -------
+        pandas.DataFrame
+            One row per variant, indexed by its number. Columns: status ("solved" or "failed"), reason, message,
+            seconds, then the inputs and the outputs that are one number by their names, in SI units; missing outputs of
+            a failed variant are NaN.
+
+        Raises
+        ------
+        InputError
+            If pandas is not installed, or the rows are damaged.
         """
-        try:
-            import pandas as pd
-        except ImportError:
-            expected = "pandas, which makes a DataFrame of a study's rows"
-            raise InputError(
-                [Issue("pandas", "nothing that can be imported", expected, "pip install groundslab[study]")]
-            ) from None
-        columns = columns_in(self.setup)
-        names = [*store.FIXED, *columns.inputs, *columns.results]
+        pd = import_optional("pandas", "which makes a DataFrame of a study's rows")
         with self.opened_rows() as rows:
+            names, results = rows.columns.scalars, rows.columns.results
             frame = pd.DataFrame(rows.rows(names), columns=names).set_index("number")
-        return frame.astype(dict.fromkeys(["seconds", *columns.results], float))
+        return frame.astype(dict.fromkeys(["seconds", *results], float))
 
-    def mishaps(self) -> dict[int, str]:
-        """Return why variants have no row, by their numbers: what happened to the machine, not to the variant."""
+    def worker_failures(self) -> dict[int, str]:
+        """Return why variants have no row.
+
+        Returns
+        -------
+        dict of int to str
+            Last error by the number of the variant: an error of the machine, such as a killed worker, not of the
+            variant, which would have a row with a reason.
+        """
         with self.opened_rows() as rows:
-            return rows.mishaps()
+            return rows.worker_failures()
 
     def runs(self) -> list[dict[str, Any]]:
-        """Return when the study was run, and with which versions."""
+        """Return the runs of the study.
+
+        Returns
+        -------
+        list of dict
+            Time ("at") and package versions ("versions") of each run.
+        """
         with self.opened_rows() as rows:
             return rows.runs()
 
     def blocks(self) -> dict[str, range]:
-        """Return the numbers of the variants in each block of a saltelli sample: A, B, then each input's name."""
+        """Return the blocks of a Saltelli sample.
+
+        Returns
+        -------
+        dict of str to range
+            Numbers of the variants in A, in B, and in each mixture, by the name of the input that is taken from B.
+
+        Raises
+        ------
+        InputError
+            If the sampling is of another kind.
+        """
         n = self.setup.sampling.count
         if self.setup.sampling.kind != "saltelli" or n is None:
             raise InputError([Issue("sampling.kind", f'"{self.setup.sampling.kind}"', '"saltelli", which has blocks')])
@@ -120,9 +186,24 @@ class Study:
         return {name: range(1 + i * n, 1 + (i + 1) * n) for i, name in enumerate(names)}
 
     def fields(self, name: str) -> Iterator[tuple[int, Array]]:
-        """Yield number and nodal values (n,), in SI units, of a field kept everywhere, one variant after the other.
+        """Iterate over the nodal values of a field in all variants, one variant at a time.
 
-        All variants must have the same mesh, else InputError is raised.
+        Parameters
+        ----------
+        name : str
+            Name of an output with ``take = "everywhere"``, or its field, such as "settlement".
+
+        Yields
+        ------
+        number : int
+            Number of the variant.
+        values : ndarray, shape (n,)
+            Nodal values, in SI units.
+
+        Raises
+        ------
+        InputError
+            If there is no such field, or not all variants have the same mesh.
         """
         self.mesh(name)
         with self.opened_rows() as rows:
@@ -130,7 +211,23 @@ class Study:
                 yield number, values
 
     def mesh(self, name: str) -> Mesh:
-        """Return the mesh that a field kept everywhere is given on; InputError if there is none or more than one."""
+        """Return the mesh of a field.
+
+        Parameters
+        ----------
+        name : str
+            Name of an output with ``take = "everywhere"``, or its field, such as "settlement".
+
+        Returns
+        -------
+        Mesh
+            The plate's mesh, the same in all variants.
+
+        Raises
+        ------
+        InputError
+            If there is no such field, or not all variants have the same mesh.
+        """
         self._column(name)
         with self.opened_rows() as rows:
             meshes = rows.meshes()
@@ -141,52 +238,85 @@ class Study:
             raise InputError([Issue(name, found, "a field of all variants on one mesh")])
         return next(iter(meshes.values()))
 
-    def map(self, name: str, what: str) -> Map:
-        """Return mean, std or probability of uplift at each node, over the solved variants, of a field kept everywhere.
+    def map(self, name: str, statistic: str) -> Map:
+        """Return a statistic of a field at each node, over the solved variants.
 
-        `name` is the column's, or the field's, as in "settlement". The standard deviation is that of a sample (n - 1).
-        Uplift is a settlement below zero, by more than rounding.
+        Parameters
+        ----------
+        name : str
+            Name of an output with ``take = "everywhere"``, or its field, such as "settlement".
+        statistic : {"mean", "std", "probability of uplift"}
+            The standard deviation is that of a sample (n - 1). Uplift is a settlement below zero by more than
+            rounding.
+
+        Returns
+        -------
+        Map
+            Values at the nodes of the plate's mesh.
+
+        Raises
+        ------
+        InputError
+            If there is no such field or statistic, or not all variants have the same mesh.
         """
         known = ("mean", "std", "probability of uplift")
-        if what not in known:
-            raise InputError([Issue("map", f'"{what}"', one_of(known), suggestion(what, known))])
+        if statistic not in known:
+            raise InputError([Issue("map", f'"{statistic}"', one_of(known), suggestion(statistic, known))])
         column = self._column(name)
         output = next(each for each in self.setup.outputs if each.name == column)
-        if what == "probability of uplift" and output.of != "settlement":
-            raise InputError([Issue("map", f"{output.of}", "settlement, which alone says where the plate lifts")])
+        if statistic == "probability of uplift" and output.of != "settlement":
+            raise InputError([Issue("map", f"{output.of}", "settlement, the only field that shows uplift")])
         mesh = self.mesh(column)
         found = moments(values for _, values in self.fields(column))
         assert found is not None  # where there is a mesh there is a field
-        if what == "mean":
-            return Map(mesh, found.mean, output.unit, found.n)
-        if what == "std":
-            return Map(mesh, found.deviation, output.unit, found.n)
-        return Map(mesh, found.below_zero, "", found.n)
+        values = {"mean": found.mean, "std": found.deviation}.get(statistic, found.below_zero)
+        return Map(mesh, values, output.unit if statistic in ("mean", "std") else "", found.n)
 
     @contextmanager
     def opened_rows(self) -> Iterator[store.Store]:
-        """Return the rows while they are read; raises InputError if they are damaged."""
+        """Open the rows for reading; raises InputError if they are damaged."""
         try:
-            with store.Store(self.folder, columns_in(self.setup), read_only=True) as rows:
+            with store.Store(self.folder, self.setup, read_only=True) as rows:
                 yield rows
         except (sqlite3.Error, zlib.error) as error:
-            expected, hint = "the rows that groundslab study wrote", "copy the folder back from where it is whole"
+            expected, hint = "the rows that groundslab study wrote", "restore the folder from a backup"
             raise InputError([Issue(str(self.folder / store.ROWS), str(error), expected, hint)]) from error
 
     def _column(self, name: str) -> str:
-        """Return the column of a field kept everywhere, by its name or by what it is of."""
-        whole = split(self.setup.outputs)[1]
-        for output in whole:
-            if output.name == name:
-                return name
-        of = [output.name for output in whole if output.of == name.replace("_", " ")]
+        """Return the column of a field with values at all nodes, by its name or its quantity."""
+        outputs = self.setup.nodal_outputs
+        names = [output.name for output in outputs]
+        if name in names:
+            return name
+        of = [output.name for output in outputs if output.of == name.replace("_", " ")]
         if len(of) == 1:
             return of[0]
-        names = [output.name for output in whole]
         expected = one_of(names) if names else 'a study that keeps a field with take = "everywhere"'
         raise InputError([Issue("field", f'"{name}"', expected, suggestion(name, names))])
 
 
 def open_study(folder: str | Path) -> Study:
-    """Return a study in its folder, to be read; raises InputError if it is none."""
+    """Open a study in its folder, for reading.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Folder of the study, `<study>-study` by default.
+
+    Returns
+    -------
+    Study
+        Its rows, fields and statistics; of a running study, those so far.
+
+    Raises
+    ------
+    InputError
+        If the folder is not that of a study.
+
+    Examples
+    --------
+    >>> study = groundslab.open_study("slab-study")  # doctest: +SKIP
+    >>> study.counts()  # doctest: +SKIP
+    {'solved': 100}
+    """
     return Study(folder)

@@ -9,15 +9,17 @@ import numpy as np
 
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.study.evaluation import sensitivity, statistics
+from groundslab.study.evaluation.samples import condition
 from groundslab.study.evaluation.statistics import LEVEL, Estimate
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
-    from groundslab.study.evaluation.samples import Gathered, Group, Input, Limit, Output
+    from groundslab.study.definition.setup import Limit
+    from groundslab.study.evaluation.samples import Gathered, Group, Input, Output
 
-#: The quantiles that are told of each output.
+#: Quantiles of each output.
 QUANTILES = (0.05, 0.5, 0.95)
-#: The names of all tables that there can be.
+#: Names of all tables.
 NAMES = (
     "variants", "statistics", "limit_states", "exceedance", "sobol", "tornado", "correlations", "missing"
 )  # fmt: skip
@@ -26,27 +28,27 @@ MOST_POINTS = 200
 
 
 def tables_of(sample: Gathered, level: float = LEVEL) -> tuple[Table, ...]:
-    """Return all tables that a study's kind of sampling gives; level is the confidence of the intervals."""
-    made: list[Table | None] = [
-        variants(sample),
-        summary(sample, level),
-        limit_states(sample, level),
-        exceedance(sample, level),
-        sobol(sample, level),
-        tornado(sample, level),
-        correlations(sample),
-        missing(sample),
+    """Return all tables that a study's kind of sampling permits; level is the confidence of the intervals."""
+    tables: list[Table | None] = [
+        tabulate_variants(sample),
+        tabulate_statistics(sample, level),
+        tabulate_limit_states(sample, level),
+        tabulate_exceedance(sample, level),
+        tabulate_sobol_indices(sample, level),
+        tabulate_influence(sample, level),
+        tabulate_correlations(sample),
+        tabulate_missing_results(sample),
     ]
-    return tuple(table for table in made if table is not None)
+    return tuple(table for table in tables if table is not None)
 
 
-def variants(sample: Gathered) -> Table:
-    """Return one row a variant: inputs, outputs, why there is no result, seconds."""
+def tabulate_variants(sample: Gathered) -> Table:
+    """Return a row for each variant: inputs, outputs, why there is no result, seconds."""
     heads: list[Head] = [("variant", "")]
     columns: list[list[Cell]] = [[int(number) + 1 for number in sample.number]]
     for each in sample.inputs:
         heads.append((each.name, each.unit.name))
-        columns.append([each.shown(row) for row in range(len(sample.number))])
+        columns.append([each.cell(row) for row in range(len(sample.number))])
     for output in sample.outputs:
         heads.append((output.name, output.unit.name))
         columns.append([_cell(value * output.unit.scale) for value in output.values])
@@ -55,36 +57,36 @@ def variants(sample: Gathered) -> Table:
     return table_of("variants", "Variants", heads, list(zip(*columns, strict=True)))
 
 
-def summary(sample: Gathered, level: float = LEVEL) -> Table:
+def tabulate_statistics(sample: Gathered, level: float = LEVEL) -> Table:
     """Return count, mean, standard deviation, quantiles and extremes of each output, design by design."""
-    heads: list[Head] = [*_design(sample), ("output", ""), ("unit", ""), ("variants", "")]
+    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("unit", ""), ("variants", "")]
     if sample.random:
-        heads += _with_interval("mean") + _with_interval("standard deviation") + [("coefficient of variation", "")]
+        heads += _interval_heads("mean") + _interval_heads("standard deviation") + [("coefficient of variation", "")]
     heads.append(("least", ""))
     if sample.random:
         for p in QUANTILES:
-            heads += _with_interval(f"{p:.0%} quantile")
+            heads += _interval_heads(f"{p:.0%} quantile")
     heads.append(("greatest", ""))
     rows = [
-        [*_label(sample, group), output.name, output.unit.name, *_summary(sample, group, output, level)]
+        [*_design_cells(sample, group), output.name, output.unit.name, *_statistics_cells(sample, group, output, level)]
         for group in sample.groups
         for output in sample.outputs
     ]
-    notes = [_intervals(sample, level)] if sample.random else [NO_CHANCE]
+    notes = [_interval_note(sample, level)] if sample.random else [NO_CHANCE]
     infinite = {output.name: int(np.isinf(output.values).sum()) for output in sample.outputs}
     notes += [
-        f"{count} variants have an infinite {name}; they are left out here, not in the limit states."
+        f"{count} variants have an infinite {name}; they are left out here, but not in the limit states."
         for name, count in infinite.items()
         if count
     ]
     return table_of("statistics", "Statistics of the outputs", heads, rows, notes)
 
 
-NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and no mean is told."
+NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and means are left out."
 
 
-def _summary(sample: Gathered, group: Group, output: Output, level: float) -> list[Cell]:
-    """Return the figures of one row of the statistics."""
+def _statistics_cells(sample: Gathered, group: Group, output: Output, level: float) -> list[Cell]:
+    """Return the statistics of an output in one design."""
     x = sample.of(output, group) * output.unit.scale
     if len(x) == 0:
         return [0, *[None] * (2 + (7 + 3 * len(QUANTILES)) * sample.random)]
@@ -92,21 +94,21 @@ def _summary(sample: Gathered, group: Group, output: Output, level: float) -> li
         return [len(x), float(x.min()), float(x.max())]
     middle, spread = statistics.mean(x, level), statistics.deviation(x, level)
     ratio = spread.value / abs(middle.value) if middle.value else None
-    cells: list[Cell] = [len(x), *_three(middle), *_three(spread), ratio, float(x.min())]
+    cells: list[Cell] = [len(x), *_estimate_cells(middle), *_estimate_cells(spread), ratio, float(x.min())]
     for p in QUANTILES:
-        cells += _three(statistics.percentile(x, p, level))
+        cells += _estimate_cells(statistics.percentile(x, p, level))
     return [*cells, float(x.max())]
 
 
-def limit_states(sample: Gathered, level: float = LEVEL) -> Table | None:
-    """Return how often each limit state failed, design by design, and the probability that this tells."""
+def tabulate_limit_states(sample: Gathered, level: float = LEVEL) -> Table | None:
+    """Return how often each limit state failed, design by design, and the probability of failure."""
     if not sample.limits:
         return None
     heads: list[Head] = [
-        *_design(sample), ("limit state", ""), ("condition", ""), ("variants", ""), ("failed", ""),
+        *_design_heads(sample), ("limit state", ""), ("condition", ""), ("variants", ""), ("failed", ""),
     ]  # fmt: skip
     if sample.random:
-        heads += [*_with_interval("probability of failure"), ("reliability index", "")]
+        heads += [*_interval_heads("probability of failure"), ("reliability index", "")]
         heads += [("without a result", ""), ("high if these fail", "")]
     aimed = sample.random and any(limit.target is not None for limit in sample.limits)
     if aimed:
@@ -116,16 +118,22 @@ def limit_states(sample: Gathered, level: float = LEVEL) -> Table | None:
         for limit in sample.limits:
             x = sample.there(sample.output(limit.output), group)
             failed = int(limit.fails(x).sum())
-            row: list[Cell] = [*_label(sample, group), limit.name, condition(sample, limit), len(x), failed]
+            row: list[Cell] = [
+                *_design_cells(sample, group),
+                limit.name,
+                condition(limit, sample.output(limit.output)),
+                len(x),
+                failed,
+            ]
             if sample.random:
-                row += _probability(sample, group, limit, failed, len(x), level)[: None if aimed else -2]
+                row += _probability_cells(sample, group, limit, failed, len(x), level)[: None if aimed else -2]
             rows.append(row)
     notes = [NO_CHANCE]
     if sample.random:
         notes = [
             f"Intervals of {level:.0%} confidence for the probability by Wilson (1927). The reliability index is "
             "-Phi^-1 of the probability.",
-            "Variants without a result count neither way; the high end if all of them fail is told beside."
+            "Variants without a result are not counted; a column has the high end if all of them fail."
             + " A target is kept if even that end lies below it." * aimed,
         ]
     return table_of("limit_states", "Limit states", heads, rows, notes)
@@ -137,8 +145,8 @@ def failure(sample: Gathered, group: Group, limit: Limit, level: float = LEVEL) 
     return statistics.probability(int(limit.fails(x).sum()), len(x), level)
 
 
-def _probability(sample: Gathered, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
-    """Return the probability of failure, the index, what missing results could change, and the verdict."""
+def _probability_cells(sample: Gathered, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
+    """Return the probability of failure, the index, the effect of missing results, and the verdict."""
     from scipy.special import ndtri
 
     p = statistics.probability(failed, n, level)
@@ -146,26 +154,20 @@ def _probability(sample: Gathered, group: Group, limit: Limit, failed: int, n: i
     high = statistics.probability(failed + lost, n + lost, level).high
     index = -float(ndtri(p.value)) if 0 < failed < n else None
     verdict = None if limit.target is None else ("yes" if high < limit.target else "no")
-    return [*_three(p), index, lost, high, limit.target, verdict]
+    return [*_estimate_cells(p), index, lost, high, limit.target, verdict]
 
 
-def condition(sample: Gathered, limit: Limit) -> str:
-    """Return a limit state in words: "largest settlement at most 25 mm"."""
-    unit = sample.output(limit.output).unit
-    return f"{limit.output} {limit.sense} {limit.bound * unit.scale:.6g} {unit.name}".rstrip()
-
-
-def exceedance(sample: Gathered, level: float = LEVEL) -> Table | None:
+def tabulate_exceedance(sample: Gathered, level: float = LEVEL) -> Table | None:
     """Return the curves of exceedance: the share of variants above each value, design by design."""
     if not sample.random:
         return None
-    heads: list[Head] = [*_design(sample), ("output", ""), ("unit", ""), ("value", ""), ("side", "")]
-    heads += _with_interval("probability")
+    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("unit", ""), ("value", ""), ("side", "")]
+    heads += _interval_heads("probability")
     rows = []
     for group in sample.groups:
         for output in sample.outputs:
             value, *curve = curve_of(sample, output, group, level)
-            about: list[Cell] = [*_label(sample, group), output.name, output.unit.name]
+            about: list[Cell] = [*_design_cells(sample, group), output.name, output.unit.name]
             side = "below" if sample.falls(output) else "above"
             rows += [
                 [*about, float(value[at]), side, *(float(each[at]) for each in curve)]
@@ -173,7 +175,7 @@ def exceedance(sample: Gathered, level: float = LEVEL) -> Table | None:
             ]
     notes = [
         f"The share of variants above each value; below it for outputs whose limit states say at least. At most "
-        f"{MOST_POINTS} points of each curve. {_intervals(sample, level)}"
+        f"{MOST_POINTS} points of each curve. {_interval_note(sample, level)}"
     ]
     return table_of("exceedance", "Curves of exceedance", heads, rows, notes)
 
@@ -194,12 +196,12 @@ def thinned(n: int, most: int) -> list[int]:
     return sorted({round(at) for at in np.linspace(0, n - 1, min(n, most))}) if n else []
 
 
-def sobol(sample: Gathered, level: float = LEVEL) -> Table | None:
+def tabulate_sobol_indices(sample: Gathered, level: float = LEVEL) -> Table | None:
     """Return Sobol's first-order and total indices of each input for each output; only of Saltelli's sample."""
     if sample.kind != "saltelli":
         return None
     heads: list[Head] = [("output", ""), ("input", "")]
-    heads += [*_with_interval("first-order index"), *_with_interval("total index"), ("blocks used", "")]
+    heads += [*_interval_heads("first-order index"), *_interval_heads("total index"), ("blocks used", "")]
     rows: list[list[Cell]] = []
     left_out = False
     for output in sample.outputs:
@@ -209,50 +211,50 @@ def sobol(sample: Gathered, level: float = LEVEL) -> Table | None:
             continue
         left_out = left_out or found.blocks < found.of
         for each, first, total in zip(sample.inputs, found.first, found.total, strict=True):
-            rows.append([output.name, each.name, *_three(first), *_three(total), found.blocks])
+            rows.append([output.name, each.name, *_estimate_cells(first), *_estimate_cells(total), found.blocks])
     notes = [
         "Shares of the output's variance (Saltelli 2010): first order, what is due to the input alone; total, "
         f"what is due to it together with all others. Intervals of {level:.0%} confidence from "
         f"{sensitivity.RESAMPLES} resamples of the blocks.",
     ]
     if left_out:
-        notes.append("Blocks with a variant that has no result are left out whole.")
+        notes.append("Blocks with a variant that has no result are left out.")
     return table_of("sobol", "Sobol indices", heads, rows, notes)
 
 
-def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensitivity.Indices | None:
-    """Return the indices for one output of Saltelli's sample; blocks that have not been run to their end are missing.
+def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensitivity.SobolIndices | None:
+    """Return the Sobol indices of one output of a Saltelli sample, without incomplete blocks.
 
     None where they are not defined: too few blocks, or an output that does not vary.
     """
     A, B, AB = sample.mixed(output)
-    return sensitivity.indices(A, B, AB, sample.seed, level)
+    return sensitivity.sobol_indices(A, B, AB, sample.seed, level)
 
 
-def tornado(sample: Gathered, level: float = LEVEL) -> Table | None:
-    """Return how each input moves each output: by its low and high value alone, or by rank correlation."""
+def tabulate_influence(sample: Gathered, level: float = LEVEL) -> Table | None:
+    """Return the influence of each input on each output: by its low and high value alone, or by rank correlation."""
     if sample.kind == "tornado":
-        return _swings(sample)
+        return _tabulate_swings(sample)
     if not sample.random or not sample.varied:
         return None
-    heads: list[Head] = [*_design(sample), ("output", ""), ("input", ""), *_with_interval("rank correlation")]
+    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("input", ""), *_interval_heads("rank correlation")]
     rows = [
-        [*_label(sample, group), output.name, name, *_three(r)]
+        [*_design_cells(sample, group), output.name, name, *_estimate_cells(r)]
         for group in sample.groups
         for output in sample.outputs
         for name, r in ranked(sample, group, output, level)
     ]
     notes = [
         "By Spearman's rank correlation of input and output, the strongest first; intervals of "
-        f"{level:.0%} confidence by Bonett and Wright (2000). Inputs that are correlated share in each other's. A "
-        "random field is no number and has none."
+        f"{level:.0%} confidence by Bonett and Wright (2000). Inputs that are correlated share in each other's. "
+        "Random fields have none."
     ]
     return table_of("tornado", "Influence of the inputs (rank correlation)", heads, rows, notes)
 
 
 def ranked(sample: Gathered, group: Group, output: Output, level: float = LEVEL) -> list[tuple[str, Estimate]]:
     """Return the rank correlation of each input that varies by chance with an output, the strongest first."""
-    rows = _complete(sample, group, output)
+    rows = _complete_rows(sample, group, output)
     found = [
         (each.name, statistics.rank_correlation(each.values[rows], output.values[rows], level))
         for each in sample.varied
@@ -260,13 +262,13 @@ def ranked(sample: Gathered, group: Group, output: Output, level: float = LEVEL)
     return sorted(found, key=lambda pair: -abs(np.nan_to_num(pair[1].value)))
 
 
-def _complete(sample: Gathered, group: Group, output: Output) -> Integers:
+def _complete_rows(sample: Gathered, group: Group, output: Output) -> Integers:
     """Return the rows of a design that were drawn and have the output."""
     rows = group.rows[sample.drawn[group.rows]]
     return rows[np.isfinite(output.values[rows])]
 
 
-def _swings(sample: Gathered) -> Table:
+def _tabulate_swings(sample: Gathered) -> Table:
     """Return the tornado of variants with one input low or high at a time."""
     heads: list[Head] = [("output", ""), ("unit", ""), ("input", ""), ("at medians", "")]
     heads += [("input low", ""), ("input high", ""), ("swing", "")]
@@ -287,26 +289,26 @@ def swings_of(sample: Gathered, output: Output) -> tuple[float, tuple[sensitivit
     return sensitivity.tornado(y, tuple(each.name for each in sample.inputs))
 
 
-def correlations(sample: Gathered) -> Table | None:
+def tabulate_correlations(sample: Gathered) -> Table | None:
     """Return Pearson's and Spearman's coefficients of each output with each input and each other output."""
     if not sample.random:
         return None
-    heads: list[Head] = [*_design(sample), ("output", ""), ("with", ""), ("variants", "")]
+    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("with", ""), ("variants", "")]
     heads += [("Pearson", ""), ("Spearman", "")]
     rows: list[list[Cell]] = []
     for group in sample.groups:
         for place, output in enumerate(sample.outputs):
             others: tuple[Input | Output, ...] = (*sample.varied, *sample.outputs[:place])
             for other in others:
-                at = _complete(sample, group, output)
+                at = _complete_rows(sample, group, output)
                 at = at[np.isfinite(other.values[at])]
                 x, y = other.values[at], output.values[at]
-                both = statistics.correlation(x, y), statistics.correlation(statistics.ranks(x), statistics.ranks(y))
-                rows.append([*_label(sample, group), output.name, other.name, len(at), *map(_cell, both)])
+                both = statistics.correlation(x, y), statistics.rank_correlation(x, y).value
+                rows.append([*_design_cells(sample, group), output.name, other.name, len(at), *map(_cell, both)])
     return table_of("correlations", "Correlations", heads, rows) if rows else None
 
 
-def missing(sample: Gathered) -> Table | None:
+def tabulate_missing_results(sample: Gathered) -> Table | None:
     """Return why variants have no result, with how many and which; None if all have one."""
     count = Counter(why for why in sample.reason if why)
     if not count:
@@ -316,32 +318,32 @@ def missing(sample: Gathered) -> Table | None:
     return table_of("missing", "Variants without a result", heads, rows)
 
 
-def _design(sample: Gathered) -> list[Head]:
+def _design_heads(sample: Gathered) -> list[Head]:
     """Return the column that names the design, if there are several."""
     return [("design", "")] if sample.groups[0].label else []
 
 
-def _label(sample: Gathered, group: Group) -> list[Cell]:
+def _design_cells(sample: Gathered, group: Group) -> list[Cell]:
     """Return the cell that names the design, if there are several."""
     return [group.label] if sample.groups[0].label else []
 
 
-def _with_interval(name: str) -> list[Head]:
-    """Return the heads of an estimate and its two ends."""
+def _interval_heads(name: str) -> list[Head]:
+    """Return the headers of an estimate and its two ends."""
     return [(name, ""), (f"{name}, low", ""), (f"{name}, high", "")]
 
 
-def _three(estimate: Estimate) -> list[Cell]:
-    """Return an estimate and its ends as cells; an end that the sample does not tell is empty."""
+def _estimate_cells(estimate: Estimate) -> list[Cell]:
+    """Return an estimate and its ends as cells; an infinite end is empty."""
     return [_cell(value) for value in (estimate.value, estimate.low, estimate.high)]
 
 
 def _cell(value: float) -> float | None:
-    """Return a number as a cell, nothing for one that is not finite."""
+    """Return a number as a cell, empty if it is not finite."""
     return float(value) if np.isfinite(value) else None
 
 
-def _intervals(sample: Gathered, level: float) -> str:
-    """Return what a reader must know about the intervals."""
+def _interval_note(sample: Gathered, level: float) -> str:
+    """Return a note on the intervals."""
     text = f"Intervals of {level:.0%} confidence for independent samples."
-    return text if sample.kind == "monte carlo" else f"{text} This sample is spread more evenly: they are wide."
+    return text if sample.kind == "monte carlo" else f"{text} This sample is spread more evenly: they are too wide."

@@ -1,11 +1,11 @@
-"""Variants solved on Dask: the cores of this machine, or a cluster that is there already.
+"""Solves variants on Dask: on the cores of this machine, or on an existing cluster.
 
-The setup of a study goes to each worker once, as a plugin that new and restarted workers are given too; tasks are
-small. Only some more tasks than there are threads are under way at a time. A task whose worker dies is given to
-another by Dask's scheduler; one that has brought down several workers comes back as a mishap.
+The setup of a study is sent to each worker once, as a plugin that new and restarted workers get, too; tasks are small.
+Only a few more tasks than there are threads are submitted at a time. Dask's scheduler gives the task of a worker that
+died to another one; a task that has killed several workers comes back as a WorkerFailure.
 
 The processes of this machine talk to each other over TLS with keys that are made for the run and stay in their memory:
-nobody else can have them run anything.
+no other process can have them run anything.
 """
 
 from __future__ import annotations
@@ -23,46 +23,48 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.study.execution import versions
+from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
     from groundslab.study.definition.setup import Setup
     from groundslab.study.execution.variant import Row
     from groundslab.study.sampling.designs import Variant
 
-#: Tasks under way for each thread: one at work, the others waiting at the scheduler so that none idles. They are handed
-#: over when half of them are done, as every handing over costs the scheduler milliseconds, however many there are.
-AHEAD = 16
-#: How long a connection may take [s].
-CONNECT = 10.0
-#: How long the workers of a cluster are waited for [s].
-PATIENCE = 60.0
-#: How often it is asked how many threads there are [s].
-LOOK = 2.0
-#: Keeps a worker's libraries from starting threads of their own beside the other workers.
+#: Tasks submitted for each thread: one runs, the others wait at the scheduler so that no thread idles. More are
+#: submitted when half of them are done, as each submission costs the scheduler milliseconds, however many tasks it has.
+TASKS_PER_THREAD = 16
+#: Time limit of a connection [s].
+CONNECT_TIMEOUT = 10.0
+#: Time limit for the first worker of a cluster [s].
+WORKER_TIMEOUT = 60.0
+#: Interval at which the number of threads is updated [s].
+UPDATE_INTERVAL = 2.0
+#: Keeps a worker's libraries from starting threads that compete with the other workers.
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-#: Of the local cluster.
+#: Dask's configuration of the local cluster.
 SETTINGS = {
     "distributed.nanny.pre-spawn-environ": ONE_THREAD,
     # no task waits at a worker, where it would be blamed for the worker's death
     "distributed.scheduler.worker-saturation": 1.0,
-    # workers that look at themselves every few milliseconds take a fifth longer for small cases
+    # profiling every few milliseconds makes small cases take a fifth longer
     "distributed.worker.profile.enabled": False,
     # each process would serve pages over HTTP
     "distributed.worker.http.routes": [],
     "distributed.worker.preload": ["groundslab.study.execution.dask_plugin"],
 }
 NO_PAGES: dict[str, Any] = {"distributed.scheduler.http.routes": []}
+HINT = "pip install groundslab[study]; --workers 0 does without it"
 LOOPBACK = "127.0.0.1"
 DASHBOARD = 8787  # port, where it is free
 
 
 class LostScheduler(GroundslabError):
-    """The scheduler of the cluster is gone; rows written before are as they were."""
+    """The connection to the cluster's scheduler is lost; rows written before are kept."""
 
 
 @dataclass(frozen=True, slots=True)
-class Mishap:
-    """A variant that has no row for a reason that lies in the machine, not in the variant."""
+class WorkerFailure:
+    """A variant without a row, because of the machine, not of the variant."""
 
     number: int
     message: str
@@ -74,22 +76,22 @@ class Cluster:
 
     client: Any
     dashboard: str
-    own: bool  # made for the study, and gone with it
+    own: bool  # made for the study, and closed with it
 
     @property
     def threads(self) -> int:
-        """Return the number of threads of all workers that are there now."""
+        """Return the number of threads of all current workers."""
         return sum(self.client.nthreads().values())
 
 
 @contextmanager
-def local(workers: int | None, most: int, dashboard: bool = False) -> Iterator[Cluster]:
-    """Return a cluster on this machine, of processes with one thread: one for each core by default, at most `most`.
+def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iterator[Cluster]:
+    """Start a cluster on this machine, of processes with one thread: one for each core by default, at most `most`.
 
-    Only who has the keys made here can connect to it. Dask's dashboard is there if it is asked for.
+    Connections need the keys made here. Dask's dashboard is optional.
     """
-    distributed, dask = _dask()
-    security, port = _keys(distributed), _free_port(DASHBOARD) if dashboard else 0
+    distributed, dask = _import_dask()
+    security, port = _make_keys(distributed), _free_port(DASHBOARD) if dashboard else 0
     with dask.config.set(SETTINGS | (_dashboard_settings(port) if dashboard else NO_PAGES)):
         try:
             cluster = distributed.LocalCluster(
@@ -104,32 +106,28 @@ def local(workers: int | None, most: int, dashboard: bool = False) -> Iterator[C
                 silence_logs=logging.CRITICAL,
             )
         except RuntimeError as error:
-            # they load the program that called anew, and run it again if nothing keeps them from it
+            # each process imports the calling program, and runs it again if nothing guards it
             hint = 'call groundslab.study in a file, below if __name__ == "__main__":, or with workers=0'
             raise InputError([Issue("workers", f"none that start ({error})", "processes of Python", hint)]) from error
         with cluster, distributed.Client(cluster) as client:
-            _guard_pages(cluster.scheduler, dashboard)
+            _restrict_pages(cluster.scheduler, dashboard)
             yield Cluster(client, cluster.dashboard_link if dashboard else "", own=True)
 
 
-def _keys(distributed: Any) -> Any:
-    """Return a key and a certificate for this run alone, kept in memory; who connects must have them."""
-    try:
-        return distributed.Security.temporary()
-    except ImportError:
-        expected = "cryptography, which makes the keys of a run"
-        hint = "pip install groundslab[study]; --workers 0 does without it"
-        raise InputError([Issue("cryptography", "nothing that can be imported", expected, hint)]) from None
+def _make_keys(distributed: Any) -> Any:
+    """Return a key and a certificate for this run alone, kept in memory; connections need them."""
+    import_optional("cryptography", "which makes the keys of a run", HINT)
+    return distributed.Security.temporary()
 
 
 def _dashboard_settings(port: int) -> dict[str, Any]:
-    """Return the settings by which the dashboard talks to its own pages alone."""
+    """Return the settings with which the dashboard accepts connections from its own pages only."""
     origins = [f"{LOOPBACK}:{port}", f"localhost:{port}"]
     return {"distributed.scheduler.dashboard.bokeh-application.allow_websocket_origin": origins}
 
 
-def _guard_pages(scheduler: Any, dashboard: bool) -> None:
-    """Close the scheduler's port for HTTP, or answer only who asks for this machine by a name of the loopback."""
+def _restrict_pages(scheduler: Any, dashboard: bool) -> None:
+    """Close the scheduler's HTTP port, or answer only requests for a name of the loopback."""
     if not dashboard:
         scheduler.http_server.stop()
         return
@@ -140,7 +138,7 @@ def _guard_pages(scheduler: Any, dashboard: bool) -> None:
 
 
 def _free_port(port: int) -> int:
-    """Return a port of the loopback that nobody has, this one if possible."""
+    """Return a free port of the loopback, this one if possible."""
     with socket.socket() as tried:
         try:
             tried.bind((LOOPBACK, port))
@@ -151,16 +149,16 @@ def _free_port(port: int) -> int:
 
 
 @contextmanager
-def there(scheduler: str, setup: Setup) -> Iterator[Cluster]:
-    """Return the cluster of a scheduler that runs already; InputError if it cannot be used.
+def connect(scheduler: str, setup: Setup) -> Iterator[Cluster]:
+    """Connect to the cluster of a running scheduler; raises InputError if it cannot be used.
 
     For an address that begins with tls:// the keys are those that Dask's configuration names.
     """
-    distributed, _ = _dask()
-    # what becomes of the connection is told in our own words
+    distributed, _ = _import_dask()
+    # problems of the connection are reported in our own words
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     try:
-        client = distributed.Client(scheduler, timeout=CONNECT)
+        client = distributed.Client(scheduler, timeout=CONNECT_TIMEOUT)
     except (OSError, ValueError, TypeError, RuntimeError) as error:
         hint = ""
         if scheduler.startswith("tls:"):
@@ -169,23 +167,22 @@ def there(scheduler: str, setup: Setup) -> Iterator[Cluster]:
         raise InputError([Issue("scheduler", f"{scheduler}: {error}", expected, hint)]) from None
     try:
         with suppress(TimeoutError):
-            client.wait_for_workers(1, timeout=PATIENCE)
+            client.wait_for_workers(1, timeout=WORKER_TIMEOUT)
         if not client.nthreads():
             raise InputError([Issue("scheduler", f"{scheduler}, without workers", "at least one worker")])
         _require_same_versions(client, packages_of(setup))
         yield Cluster(client, client.dashboard_link, own=False)
     finally:
         with suppress(Exception):
-            client.close(timeout=CONNECT if client.status == "running" else 0.1)
+            client.close(timeout=CONNECT_TIMEOUT if client.status == "running" else 0.1)
 
 
 def rows(
     cluster: Cluster, name: str, setup: Setup, variants: Iterable[Variant], known_meshes: Callable[[], Sequence[str]]
-) -> Generator[list[Row | Mishap]]:
-    """Yield the rows of variants as they come, in whatever order, several at a time if they come together.
+) -> Generator[list[Row | WorkerFailure]]:
+    """Yield the rows of variants as they are solved, in any order, several at a time if they come together.
 
-    `name` is the study's on the cluster. Raises LostScheduler. When it is closed early it yields nothing more, and what
-    is under way is given up.
+    `name` is the study's on the cluster. Raises LostScheduler. Closing the generator early cancels pending tasks.
     """
     from groundslab.study.execution.dask_plugin import Plugin, solve
 
@@ -193,11 +190,11 @@ def rows(
     packages = packages_of(setup)
     client.register_plugin(Plugin(name, setup, packages, versions.versions(packages), cluster.own), name=name)
     run, left = secrets.token_hex(4), iter(variants)
-    under_way: dict[Any, int] = {}
-    looked, room = -LOOK, 0
+    pending: dict[Any, int] = {}
+    updated, limit = -UPDATE_INTERVAL, 0
     import distributed
 
-    def handed_over(variants: list[Variant]) -> list[tuple[Any, int]]:
+    def submit(variants: list[Variant]) -> list[tuple[Any, int]]:
         if not variants:
             return []
         keys = [f"{name}-{run}-{variant.number}" for variant in variants]
@@ -208,41 +205,41 @@ def rows(
     pool = distributed.as_completed([])
     try:
         while True:
-            if time.monotonic() - looked > LOOK:
-                looked, room = time.monotonic(), AHEAD * max(1, _asked(cluster))
-            if len(under_way) <= room // 2:
-                for future, number in handed_over(list(itertools.islice(left, room - len(under_way)))):
-                    under_way[future] = number
+            if time.monotonic() - updated > UPDATE_INTERVAL:
+                updated, limit = time.monotonic(), TASKS_PER_THREAD * max(1, _count_threads(cluster))
+            if len(pending) <= limit // 2:
+                for future, number in submit(list(itertools.islice(left, limit - len(pending)))):
+                    pending[future] = number
                     pool.add(future)
-            if not under_way:
+            if not pending:
                 return
             done = []
             for future in next(pool.batches()):
-                # a worker that dies takes with it what was not fetched; the scheduler has it solved again
+                # results of a worker that dies before they are fetched are lost; the scheduler has them solved again
                 if future.status in ("lost", "pending"):
                     pool.add(future)
-                elif future in under_way:
-                    done.append(_outcome(future, under_way.pop(future)))
+                elif future in pending:
+                    done.append(_outcome(future, pending.pop(future)))
             if done:
                 yield done
     finally:
-        # else there is nobody to tell that it is over
+        # a lost scheduler cannot cancel anything
         if client.status == "running":
             with suppress(Exception):
-                client.cancel(list(under_way), force=True)
+                client.cancel(list(pending), force=True)
                 client.unregister_worker_plugin(name)
 
 
-def _asked(cluster: Cluster) -> int:
-    """Return the number of threads; raises LostScheduler."""
+def _count_threads(cluster: Cluster) -> int:
+    """Return the number of threads of a cluster; raises LostScheduler."""
     try:
         return cluster.threads
     except Exception as error:
         raise _lost(error) from error
 
 
-def _outcome(future: Any, number: int) -> Row | Mishap:
-    """Return what became of a task."""
+def _outcome(future: Any, number: int) -> Row | WorkerFailure:
+    """Return the outcome of a finished task; raises LostScheduler."""
     if future.status == "finished":
         try:
             row: Row = future.result()
@@ -252,8 +249,8 @@ def _outcome(future: Any, number: int) -> Row | Mishap:
     if future.status == "error":
         raised = future.exception()
         if type(raised).__name__ == "KilledWorker":
-            return Mishap(number, f"{raised.allowed_failures + 1} workers died of it, maybe for want of memory")
-        return Mishap(number, f"{type(raised).__name__}: {raised}")
+            return WorkerFailure(number, f"{raised.allowed_failures + 1} workers died of it, perhaps out of memory")
+        return WorkerFailure(number, f"{type(raised).__name__}: {raised}")
     raise _lost(None)
 
 
@@ -263,32 +260,32 @@ def _lost(error: Exception | None) -> LostScheduler:
 
 
 def packages_of(setup: Setup) -> tuple[str, ...]:
-    """Return the packages that must be the same everywhere for the rows of a study to be the same."""
+    """Return the packages that must have the same versions everywhere for the same rows."""
     model = setup.model
     on_grids = model.plain and not model.soil_zones and not model.contact.voids
     return versions.MUST_AGREE if on_grids else (*versions.MUST_AGREE, *versions.MESHERS)
 
 
 def _require_same_versions(client: Any, packages: tuple[str, ...]) -> None:
-    """Raise InputError if a process of the cluster has not the same packages as this one."""
+    """Raise InputError if a process of the cluster has other versions of packages than this one."""
     import cloudpickle
 
-    # sent by value, as groundslab may be what is missing there
+    # sent by value, as groundslab itself may be missing there
     cloudpickle.register_pickle_by_value(versions)
     try:
         found = {f"worker {address}": each for address, each in client.run(versions.versions, packages).items()}
         found["scheduler"] = client.run_on_scheduler(versions.versions, packages)
     finally:
         cloudpickle.unregister_pickle_by_value(versions)
-    issues = differences(packages, versions.versions(packages), found)
+    issues = version_differences(packages, versions.versions(packages), found)
     if issues:
         raise InputError(issues)
 
 
-def differences(
+def version_differences(
     packages: Sequence[str], here: Mapping[str, str], elsewhere: Mapping[str, Mapping[str, str]]
 ) -> list[Issue]:
-    """Return which packages differ from those here, by the process that has others."""
+    """Return the packages that differ from those here, for each process."""
     return [
         Issue(
             where,
@@ -302,14 +299,8 @@ def differences(
     ]
 
 
-def _dask() -> tuple[Any, Any]:
-    """Return Dask's two packages."""
-    try:
-        import dask
-        import dask.system
-        import distributed
-    except ImportError:
-        expected = "distributed, Dask's package for several processes"
-        hint = "pip install groundslab[study]; --workers 0 does without it"
-        raise InputError([Issue("distributed", "nothing that can be imported", expected, hint)]) from None
-    return distributed, dask
+def _import_dask() -> tuple[Any, Any]:
+    """Return Dask's two packages; raises InputError where they are not installed."""
+    distributed = import_optional("distributed", "Dask's package for several processes", HINT)
+    import_optional("dask.system", "Dask's package for several processes", HINT)
+    return distributed, import_optional("dask", "Dask's package for several processes", HINT)

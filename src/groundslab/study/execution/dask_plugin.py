@@ -1,4 +1,4 @@
-"""What Dask's workers keep for a study, and what they do with it; loaded with Dask, by who uses it."""
+"""Plugin of Dask's workers that solves variants of a study; imported only where Dask is."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from distributed import WorkerPlugin, get_worker
 
 from groundslab.study.definition.setup import Setup
-from groundslab.study.execution import versions as asked
+from groundslab.study.execution import versions as package_versions
 from groundslab.study.execution.variant import Row, Worker
 from groundslab.study.sampling.designs import Variant
 
@@ -21,30 +21,30 @@ def dask_setup(worker: Any) -> None:
 
 
 class Plugin(WorkerPlugin):  # type: ignore[misc]
-    """The setup of a study, and for each thread of a worker what its variants have in common."""
+    """The setup of a study, and a `Worker` for each thread of a Dask worker."""
 
     def __init__(
-        self, name: str, setup: Setup, packages: tuple[str, ...], versions: Mapping[str, str], deaf: bool
+        self, name: str, setup: Setup, packages: tuple[str, ...], versions: Mapping[str, str], ignore_interrupt: bool
     ) -> None:
         self.name = name
         self._setup = setup
         self._packages = packages
         self._versions = versions
-        self._deaf = deaf
+        self._ignore_interrupt = ignore_interrupt
         self._own: threading.local | None = None
 
     def setup(self, worker: Any) -> None:
-        """Begin on a worker; raises RuntimeError if its versions differ, so that one that comes later stays out."""
-        here = asked.versions(self._packages)
+        """Start on a worker; raises RuntimeError if its versions differ, also for workers that join late."""
+        here = package_versions.versions(self._packages)
         if here != self._versions:
             raise RuntimeError(f"{worker.address} has {here}, the study is run with {self._versions}")
-        if self._deaf and threading.current_thread() is threading.main_thread():
-            # Ctrl-C reaches all processes of a terminal; the one that runs the study ends the others
+        if self._ignore_interrupt and threading.current_thread() is threading.main_thread():
+            # Ctrl-C reaches all processes of a terminal; the one that runs the study stops the others
             signal.signal(signal.SIGINT, signal.SIG_IGN)
         self._own = threading.local()
 
     def teardown(self, worker: Any) -> None:  # noqa: ARG002
-        """End on a worker, and let go of what was kept."""
+        """End on a worker, and release the study."""
         self._own = None
 
     def row(self, variant: Variant, known_meshes: Sequence[str]) -> Row:

@@ -1,4 +1,4 @@
-"""How far a study is, on the terminal: a bar with the time that is left, and a few lines where there is none."""
+"""Shows the progress of a study on the terminal: a bar with the remaining time, or a few lines without a terminal."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 
     from groundslab.study.execution.runner import OnProgress, Progress
 
-#: Rows of so many seconds back tell how fast the study runs.
-LOOK_BACK = 600.0
+#: Period over which the speed of a study is estimated [s].
+SPEED_PERIOD = 600.0
 
 
 @contextmanager
-def shown(quiet: bool, console: Console | None = None) -> Iterator[OnProgress]:
-    """Return what shows the progress of a study on standard error (or the given console); quiet shows nothing."""
+def show_progress(quiet: bool, console: Console | None = None) -> Iterator[OnProgress]:
+    """Provide a function that shows the progress of a study on standard error (or a console); quiet shows nothing."""
     if quiet:
         yield lambda _: None
         return
@@ -31,41 +31,36 @@ def shown(quiet: bool, console: Console | None = None) -> Iterator[OnProgress]:
         SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
         TextColumn("left {task.fields[failed]}"),
     )  # fmt: skip
-    with Bar(*columns, console=console, speed_estimate_period=LOOK_BACK, disable=not console.is_terminal) as bar:
-        task = bar.add_task("begins", total=None, failed="")
-        told: list[str] = []
-
-        def tell(line: str) -> None:
-            if line not in told:
-                told.append(line)
-                console.print(line, markup=False, highlight=False, soft_wrap=True)
+    with Bar(*columns, console=console, speed_estimate_period=SPEED_PERIOD, disable=not console.is_terminal) as bar:
+        task = bar.add_task("starting", total=None, failed="")
+        printed: set[str] = set()
 
         def on_progress(progress: Progress) -> None:
-            for line in (head(progress), *progress.warnings):
-                tell(line)
-            if progress.where:
-                tell(whereabouts(progress))
-            # what is there already counts for the bar, not for the speed
-            bar.update(task, total=progress.total, completed=progress.rows, failed=failures(progress),
-                       description="variants" if progress.where else "begins")  # fmt: skip
+            for line in (describe_start(progress), *progress.warnings, describe_place(progress)):
+                if line and line not in printed:
+                    printed.add(line)
+                    console.print(line, markup=False, highlight=False, soft_wrap=True)
+            # rows of earlier runs count for the bar, not for the speed
+            bar.update(task, total=progress.total, completed=progress.rows, failed=describe_failures(progress),
+                       description="variants" if progress.where else "starting")  # fmt: skip
 
         yield on_progress
 
 
-def head(progress: Progress) -> str:
-    """Return what the study is, and what of it is there already."""
+def describe_start(progress: Progress) -> str:
+    """Return the folder of a study, its size, and how many rows it has already."""
     there = f", of which {progress.there} have a row already" if progress.there else ""
     return f"{progress.folder}: {progress.total} variants{there}"
 
 
-def whereabouts(progress: Progress) -> str:
-    """Return where variants are solved, and where that can be watched."""
-    watched = f"; Dask's dashboard: {progress.dashboard}" if progress.dashboard else ""
-    return f"solving {progress.where}{watched}"
+def describe_place(progress: Progress) -> str:
+    """Return where variants are solved, empty before it is known, and the address of the dashboard."""
+    dashboard = f"; Dask's dashboard: {progress.dashboard}" if progress.dashboard else ""
+    return f"solving {progress.where}{dashboard}" if progress.where else ""
 
 
-def failures(progress: Progress) -> str:
-    """Return how many variants failed and had mishaps, nothing if none did."""
+def describe_failures(progress: Progress) -> str:
+    """Return how many variants failed and how many have no row, empty if none."""
     parts = [f"{progress.failed} failed" if progress.failed else ""]
-    parts.append(f"{len(progress.mishaps)} without a row" if progress.mishaps else "")
+    parts.append(f"{len(progress.failures)} without a row" if progress.failures else "")
     return ", ".join(filter(None, parts))

@@ -1,4 +1,4 @@
-"""Running a study: variants without a row are solved, here or on Dask, and each row is written as it comes."""
+"""Runs a study: solves the variants without a row, in this process or on Dask, and writes each row as it comes."""
 
 from __future__ import annotations
 
@@ -13,25 +13,24 @@ from typing import TYPE_CHECKING, Any
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.study.definition import files
-from groundslab.study.definition.setup import columns_of, warnings_of
+from groundslab.study.definition.setup import column_units, warnings_of
 from groundslab.study.execution import dask_cluster, store, versions
-from groundslab.study.execution.dask_cluster import Mishap
-from groundslab.study.execution.store import columns_in
-from groundslab.study.execution.variant import Row, Worker
+from groundslab.study.execution.dask_cluster import WorkerFailure
+from groundslab.study.execution.variant import SOLVED, Row, Worker
 from groundslab.study.sampling import random_fields
-from groundslab.study.sampling.designs import Sample, sample_of
+from groundslab.study.sampling.designs import VariantList, list_variants
 
 if TYPE_CHECKING:
     from groundslab.study.definition.setup import Setup
     from groundslab.study.sampling.designs import Variant
 
-#: Packages whose versions a study's folder tells: also those that need not be the same everywhere.
-TOLD = (*versions.MUST_AGREE, *versions.MESHERS, "mkl")
+#: Packages whose versions are recorded in a study's folder, also those that may differ between processes.
+RECORDED = (*versions.MUST_AGREE, *versions.MESHERS, "mkl")
 
 
 @dataclass(frozen=True, slots=True)
-class Where:
-    """Where variants are solved: in so many processes of this machine, on a cluster, or (0) in this process."""
+class Resources:
+    """Where variants are solved: in a number of processes of this machine, on a cluster, or (0) in this process."""
 
     workers: int | None = None  # None: one for each core
     scheduler: str | None = None
@@ -40,7 +39,7 @@ class Where:
 
 @dataclass(slots=True)
 class Progress:
-    """How far a study is, for who shows it."""
+    """Progress of a study."""
 
     folder: Path
     total: int
@@ -50,7 +49,7 @@ class Progress:
     where: str = ""
     dashboard: str = ""
     warnings: tuple[str, ...] = ()
-    mishaps: list[Mishap] = field(default_factory=list)
+    failures: list[WorkerFailure] = field(default_factory=list)
 
     @property
     def rows(self) -> int:
@@ -58,115 +57,106 @@ class Progress:
         return self.solved + self.failed
 
 
-#: Is told the progress at the start, when workers are there, and after rows were written.
+#: Called with the progress at the start, when workers are ready, and after rows were written.
 OnProgress = Callable[[Progress], None]
 
 
-def run(read: files.Read, folder: Path, where: Where, resume: bool, on_progress: OnProgress) -> Progress:
-    """Run a study in its folder and return how far it came: to the end, unless there were mishaps.
+def run(study: files.StudyInput, folder: Path, resources: Resources, resume: bool, on_progress: OnProgress) -> Progress:
+    """Run a study in its folder and return its progress: complete, unless workers failed.
 
-    Raises InputError if it cannot begin, StoreFull or LostScheduler if it cannot go on; then, and if it is interrupted,
-    all rows that were there are on the disk.
+    Raises InputError if it cannot begin, StoreFull or LostScheduler if it cannot continue; then, and if it is
+    interrupted, all finished rows are on the disk.
     """
-    if read.setup.fields:
-        random_fields.generators()
-    prepare(read, folder, resume)
-    with store.locked(folder), store.Store(folder, columns_in(read.setup)) as rows:
-        sample = sample_of(read.setup)
-        _require_same_inputs(rows, sample)
-        there = rows.count()
-        failed = rows.count("failed")
-        progress = Progress(folder, len(sample), there, failed, there - failed, warnings=tuple(warnings_of(read.setup)))
-        todo = [sample[number] for number in _missing(rows, sample)]
+    if study.setup.fields:
+        random_fields.import_gstools()
+    prepare(study, folder, resume)
+    with store.lock(folder), store.Store(folder, study.setup) as rows:
+        variants = list_variants(study.setup)
+        _require_same_inputs(rows, variants)
+        there, solved = rows.count(), rows.counts().get(SOLVED, 0)
+        progress = Progress(
+            folder, len(variants), there, there - solved, solved, warnings=tuple(warnings_of(study.setup))
+        )
+        done = rows.numbers()
+        todo = [variants[number] for number in range(1, len(variants) + 1) if number not in done]
         on_progress(progress)
         if not todo:
             return progress
-        rows.begin(versions_told())
-        with _solving(read, folder, where, todo, rows.mesh_keys, progress) as outcomes:
+        rows.add_run(versions.versions(RECORDED))
+        with _solving(study, folder, resources, todo, rows.mesh_keys, progress) as outcomes:
             on_progress(progress)
             for batch in outcomes:
                 made = [each for each in batch if isinstance(each, Row)]
-                mishaps = [each for each in batch if isinstance(each, Mishap)]
+                failures = [each for each in batch if isinstance(each, WorkerFailure)]
                 rows.add(*made)
-                for mishap in mishaps:
-                    rows.tell(mishap.number, mishap.message)
-                progress.solved += sum(row.status == "solved" for row in made)
-                progress.failed += sum(row.status != "solved" for row in made)
-                progress.mishaps += mishaps
+                for failure in failures:
+                    rows.add_failure(failure.number, failure.message)
+                progress.solved += sum(row.status == SOLVED for row in made)
+                progress.failed += sum(row.status != SOLVED for row in made)
+                progress.failures += failures
                 on_progress(progress)
     return progress
 
 
 @contextmanager
 def _solving(
-    read: files.Read,
+    study: files.StudyInput,
     folder: Path,
-    where: Where,
+    resources: Resources,
     todo: Sequence[Variant],
     known_meshes: Callable[[], Sequence[str]],
     progress: Progress,
-) -> Iterator[Iterator[list[Row | Mishap]]]:
-    """Return what yields the rows of variants, wherever they are solved."""
-    if where.scheduler is None and where.workers == 0:
+) -> Iterator[Iterator[list[Row | WorkerFailure]]]:
+    """Provide an iterator over the rows of variants, wherever they are solved."""
+    if resources.scheduler is None and resources.workers == 0:
         progress.where = "in this process"
-        yield _here(read.setup, todo, known_meshes)
+        yield _solve_here(study.setup, todo, known_meshes)
         return
     with ExitStack() as stack:
-        if where.scheduler is None:
-            found = stack.enter_context(dask_cluster.local(where.workers, len(todo), where.dashboard))
+        if resources.scheduler is None:
+            found = stack.enter_context(dask_cluster.start_local(resources.workers, len(todo), resources.dashboard))
         else:
-            found = stack.enter_context(dask_cluster.there(where.scheduler, read.setup))
+            found = stack.enter_context(dask_cluster.connect(resources.scheduler, study.setup))
         count = found.threads
         progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", found.dashboard
         # of a folder that is locked no other run can have the same name
-        mark = sha256(f"{folder.resolve()} {read.study_sha256} {read.case_sha256}".encode()).hexdigest()[:12]
-        outcomes = dask_cluster.rows(found, f"groundslab-{mark}", read.setup, todo, known_meshes)
+        mark = sha256(f"{folder.resolve()} {study.study_sha256} {study.case_sha256}".encode()).hexdigest()[:12]
+        outcomes = dask_cluster.rows(found, f"groundslab-{mark}", study.setup, todo, known_meshes)
         with closing(outcomes):
             yield outcomes
 
 
-def _here(
+def _solve_here(
     setup: Setup, todo: Iterable[Variant], known_meshes: Callable[[], Sequence[str]]
-) -> Iterator[list[Row | Mishap]]:
+) -> Iterator[list[Row | WorkerFailure]]:
     """Yield the rows of variants solved in this process, one after the other."""
     worker = Worker(setup)
     for variant in todo:
-        outcome: Row | Mishap
+        outcome: Row | WorkerFailure
         try:
             outcome = worker.row(variant, known_meshes())
         except Exception as error:
-            outcome = Mishap(variant.number, f"{type(error).__name__}: {error}")
+            outcome = WorkerFailure(variant.number, f"{type(error).__name__}: {error}")
         yield [outcome]
 
 
-def prepare(read: files.Read, folder: Path, resume: bool) -> None:
-    """Make the folder of a study, or make sure that the one which is there is of this study; raises InputError."""
+def prepare(study: files.StudyInput, folder: Path, resume: bool) -> None:
+    """Make the folder of a study, or check that an existing one is of this study; raises InputError."""
     if resume and folder.is_dir():
-        issues = _other(store.about(folder), read)
+        issues = _differences(store.about(folder), study)
         if issues:
             raise InputError(issues)
         return
     if store.is_store(folder):
-        hint = "--resume goes on with it; --out names another folder"
+        hint = "--resume continues it; --out names another folder"
         raise InputError([Issue(str(folder), "a study that is there already", "a name that is free", hint)])
-    store.create(folder, read.study_text, read.case_text, _about(read), columns_in(read.setup))
+    store.create(folder, study.study_text, study.case_text, _about(study), study.setup)
 
 
-def versions_told() -> dict[str, str]:
-    """Return the versions of all that rows hang on."""
-    return versions.versions(TOLD)
-
-
-def _missing(rows: store.Store, sample: Sample) -> Iterator[int]:
-    """Yield the numbers of the variants that have no row."""
-    there = rows.numbers()
-    return (number for number in range(1, len(sample) + 1) if number not in there)
-
-
-def _require_same_inputs(rows: store.Store, sample: Sample) -> None:
+def _require_same_inputs(rows: store.Store, variants: VariantList) -> None:
     """Raise InputError if rows that are there have other values than the study has now."""
     for number, *inputs in rows.rows(["number", *rows.columns.inputs]):
-        variant = sample[number]
+        variant = variants[number]
         if tuple(inputs) != tuple(store.plain(value) for value in (*variant.values, *variant.seeds)):
             found = "another version of numpy or scipy, which draws other numbers"
             expected = f"that of {store.ABOUT} there"
@@ -175,28 +165,28 @@ def _require_same_inputs(rows: store.Store, sample: Sample) -> None:
             )
 
 
-def _about(read: files.Read) -> dict[str, Any]:
-    """Return what a study's folder says of itself."""
+def _about(study: files.StudyInput) -> dict[str, Any]:
+    """Return the contents of about.json."""
     return {
         "program": "groundslab study",
-        "title": read.setup.title,
+        "title": study.setup.title,
         "made": datetime.now(UTC).isoformat(timespec="seconds"),
-        "seed": read.setup.seed,
-        "variants": read.setup.count,
-        "study_sha256": read.study_sha256,
-        "case_sha256": read.case_sha256,
-        "versions": versions_told(),
-        "units": dict(columns_of(read.setup)),
+        "seed": study.setup.seed,
+        "variants": study.setup.count,
+        "study_sha256": study.study_sha256,
+        "case_sha256": study.case_sha256,
+        "versions": versions.versions(RECORDED),
+        "units": dict(column_units(study.setup)),
     }
 
 
-def _other(about: Mapping[str, Any], read: files.Read) -> list[Issue]:
-    """Return what tells the study in a folder from the one that is asked for."""
+def _differences(about: Mapping[str, Any], study: files.StudyInput) -> list[Issue]:
+    """Return the differences between the study in a folder and this one."""
     issues = []
-    hint = "take it back, or choose another folder with --out"
+    hint = "restore it, or choose another folder with --out"
     for key, now, what in (
-        ("study_sha256", read.study_sha256, "study file"),
-        ("case_sha256", read.case_sha256, "case file"),
+        ("study_sha256", study.study_sha256, "study file"),
+        ("case_sha256", study.case_sha256, "case file"),
     ):
         if about[key] != now:
             issues.append(Issue(what, "a file that was changed", "the one that the rows in the folder are of", hint))

@@ -1,14 +1,14 @@
-"""The store of a study: a folder with its files and a table of rows, each on the disk as soon as it is there.
+"""The folder of a study: its files and a table of rows, each on the disk as soon as it is solved.
 
     STUDY-study/
-        study.toml, case.toml    copies of what was asked
-        about.json               seed, versions, SHA-256 of both files, what the columns are
+        study.toml, case.toml    copies of the study file and its case
+        about.json               seed, versions, SHA-256 of both files, units of the columns
         rows.sqlite              tables of rows, meshes, runs, mishaps
         lock.sqlite              empty; locked while a study runs
 
-A folder is made under another name and renamed when it is whole. Rows are added one by one, each in a transaction of
-its own that has reached the disk when `add` returns (SQLite in WAL mode with synchronous = FULL); a row's number is
-the table's key, so that none can be there twice.
+A folder is made under another name and renamed when it is complete. Rows are added in transactions that have reached
+the disk when `add` returns (SQLite in WAL mode with synchronous = FULL); a row's number is the table's key, so that
+none can be there twice.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import sqlite3
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, suppress
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,20 +29,16 @@ import numpy as np
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.storage import atomic
-from groundslab.study.definition.setup import Setup
-from groundslab.study.execution import store
-from groundslab.study.execution.variant import Row, key_of, split
+from groundslab.study.execution.variant import key_of
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
-    from groundslab.fem.mesh import Mesh
-
-if TYPE_CHECKING:
-    from groundslab.arrays import Array
+    from groundslab.study.definition.setup import Setup
+    from groundslab.study.execution.variant import Row
 
 STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
 FORMAT = 1
-#: Types of what about.json holds and is read from there.
+#: Types of the values in about.json that are read from there.
 _TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
 #: Columns before those of the study.
 FIXED = ("number", "status", "reason", "message", "seconds")
@@ -51,15 +48,15 @@ class StoreFull(GroundslabError):
     """A row could not be written, mostly as the disk is full; rows written before are as they were."""
 
 
-def create(folder: Path, study: str, case: str, about: Mapping[str, Any], columns: Columns) -> None:
-    """Make the folder of a study, whole or not at all; raises InputError if the name is taken or cannot be written."""
+def create(folder: Path, study: str, case: str, about: Mapping[str, Any], setup: Setup) -> None:
+    """Make the folder of a study, completely or not at all; raises InputError if that is impossible."""
 
     def fill(staging: Path) -> None:
         (staging / STUDY).write_text(study, encoding="utf-8")
         (staging / CASE).write_text(case, encoding="utf-8")
         (staging / ABOUT).write_text(json.dumps({"format": FORMAT, **about}, indent=2) + "\n", encoding="utf-8")
         with closing(_connect(staging / ROWS)) as connection, connection:
-            for statement in columns.statements():
+            for statement in table_columns(setup).statements():
                 connection.execute(statement)
 
     try:
@@ -79,19 +76,21 @@ def _require_free(folder: Path) -> None:
         raise InputError([Issue(str(folder), "a name that is taken", "a name that is free", "choose another folder")])
 
 
+@dataclass(frozen=True, slots=True)
 class Columns:
-    """The columns of a study's table: inputs, results, whole fields, by their names."""
+    """The columns of a study's table of rows, besides those of FIXED."""
 
-    def __init__(self, inputs: Sequence[str], results: Sequence[str], fields: Sequence[str]) -> None:
-        self.inputs, self.results, self.fields = tuple(inputs), tuple(results), tuple(fields)
+    inputs: tuple[str, ...]
+    results: tuple[str, ...]  # outputs that are one number
+    fields: tuple[str, ...]  # outputs with a value at each node
 
     @property
-    def all(self) -> tuple[str, ...]:
-        """Return all columns in the order of the table."""
-        return (*FIXED, *self.inputs, *self.results, *self.fields, "mesh")
+    def scalars(self) -> tuple[str, ...]:
+        """Return all columns but those of fields and mesh, in the order of the table."""
+        return (*FIXED, *self.inputs, *self.results)
 
     def statements(self) -> list[str]:
-        """Return what makes the tables."""
+        """Return the SQL that creates the tables."""
         fixed = [
             "number INTEGER PRIMARY KEY", "status TEXT NOT NULL", "reason TEXT NOT NULL", "message TEXT NOT NULL",
             "seconds REAL NOT NULL",
@@ -106,19 +105,27 @@ class Columns:
         ]
 
 
+def table_columns(setup: Setup) -> Columns:
+    """Return the columns of a study's table of rows."""
+    inputs = (*(each.name for each in setup.variables), *(each.name for each in setup.fields))
+    return Columns(
+        inputs, tuple(each.name for each in setup.scalar_outputs), tuple(each.name for each in setup.nodal_outputs)
+    )
+
+
 class Store:
     """The rows of a study in its folder, to be read and added to."""
 
-    def __init__(self, folder: str | Path, columns: Columns, read_only: bool = False) -> None:
+    def __init__(self, folder: str | Path, setup: Setup, read_only: bool = False) -> None:
         self.folder = Path(folder)
-        self.columns = columns
+        self.columns = table_columns(setup)
         self._read_only = read_only
         self._connection = (_connect_to_read if read_only else _connect)(self.folder / ROWS)
 
     def close(self) -> None:
-        """Let go of the file; whoever wrote leaves no second file behind."""
+        """Close the database; after writing no second file is left behind."""
         if not self._read_only:
-            # not while somebody reads, nor on a full disk
+            # fails while somebody reads, and on a full disk
             with suppress(sqlite3.Error):
                 self._connection.execute("PRAGMA journal_mode = DELETE")
         self._connection.close()
@@ -128,12 +135,12 @@ class Store:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Let go of the file."""
+        """Close the database."""
         self.close()
 
     def add(self, *rows: Row) -> int:
         """Write rows to the disk, all or none; return how many were not there yet. Raises StoreFull."""
-        marks = ", ".join("?" * len(self.columns.all))
+        marks = ", ".join("?" * (len(self.columns.scalars) + len(self.columns.fields) + 1))
         new = 0
         with self._writing(f"row {rows[0].number}" if rows else "a row"):
             for row in rows:
@@ -147,18 +154,18 @@ class Store:
                 new += self._connection.execute(f"INSERT OR IGNORE INTO rows VALUES ({marks})", values).rowcount
         return new
 
-    def begin(self, versions: Mapping[str, str]) -> None:
-        """Write down that a run begins, and with which versions; raises StoreFull."""
+    def add_run(self, versions: Mapping[str, str]) -> None:
+        """Record the begin of a run and its versions; raises StoreFull."""
         with self._writing("the run"):
             self._connection.execute("INSERT INTO runs VALUES (?, ?)", (_now(), json.dumps(dict(versions))))
 
-    def tell(self, number: int, message: str) -> None:
-        """Write down why a variant has no row; raises StoreFull."""
-        with self._writing("a mishap"):
+    def add_failure(self, number: int, message: str) -> None:
+        """Record why a worker made no row of a variant; raises StoreFull."""
+        with self._writing("the failure of a worker"):
             self._connection.execute("INSERT INTO mishaps VALUES (?, ?, ?)", (number, _now(), message))
 
-    def mishaps(self) -> dict[int, str]:
-        """Return the last mishap of each variant that has no row."""
+    def worker_failures(self) -> dict[int, str]:
+        """Return the last failure of a worker for each variant that has no row."""
         found = self._connection.execute(
             "SELECT number, message FROM mishaps WHERE number NOT IN (SELECT number FROM rows) ORDER BY at"
         )
@@ -171,7 +178,7 @@ class Store:
 
     @contextmanager
     def _writing(self, what: str) -> Iterator[None]:
-        """Make what is written within one transaction; raises StoreFull if it fails, with nothing written."""
+        """Write within one transaction; raises StoreFull if it fails, with nothing written."""
         try:
             with self._connection:
                 yield
@@ -182,11 +189,9 @@ class Store:
         """Return the numbers of the rows that are there."""
         return {number for (number,) in self._connection.execute("SELECT number FROM rows")}
 
-    def count(self, status: str | None = None) -> int:
-        """Return how many rows there are, of one status or of all."""
-        where, values = ("", ()) if status is None else (" WHERE status = ?", (status,))
-        (found,) = self._connection.execute(f"SELECT COUNT(*) FROM rows{where}", values).fetchone()
-        return int(found)
+    def count(self) -> int:
+        """Return how many rows there are."""
+        return int(self._connection.execute("SELECT COUNT(*) FROM rows").fetchone()[0])
 
     def counts(self) -> dict[str, int]:
         """Return how many rows are solved, and how many failed for each reason, the most frequent first."""
@@ -199,7 +204,7 @@ class Store:
         return list(self._connection.execute(f"SELECT {chosen} FROM rows ORDER BY number"))
 
     def fields(self, name: str) -> Iterator[tuple[int, str, Array]]:
-        """Yield number, key of the mesh and values (n,) of a field that was kept everywhere, row by row."""
+        """Yield number, key of the mesh and values (n,) of a field with values at all nodes, row by row."""
         statement = f"SELECT number, mesh, {_quoted(name)} FROM rows WHERE {_quoted(name)} IS NOT NULL ORDER BY number"
         for number, mesh, blob in self._connection.execute(statement):
             yield number, mesh, np.frombuffer(zlib.decompress(blob), dtype="<f4").astype(float)
@@ -218,7 +223,7 @@ class Store:
 
 
 def about(folder: str | Path) -> dict[str, Any]:
-    """Return what a study's folder says of itself; raises InputError if it is none."""
+    """Return the contents of about.json in a study's folder; raises InputError if it is none."""
     path = Path(folder)
     expected = "a folder that groundslab study made"
     try:
@@ -244,8 +249,8 @@ def is_store(folder: str | Path) -> bool:
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[None]:
-    """Keep other runs out of a study's folder; raises InputError if another one is in. A dead one keeps nobody out."""
+def lock(folder: Path) -> Iterator[None]:
+    """Keep other runs out of a study's folder; raises InputError if one is running. A dead process holds no lock."""
     with closing(sqlite3.connect(folder / LOCK, timeout=0, isolation_level=None)) as connection:
         try:
             connection.execute("BEGIN EXCLUSIVE")
@@ -260,7 +265,7 @@ def locked(folder: Path) -> Iterator[None]:
 def _connect(path: Path) -> sqlite3.Connection:
     """Return a connection for writing."""
     connection = sqlite3.connect(path)
-    # on a disk that knows no shared memory the mode stays as it was, which is as safe
+    # on a disk without shared memory the mode stays as it was, which is as safe
     with suppress(sqlite3.Error):
         connection.execute("PRAGMA journal_mode = WAL")
     connection.execute("PRAGMA synchronous = FULL")
@@ -276,10 +281,8 @@ def _connect_to_read(path: Path) -> sqlite3.Connection:
     except sqlite3.OperationalError:
         connection.close()
         if path.with_name(f"{path.name}-wal").exists():
-            hint = "rows of a run that was cut short are still in its log; copy the folder to where it can be written"
-            raise InputError(
-                [Issue(str(path), "a place without leave to write", "one that can be written", hint)]
-            ) from None
+            hint = "rows of an interrupted run are still in its log; copy the folder to where it can be written"
+            raise InputError([Issue(str(path), "a read-only folder", "one that can be written", hint)]) from None
         # a reader's shared memory cannot be made there, and nobody can be writing either
         connection = sqlite3.connect(f"{place}?immutable=1", uri=True)
     return connection
@@ -294,21 +297,14 @@ def _quoted(name: str) -> str:
 
 
 def plain(value: Any) -> Any:
-    """Return an input as SQLite keeps it: numbers, words, lists as text."""
+    """Return an input as SQLite stores it: numbers, words, lists as text."""
     return json.dumps(value) if isinstance(value, tuple | list) else value
 
 
 def _packed(values: Array | None) -> bytes | None:
-    """Return a field as bytes: numbers of seven digits, which is what a certificate promises and one more."""
+    """Return a field as bytes: numbers of seven digits, one more than a certificate guarantees."""
     return None if values is None else _bytes(values, "<f4")
 
 
 def _bytes(values: Any, kind: str) -> bytes:
     return zlib.compress(np.ascontiguousarray(values, dtype=kind).tobytes())
-
-
-def columns_in(setup: Setup) -> store.Columns:
-    """Return the columns of a study's table."""
-    numbers, whole = split(setup.outputs)
-    inputs = [variable.name for variable in setup.variables] + [field.name for field in setup.fields]
-    return store.Columns(inputs, [output.name for output in numbers], [output.name for output in whole])

@@ -1,4 +1,4 @@
-"""One variant: the case with its values, solved, and what is kept of it."""
+"""Solves one variant and makes its row."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 SOLVED, FAILED = "solved", "failed"
 
-#: What a variant can fail for, again and again: the row says so and is not computed anew.
+#: Errors that a variant fails with whenever it is solved: its row has the reason and is final.
 REASONS: dict[type[GroundslabError], str] = {
     InputError: "input",
     IllConditioned: "IllConditioned",
@@ -48,18 +48,18 @@ REASONS: dict[type[GroundslabError], str] = {
     NotCertified: "NotCertified",
     SingularMatrix: "SingularMatrix",
 }
-LONGEST_MESSAGE = 2000  # characters
+MAX_MESSAGE_LENGTH = 2000  # characters
 
 
 def key_of(mesh: Mesh) -> str:
-    """Return what tells a mesh from others: the SHA-256 of its nodes and elements."""
+    """Return the key of a mesh: the SHA-256 of its nodes and elements."""
     nodes, elements = np.ascontiguousarray(mesh.nodes, dtype="<f8"), np.ascontiguousarray(mesh.elements, dtype="<i8")
     return hashlib.sha256(nodes.tobytes() + elements.tobytes()).hexdigest()
 
 
 @dataclass(frozen=True, eq=False)
 class Row:
-    """What is kept of a variant; all in SI units. A failed one says why, and has None where there is no result."""
+    """The results of a variant, in SI units. A failed one has a reason, and None where there is no result."""
 
     number: int
     status: str
@@ -67,14 +67,14 @@ class Row:
     message: str
     seconds: float
     inputs: tuple[Any, ...]  # values of the variables, then seeds of the random fields
-    results: tuple[float | None, ...]  # in the order of the outputs that are one number
-    fields: tuple[Array | None, ...] = ()  # (n,) each, in the order of those that are kept everywhere
+    results: tuple[float | None, ...]  # in the order of `Setup.scalar_outputs`
+    fields: tuple[Array | None, ...] = ()  # (n,) each, in the order of `Setup.nodal_outputs`
     mesh: str = ""  # key of the mesh that the fields are given on
     meshes: tuple[Mesh, ...] = field(default=(), repr=False)  # that mesh, where it is not known yet
 
 
 class Worker:
-    """Solves variants of one study in this process, keeping what they have in common.
+    """Solves variants of one study in this process, reusing what they have in common.
 
     All start from the case as it is, not from one another, so that a row does not depend on those before it.
     """
@@ -93,7 +93,7 @@ class Worker:
             self._solve = self._solver()
 
     def row(self, variant: Variant, known_meshes: Sequence[str] = ()) -> Row:
-        """Return the row of a variant; errors that lie in the variant are rows too, others are raised."""
+        """Return the row of a variant; errors of REASONS make rows too, others are raised."""
         began = time.perf_counter()
         status, reason, message = SOLVED, "", ""
         combined, names = None, dict[str, str]()
@@ -103,16 +103,18 @@ class Worker:
                 combined = self._solve(model, self._factors(variant.seeds))
             refused = list(combined.refused.values())
             if refused:
-                status, reason, message = FAILED, *_why(refused[0])
+                status, reason, message = FAILED, *_reason_of(refused[0])
         except GroundslabError as error:
-            status, reason, message = FAILED, *_why(error)
-        numbers, whole = split(self._setup.outputs)
-        results: list[float | None] = [None] * len(numbers)
-        arrays: list[Array | None] = [None] * len(whole)
+            status, reason, message = FAILED, *_reason_of(error)
+        setup = self._setup
+        results: list[float | None] = [None] * len(setup.scalar_outputs)
+        arrays: list[Array | None] = [None] * len(setup.nodal_outputs)
         mesh, meshes = "", tuple[Mesh, ...]()
         if combined is not None:
-            results = [outputs.figure_of(each, combined, self._wanted(each, names)) for each in numbers]
-            arrays = [outputs.whole_of(each, combined, self._wanted(each, names)) for each in whole]
+            results = [outputs.scalar_of(each, combined, self._names_for(each, names)) for each in setup.scalar_outputs]
+            arrays = [
+                outputs.nodal_values_of(each, combined, self._names_for(each, names)) for each in setup.nodal_outputs
+            ]
         if combined is not None and any(array is not None for array in arrays):
             plate = next(iter(combined.results.values())).plate
             made = Mesh(plate.nodes, plate.elements)
@@ -123,17 +125,19 @@ class Worker:
             tuple(results), tuple(arrays), mesh, meshes,
         )  # fmt: skip
 
-    def _wanted(self, output: Output, names: dict[str, str]) -> list[str]:
-        """Return the combinations of a variant that an output is of."""
+    def _names_for(self, output: Output, names: dict[str, str]) -> list[str]:
+        """Return the names of the combinations of a variant that an output is of."""
         own = [output.combination] if output.combination else self._all
         return [names[each] for each in own if each in self._ultimate or not output.is_steel]
 
     def _model(self, values: Sequence[Any]) -> tuple[Model, dict[str, str]]:
-        """Return the case with the variables' values, and what its combinations that count are called in it by name.
+        """Return the case with the variables' values, and the names there of the combinations that are solved.
 
-        Names that EN 1990 makes hold factors, which may vary; then a combination is that of the same position.
+        Names made by EN 1990 contain factors, which may vary: combinations are matched by position.
         """
-        model = model_of(self._setup, values)
+        pairs = zip(self._setup.variables, values, strict=True)
+        values_in_case = {variable.place: variable.value_in_case(value) for variable, value in pairs}
+        model = case_paths.with_values(self._setup.model, values_in_case)
         there = combinations_of(model)
         if len(there) != len(self._names):
             expected = f"{len(self._names)}, as the case has"
@@ -150,7 +154,7 @@ class Worker:
         }
 
     def _solver(self) -> Callable[[Model, dict[str, Any]], Combined]:
-        """Return what solves a variant of the case."""
+        """Return the function that solves a variant of the case."""
         from groundslab.analysis.driver import Variants, solve_combinations
 
         base = self._setup.model
@@ -169,25 +173,14 @@ class Worker:
 
 
 def _only(model: Model, combinations: Sequence[Combination]) -> Model:
-    """Return a model with some of its combinations; without an ultimate one nothing is designed."""
+    """Return a model with some of its combinations; without an ultimate one there is no reinforcement design."""
     ultimate = has_ultimate(tuple(combinations), None)
     reinforcement = model.reinforcement if ultimate else None
     return model.replace(combinations=tuple(combinations), combine=None, reinforcement=reinforcement)
 
 
-def split(kept: Sequence[Output]) -> tuple[list[Output], list[Output]]:
-    """Return the outputs that are one number, and those that are whole fields."""
-    return [each for each in kept if not each.everywhere], [each for each in kept if each.everywhere]
-
-
-def model_of(setup: Setup, values: Sequence[Any]) -> Model:
-    """Return the case with the variables' values; raises InputError."""
-    pairs = zip(setup.variables, values, strict=True)
-    return case_paths.changed(setup.model, {variable.place: variable.put(value) for variable, value in pairs})
-
-
-def _why(error: GroundslabError) -> tuple[str, str]:
-    """Return reason and message of a refusal."""
+def _reason_of(error: GroundslabError) -> tuple[str, str]:
+    """Return reason and message of an error."""
     reason = next((word for kind, word in REASONS.items() if isinstance(error, kind)), type(error).__name__)
     message = str(error)
-    return reason, message if len(message) <= LONGEST_MESSAGE else message[: LONGEST_MESSAGE - 3] + "..."
+    return reason, message if len(message) <= MAX_MESSAGE_LENGTH else message[: MAX_MESSAGE_LENGTH - 3] + "..."

@@ -1,4 +1,4 @@
-"""Which versions are there: sent as it is to the processes of a cluster, which may lack groundslab.
+"""Versions of installed packages; sent by value to the processes of a cluster, which may lack groundslab.
 
 Nothing but the standard library may be imported here.
 """
@@ -7,12 +7,12 @@ from __future__ import annotations
 
 #: What must be the same everywhere for rows to be the same, whatever the case.
 MUST_AGREE = ("python", "groundslab", "numpy", "scipy", "pypardiso", "gstools", "dask", "distributed")
-#: Where the mesh is not a plain grid: the makers of meshes.
+#: Where the mesh is not a plain grid.
 MESHERS = ("shapely", "gmsh", "netgen-mesher")
 
 
 def versions(packages: tuple[str, ...]) -> dict[str, str]:
-    """Return the versions of packages, and of Python without its last part; of what is not there nothing."""
+    """Return the versions of packages, and of Python without its last part; missing packages are left out."""
     import importlib
     import importlib.metadata
     import sys

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.arrays import Array, Integers
-    from groundslab.study.evaluation.samples import Gathered, Input, Output, Unit
+    from groundslab.study.evaluation.samples import Gathered, Input, Output
+    from groundslab.units import Unit
 
 #: Letters of a name beside an axis.
 NARROW = 18

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.design.tables.table import Cell, Table
     from groundslab.study.evaluation.form import Reliability
-    from groundslab.study.evaluation.samples import Gathered, Unit
+    from groundslab.study.evaluation.samples import Gathered
+    from groundslab.units import Unit
 
 #: Of a longer table the page shows the first rows; the CSV file has all.
 MOST_ROWS = 200

@@ -11,9 +11,10 @@ from groundslab.errors import InputError, Issue
 from groundslab.storage import atomic, ownership
 from groundslab.study.evaluation import from_study
 from groundslab.study.evaluation import tables as evaluation
-from groundslab.study.evaluation.samples import Unit, unit_for
+from groundslab.study.evaluation.samples import unit_for
 from groundslab.study.evaluation.statistics import LEVEL
 from groundslab.study.report import page
+from groundslab.units import UNITS
 
 if TYPE_CHECKING:
     from groundslab.design.tables.table import Table
@@ -116,7 +117,7 @@ def maps(study: Study) -> Iterator[page.Map]:
         yield page.Map(f"{output.name}: standard deviation", nodes, elements, spread * own.scale, own)
         if output.of == "settlement":
             share = study.map(output.name, "probability of uplift").values
-            yield page.Map(f"{output.name}: probability of uplift", nodes, elements, share * 100, Unit("%", 100.0))
+            yield page.Map(f"{output.name}: probability of uplift", nodes, elements, share * 100, UNITS["%"])
 
 
 def origin(study: Study) -> page.Origin:

@@ -1,4 +1,4 @@
-"""From a study's seed to the values of each variant: grids, lists, sequences and random numbers; dependence.
+"""Designs of experiments: the values of all variants, from the seed of a study.
 
 Normal scores: a variable's value is that of the same probability as a standard normal number's. Scores are made
 dependent by the Cholesky factor of their correlations (Gaussian copula; Nataf 1962, but with the
@@ -19,9 +19,9 @@ from groundslab.study.definition.setup import Setup, Variable
 
 #: Probabilities are kept this far from 0 and 1, where distributions may be infinite.
 _END = 2.0**-53
-#: What random numbers are drawn for, so that none are drawn twice.
+#: Streams of random numbers.
 _VALUES, _FIELDS = 0, 1
-_MOST_SEED = 2**31
+_MAX_SEED = 2**31
 #: How far from the median the variables of a tornado go, as a probability: to the 10 % and the 90 % quantile.
 SWING = 0.4
 
@@ -36,7 +36,7 @@ class Variant:
 
 
 @dataclass(frozen=True, eq=False)
-class Sample:
+class VariantList:
     """All variants of a study: columns of values (n,) in SI units, one for each variable; seeds (n, f)."""
 
     values: tuple[list[Any], ...]
@@ -53,23 +53,23 @@ class Sample:
         return Variant(number, tuple(column[row] for column in self.values), seeds)
 
 
-def sample_of(setup: Setup) -> Sample:
-    """Return all variants of a study; the same for the same study, whenever and wherever."""
+def list_variants(setup: Setup) -> VariantList:
+    """Return all variants of a study; the same for the same study, at any time and on any machine."""
     kind, n = setup.sampling.kind, setup.count
     if kind in ("grid", "list"):
         lists = [list(variable.values or ()) for variable in setup.variables]
         if kind == "grid":
             # the last variable changes fastest
             mesh = np.indices([len(values) for values in lists]).reshape(len(lists), -1)
-            lists = [[values[i] for i in of] for values, of in zip(lists, mesh, strict=True)]
-        return Sample(tuple(lists), _seeds(setup, n, 0))
+            lists = [[values[i] for i in indices] for values, indices in zip(lists, mesh, strict=True)]
+        return VariantList(tuple(lists), _seeds(setup, n, 0))
     if kind == "saltelli":
         return _saltelli(setup)
     if kind == "tornado":
-        return Sample(_columns(setup, _one_at_a_time(len(setup.variables))), _seeds(setup, n, 0))
+        return VariantList(_columns(setup, _one_at_a_time(len(setup.variables))), _seeds(setup, n, 0))
     chosen = np.array([variable.chosen for variable in setup.variables], dtype=bool)
     if not chosen.any():
-        return Sample(_columns(setup, unit_points(setup, len(chosen))), _seeds(setup, n, 0))
+        return VariantList(_columns(setup, unit_points(setup, len(chosen))), _seeds(setup, n, 0))
     return _designs(setup, chosen)
 
 
@@ -81,7 +81,7 @@ def _one_at_a_time(d: int) -> Array:
     return points
 
 
-def _designs(setup: Setup, chosen: Flags) -> Sample:
+def _designs(setup: Setup, chosen: Flags) -> VariantList:
     """Return the drawn variants once for each design, always the same ones, and one design after the other.
 
     chosen (d,) says which variables the designer chooses; of these the last one changes first.
@@ -96,7 +96,7 @@ def _designs(setup: Setup, chosen: Flags) -> Sample:
         [value for value in next(picked) for _ in range(count)] if chosen[place] else column * len(designs)
         for place, column in enumerate(_columns(setup, points))
     ]
-    return Sample(tuple(values), np.tile(_seeds(setup, count, 0), (len(designs), 1)))
+    return VariantList(tuple(values), np.tile(_seeds(setup, count, 0), (len(designs), 1)))
 
 
 def unit_points(setup: Setup, dimensions: int) -> Array:
@@ -120,26 +120,14 @@ def unit_points(setup: Setup, dimensions: int) -> Array:
     return points
 
 
-def values_of(setup: Setup, scores: Array) -> tuple[list[Any], ...]:
-    """Return the columns of values (n,) of independent standard normal numbers (n, d), made dependent as described."""
-    from scipy.special import ndtr
-
-    dependent = scores @ np.linalg.cholesky(setup.correlation).T
-    return _at(setup, ndtr(dependent))
-
-
 def _columns(setup: Setup, points: Array) -> tuple[list[Any], ...]:
-    """Return the columns of values of points (n, d) in the unit cube."""
-    from scipy.special import ndtri
+    """Return the columns of values of independent points (n, d) in the unit cube, made dependent by normal scores."""
+    from scipy.special import ndtr, ndtri
 
     points = np.clip(points, _END, 1 - _END)
-    # without dependence the way over the scores would only round
-    if (setup.correlation == np.eye(len(setup.variables))).all():
-        return _at(setup, points)
-    return values_of(setup, ndtri(points))
-
-
-def _at(setup: Setup, points: Array) -> tuple[list[Any], ...]:
+    # without dependence the detour over the scores would only round
+    if (setup.correlation != np.eye(len(setup.variables))).any():
+        points = ndtr(ndtri(points) @ np.linalg.cholesky(setup.correlation).T)
     return tuple(quantiles(variable, column) for variable, column in zip(setup.variables, points.T, strict=True))
 
 
@@ -147,7 +135,7 @@ def quantiles(variable: Variable, probability: Array) -> list[Any]:
     """Return the values (n,) of a variable with the given probabilities of not being exceeded; listed ones alike."""
     probability = np.clip(probability, _END, 1 - _END)
     if variable.distribution is not None:
-        found: list[Any] = variable.distribution.at(probability).tolist()
+        found: list[Any] = variable.distribution.frozen.ppf(probability).tolist()
         return found
     assert variable.values is not None
     return [variable.values[i] for i in (probability * len(variable.values)).astype(int)]
@@ -156,10 +144,10 @@ def quantiles(variable: Variable, probability: Array) -> list[Any]:
 def _seeds(setup: Setup, n: int, stream: int) -> Integers:
     """Return a seed for each random field of each variant, (n, f)."""
     rng = np.random.default_rng(np.random.SeedSequence(setup.seed, spawn_key=(_FIELDS, stream)))
-    return rng.integers(0, _MOST_SEED, size=(n, len(setup.fields)))
+    return rng.integers(0, _MAX_SEED, size=(n, len(setup.fields)))
 
 
-def _saltelli(setup: Setup) -> Sample:
+def _saltelli(setup: Setup) -> VariantList:
     """Return Saltelli's design: A, B, then A with one variable or field after the other from B (Saltelli 2010).
 
     The blocks stand one after the other, each with `sampling.count` rows.
@@ -170,14 +158,8 @@ def _saltelli(setup: Setup) -> Sample:
     a, b = points[:, :d], points[:, d:]
     seeds_a, seeds_b = _seeds(setup, n, 0), _seeds(setup, n, 1)
     blocks, seeds = [a, b], [seeds_a, seeds_b]
-    for i in range(d):
-        mixed = a.copy()
-        mixed[:, i] = b[:, i]
-        blocks.append(mixed)
-        seeds.append(seeds_a)
-    for i in range(f):
-        other = seeds_a.copy()
-        other[:, i] = seeds_b[:, i]
-        blocks.append(a)
-        seeds.append(other)
-    return Sample(_columns(setup, np.concatenate(blocks)), np.concatenate(seeds))
+    for i in range(d + f):
+        # the inputs are the variables, then the fields
+        blocks.append(np.where(np.arange(d) == i, b, a))
+        seeds.append(np.where(np.arange(f) == i - d, seeds_b, seeds_a))
+    return VariantList(_columns(setup, np.concatenate(blocks)), np.concatenate(seeds))

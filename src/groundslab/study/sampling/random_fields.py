@@ -1,9 +1,8 @@
 """Random fields over the plan: factors with a given distribution at each place and a given correlation length.
 
-A Gaussian field with mean 0 and variance 1 is drawn by the randomization method
-(Kraichnan 1970), as a sum of waves
-that is a function of the place alone: the same field on every mesh. At each place it is carried over to the
-distribution asked for, value for value of the same probability (a translation field, Grigoriu 1998).
+A Gaussian field with mean 0 and variance 1 is drawn by the randomization method (Kraichnan 1970), as a sum of waves
+that is a function of the place alone: the same field on every mesh. At each place it is mapped to the given
+distribution, value for value of the same probability (a translation field, Grigoriu 1998).
 """
 
 from __future__ import annotations
@@ -14,35 +13,34 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.errors import InputError, Issue
+from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.study.definition.setup import Field
 
-#: Waves of which a field is made. Their number matters for how well one field keeps the correlation, not for the
-#: distribution at a place.
+#: Waves of a field. Their number affects how well one field has the correlation, not the distribution at a place.
 WAVES = 1000
 
 
 def scores(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     """Return a Gaussian field with mean 0 and variance 1, a function of x (n,) and y (n,) [m]."""
-    drawn = generators().SRF(waves(field), seed=seed, mode_no=WAVES)
+    field_of_seed = import_gstools().SRF(correlation_model(field), seed=seed, mode_no=WAVES)
 
     def at(x: Array, y: Array) -> Array:
-        found: Array = drawn((np.asarray(x, dtype=float), np.asarray(y, dtype=float)), store=False)
+        found: Array = field_of_seed((np.asarray(x, dtype=float), np.asarray(y, dtype=float)), store=False)
         return found
 
     return at
 
 
-def waves(field: Field) -> Any:
-    """Return the library's model of a field's correlation, its lengths as `description` tells them.
+def correlation_model(field: Field) -> Any:
+    """Return the library's model of a field's correlation, with the lengths of the study file.
 
     With r the distance over the correlation length: exp(-r^2), exp(-r), or (1 + sqrt(3) r) exp(-sqrt(3) r), that of
     Matern with nu = 3/2.
     """
-    gstools = generators()
+    gstools = import_gstools()
     lengths = list(field.lengths)
     if field.model == "matern32":
         return _matern32(gstools)(dim=2, var=1.0, len_scale=lengths)
@@ -54,7 +52,7 @@ def waves(field: Field) -> Any:
 def _matern32(gstools: Any) -> Any:
     """Return the model of correlation (1 + sqrt(3) r) exp(-sqrt(3) r) with its spectrum in closed form.
 
-    The library's own Matern knows none for the plane and draws wave numbers by a Markov chain, which takes a hundred
+    The library's own Matern has none for the plane and draws wave numbers by a Markov chain, which takes a hundred
     times as long. The spectral density is that of Matern 1960, proportional to (3 + k^2)^(-5/2) in the plane; the part
     of its waves that is shorter than k is its integral over a circle.
     """
@@ -77,23 +75,17 @@ def _matern32(gstools: Any) -> Any:
 
 def factors(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     """Return the field's factors, a function of x (n,) and y (n,) [m]."""
-    drawn = scores(field, seed)
+    gaussian = scores(field, seed)
 
     def at(x: Array, y: Array) -> Array:
         from scipy.special import ndtr
 
-        return field.distribution.at(ndtr(drawn(x, y)))
+        values: Array = field.distribution.frozen.ppf(ndtr(gaussian(x, y)))
+        return values
 
     return at
 
 
-def generators() -> Any:
+def import_gstools() -> Any:
     """Return the library of random fields; raises InputError where it is not installed."""
-    try:
-        import gstools
-    except ImportError:
-        expected = "gstools, which draws random fields"
-        raise InputError(
-            [Issue("gstools", "nothing that can be imported", expected, "pip install groundslab[study]")]
-        ) from None
-    return gstools
+    return import_optional("gstools", "which draws random fields")

@@ -21,7 +21,7 @@ from helpers.studies import CASE, STUDY, read
 MODEL = casefile.loads(CASE)
 
 
-def faults_of(folder: Path, study: str, case: str = CASE) -> dict[str, str]:
+def issues_of(folder: Path, study: str, case: str = CASE) -> dict[str, str]:
     """Return what is wrong with a study, by place."""
     with pytest.raises(InputError) as caught:
         read(folder, study, case)
@@ -29,7 +29,7 @@ def faults_of(folder: Path, study: str, case: str = CASE) -> dict[str, str]:
 
 
 class TestPaths:
-    """Paths lead to keys as faults name them."""
+    """Paths lead to keys as issues name them."""
 
     @pytest.mark.parametrize(
         ("path", "value"),
@@ -47,10 +47,10 @@ class TestPaths:
     )
     def test_value(self, path: str, value: object) -> None:
         """A path finds what the case holds, None where nothing is given."""
-        assert case_paths.value_at(MODEL, case_paths.place_of(MODEL, path)) == value
+        assert case_paths.place_of(MODEL, path).value == value
 
     @pytest.mark.parametrize(
-        ("path", "told"),
+        ("path", "expected"),
         [
             ("", "a path such as"),
             ("ground..k", "a path such as"),
@@ -71,11 +71,11 @@ class TestPaths:
             ("combinations[1].factors.lve", 'did you mean "live"?'),
         ],
     )
-    def test_wrong_paths(self, path: str, told: str) -> None:
+    def test_wrong_paths(self, path: str, expected: str) -> None:
         """A path that leads nowhere says where it went wrong."""
         with pytest.raises(FieldError) as caught:
             case_paths.place_of(MODEL, path)
-        assert told in str(caught.value.relative_issues[0])
+        assert expected in str(caught.value.relative_issues[0])
 
     def test_changed_case_is_that_of_a_changed_file(self) -> None:
         """A case with other values at some places is the one that a file with these values describes."""
@@ -83,20 +83,22 @@ class TestPaths:
             "ground.k": 15e6, "loads[2].q": 1e5, "loads[2].x[2]": 1.8, "combinations[2].factors.live": 1.2,
             "plate.thickness": 0.25,
         }  # fmt: skip
-        found = case_paths.changed(MODEL, {case_paths.place_of(MODEL, path): value for path, value in places.items()})
+        found = case_paths.with_values(
+            MODEL, {case_paths.place_of(MODEL, path): value for path, value in places.items()}
+        )
         text = CASE.replace("20 MPa/m", "15 MPa/m").replace("200 kPa", "100 kPa").replace('"2 m"]', '"1.8 m"]')
         text = text.replace("live = 1.5", "live = 1.2").replace("200 mm", "250 mm")
         assert found == casefile.loads(text)
-        assert case_paths.changed(MODEL, {}) == MODEL
+        assert case_paths.with_values(MODEL, {}) == MODEL
 
     def test_impossible_values_have_their_place(self) -> None:
-        """What is wrong with a changed case is told with the path of the key in the case."""
+        """Issues of a changed case have the path of the key in the case."""
         places = {case_paths.place_of(MODEL, "plate.nu"): 0.6, case_paths.place_of(MODEL, "loads[2].x[2]"): 3.0}
         with pytest.raises(InputError) as caught:
-            case_paths.changed(MODEL, places)
+            case_paths.with_values(MODEL, places)
         assert {issue.location for issue in caught.value.issues} == {"plate.nu"}
         with pytest.raises(InputError) as caught:
-            case_paths.changed(MODEL, {case_paths.place_of(MODEL, "loads[2].x[2]"): -9.0})
+            case_paths.with_values(MODEL, {case_paths.place_of(MODEL, "loads[2].x[2]"): -9.0})
         assert [issue.location for issue in caught.value.issues] == ["loads[2].x"]
 
 
@@ -121,15 +123,15 @@ class TestDistributions:
         ],
     )
     def test_moments(self, part: distributions.AnyDistribution) -> None:
-        """Mean and standard deviation, integrated over the quantiles, are those asked for."""
+        """Mean and standard deviation, integrated over the quantiles, are the given ones."""
         found = distributions.distribution_of(part, read_si)
         # midpoints of equal probabilities; the last ones carry little
         p = (np.arange(200_000) + 0.5) / 200_000
-        values = found.at(p)
+        values = found.frozen.ppf(p)
         assert values.mean() == pytest.approx(math.copysign(40.0, part.mean), rel=2e-4)
         assert values.std() == pytest.approx(12.0, rel=3e-3)
-        assert found.mean == pytest.approx(values.mean(), rel=2e-4)
-        assert found.std == pytest.approx(12.0, rel=1e-9)
+        assert found.frozen.mean() == pytest.approx(values.mean(), rel=2e-4)
+        assert found.frozen.std() == pytest.approx(12.0, rel=1e-9)
 
     @pytest.mark.parametrize(
         ("part", "cdf"),
@@ -151,7 +153,7 @@ class TestDistributions:
     ) -> None:
         """Quantiles are the inverse of the distribution function in its textbook form."""
         p = np.linspace(0.01, 0.99, 25)
-        assert cdf(distributions.distribution_of(part, read_si).at(p)) == pytest.approx(p, rel=1e-9)
+        assert cdf(distributions.distribution_of(part, read_si).frozen.ppf(p)) == pytest.approx(p, rel=1e-9)
 
     @pytest.mark.parametrize(
         ("part", "place"),
@@ -171,38 +173,38 @@ class TestDistributions:
         ],
     )
     def test_impossible_ones(self, part: distributions.AnyDistribution, place: tuple[str, ...]) -> None:
-        """What cannot be is told at its key."""
+        """Impossible values are reported at their key."""
         with pytest.raises(FieldError) as caught:
             distributions.distribution_of(part, read_si)
         assert caught.value.relative_issues[0].place == place
 
 
 class TestFile:
-    """Study files: all faults at once, with units."""
+    """Study files: all issues at once, with units."""
 
     def test_setup(self, tmp_path: Path) -> None:
         """Paths, units and names become what the study needs, in SI units."""
         setup = read(tmp_path).setup
         k, machine = setup.variables
-        assert (k.name, k.path, k.unit, k.base) == ("k", "ground.k", "Pa/m", 20e6)
+        assert (k.name, k.path, k.unit, k.place.value) == ("k", "ground.k", "Pa/m", 20e6)
         assert k.distribution is not None
-        assert k.distribution.mean == pytest.approx(20e6)
-        assert (machine.times, machine.unit, machine.put(1.1)) == (True, "", pytest.approx(220e3))
+        assert k.distribution.frozen.mean() == pytest.approx(20e6)
+        assert (machine.times, machine.unit, machine.value_in_case(1.1)) == (True, "", pytest.approx(220e3))
         assert [output.name for output in setup.outputs] == [
             "largest settlement", "in contact under service", "settlement everywhere under service"
         ]  # fmt: skip
-        assert setup.limits[0].value == 0.008
+        assert setup.limits[0].bound == 0.008
         assert setup.limits[0].margin(0.007) == pytest.approx(0.001)
         assert setup.count == 12
 
-    def test_all_faults_at_once(self, tmp_path: Path) -> None:
-        """Faults of the study's own keys and of its case's file come together."""
+    def test_all_issues_at_once(self, tmp_path: Path) -> None:
+        """Issues of the study's own keys and of its case's file come together."""
         study = STUDY.replace("seed = 3", "seed = -1").replace("count = 12", "").replace('"largest"', '"lagest"')
-        found = faults_of(tmp_path, study, CASE.replace("nu = 0.2", "nu = 2"))
+        found = issues_of(tmp_path, study, CASE.replace("nu = 0.2", "nu = 2"))
         assert found.keys() == {"seed", "sampling.count", "keep[1].take", f"{tmp_path / 'slab.toml'}: plate.nu"}
 
-    def test_all_faults_against_the_case_at_once(self, tmp_path: Path) -> None:
-        """What does not fit the case is told at once as well: paths, units, ranges, names, places."""
+    def test_all_issues_against_the_case_at_once(self, tmp_path: Path) -> None:
+        """What does not fit the case is reported at once as well: paths, units, ranges, names, places."""
         study = (
             STUDY.replace("ground.k", "ground.kk").replace("std = 0.2", 'std = "0.2 m"').replace('"8 mm"', '"8 kPa"')
             + '[[vary]]\npath = "plate.nu"\nvalues = [0.1, 0.7]\n'
@@ -216,7 +218,7 @@ class TestFile:
             + '[[random_field]]\npath = "plate.E"\ndistribution = {kind = "normal", mean = 1, cov = 0.1}\n'
             + 'correlation_length = "2 m"\n'
         )
-        assert faults_of(tmp_path, study).keys() == {
+        assert issues_of(tmp_path, study).keys() == {
             "vary[1].path", "vary[2].distribution.std", "vary[3].values[2]", "vary[4].distribution.high",
             "vary[5].distribution", "vary[6].times", "keep[4].of", "keep[5].take", "keep[6].take", "keep[7].x",
             "keep[8].support", "keep[9].of", "keep[10].combination", "limit_state[1].at_most", "random_field[1].path",
@@ -240,18 +242,18 @@ class TestFile:
         ],
     )
     def test_what_does_not_fit_together(self, tmp_path: Path, old: str, new: str, where: str) -> None:
-        """What two keys say that cannot both be is told at one of them."""
+        """A contradiction of two keys is reported at one of them."""
         assert old in STUDY
-        assert where in faults_of(tmp_path, STUDY.replace(old, new, 1))
+        assert where in issues_of(tmp_path, STUDY.replace(old, new, 1))
 
     def test_saltelli_is_for_independent_variables(self, tmp_path: Path) -> None:
-        """Correlation is refused where Sobol's indices are asked for, and correlations that cannot hold together."""
+        """Correlation is refused where Sobol's indices are computed; so are impossible correlations."""
         pair = '[[correlation]]\nbetween = ["k", "machine"]\nrho = 0.5\n'
-        assert "correlation" in faults_of(tmp_path, STUDY.replace("monte carlo", "saltelli") + pair)
+        assert "correlation" in issues_of(tmp_path, STUDY.replace("monte carlo", "saltelli") + pair)
         third = '[[vary]]\npath = "plate.nu"\nname = "nu"\ndistribution = {kind = "uniform", low = 0.1, high = 0.3}\n'
         more = '[[correlation]]\nbetween = ["k", "nu"]\nrho = -0.9\n'
         more += '[[correlation]]\nbetween = ["nu", "machine"]\nrho = 0.9\n'
-        assert "correlation" in faults_of(tmp_path, STUDY + third + pair + more)
+        assert "correlation" in issues_of(tmp_path, STUDY + third + pair + more)
 
     def test_described_in_python(self, tmp_path: Path) -> None:
         """A study made of parts with numbers in SI units is written with units, and reads back as the same study."""
@@ -267,7 +269,7 @@ class TestFile:
             keep=[{"of": "settlement", "take": "at", "x": 1.5, "y": 0}],
             limit_state=[{"name": "l", "keep": "settlement at (1.5, 0) m", "at_most": 0.01}],
         )
-        made = files.made(described, MODEL)
+        made = files.resolve(described, MODEL)
         again = read(tmp_path, made.study_text, made.case_text)
         assert again.setup.variables == made.setup.variables
         assert again.setup.limits == made.setup.limits
@@ -288,11 +290,11 @@ class TestSampling:
         head, keep = 'case = "slab.toml"\n[sampling]\nkind = "{}"\n', '[[keep]]\nof = "load"\n'
         vary = '[[vary]]\npath = "ground.k"\nvalues = ["1 MPa/m", "2 MPa/m"]\n'
         vary += '[[vary]]\npath = "plate.nu"\nvalues = [0.1, 0.2]\n'
-        grid = designs.sample_of(read(tmp_path, head.format("grid") + vary + keep).setup)
+        grid = designs.list_variants(read(tmp_path, head.format("grid") + vary + keep).setup)
         assert [grid[number].values for number in range(1, len(grid) + 1)] == [
             (1e6, 0.1), (1e6, 0.2), (2e6, 0.1), (2e6, 0.2)
         ]  # fmt: skip
-        listed = designs.sample_of(read(tmp_path, head.format("list") + vary + keep).setup)
+        listed = designs.list_variants(read(tmp_path, head.format("list") + vary + keep).setup)
         assert [listed[number].values for number in (1, 2)] == [(1e6, 0.1), (2e6, 0.2)]
         assert len(listed) == 2
 
@@ -300,17 +302,17 @@ class TestSampling:
     def test_same_seed_same_sample(self, tmp_path: Path, kind: str) -> None:
         """A sample is that of its seed, and another seed draws another one."""
         text = f'kind = "{kind}"\ncount = 7'
-        one, two = (designs.sample_of(setup_with(tmp_path, text)) for _ in range(2))
+        one, two = (designs.list_variants(setup_with(tmp_path, text)) for _ in range(2))
         assert one.values == two.values
         other = read(tmp_path, STUDY.replace("seed = 3", "seed = 4").replace('"monte carlo"', f'"{kind}"')).setup
-        assert designs.sample_of(other).values[0][0] != one.values[0][0]
+        assert designs.list_variants(other).values[0][0] != one.values[0][0]
 
     def test_latin_hypercube(self, tmp_path: Path) -> None:
         """Each of as many equal parts of a variable's probability holds one value."""
         setup = setup_with(tmp_path, 'kind = "latin hypercube"\ncount = 50')
-        for variable, values in zip(setup.variables, designs.sample_of(setup).values, strict=True):
+        for variable, values in zip(setup.variables, designs.list_variants(setup).values, strict=True):
             assert variable.distribution is not None
-            parts = np.floor(variable.distribution.frozen().cdf(values) * 50)
+            parts = np.floor(variable.distribution.frozen.cdf(values) * 50)
             assert sorted(parts) == list(range(50))
 
     def test_sobol_points_are_even(self, tmp_path: Path) -> None:
@@ -320,10 +322,10 @@ class TestSampling:
         assert len(np.unique(boxes, axis=0)) == 256
 
     def test_correlation_of_scores(self, tmp_path: Path) -> None:
-        """Normal scores of drawn values have the correlation asked for, within what 20,000 of them can tell."""
+        """Normal scores of drawn values have the given correlation, within the error of 20,000 of them."""
         more = '[[correlation]]\nbetween = ["k", "machine"]\nrho = -0.6\n'
         setup = setup_with(tmp_path, 'kind = "monte carlo"\ncount = 20000', more)
-        k, machine = designs.sample_of(setup).values
+        k, machine = designs.list_variants(setup).values
         scores = np.log(k), np.array(machine)  # monotone, and normal
         # the standard error of rho is (1 - rho^2) / sqrt(n) = 0.0045
         assert np.corrcoef(*scores)[0, 1] == pytest.approx(-0.6, abs=0.02)
@@ -334,7 +336,7 @@ class TestSampling:
         """Where variants are drawn, values in a list come up alike, the ends of the probabilities included."""
         more = '[[vary]]\npath = "plate.nu"\nvalues = [0.1, 0.2, 0.3]\n'
         setup = setup_with(tmp_path, 'kind = "latin hypercube"\ncount = 300', more)
-        values, counts = np.unique(designs.sample_of(setup).values[2], return_counts=True)
+        values, counts = np.unique(designs.list_variants(setup).values[2], return_counts=True)
         assert (values.tolist(), counts.tolist()) == ([0.1, 0.2, 0.3], [100, 100, 100])
         assert designs.quantiles(setup.variables[2], np.array([0.0, 1.0])) == [0.1, 0.3]
 
@@ -343,7 +345,7 @@ class TestSampling:
         field = '[[random_field]]\npath = "ground.k"\ncorrelation_length = "2 m"\n'
         field += 'distribution = {kind = "lognormal", mean = 1, cov = 0.1}\n'
         setup = setup_with(tmp_path, 'kind = "saltelli"\ncount = 8', field)
-        sample = designs.sample_of(setup)
+        sample = designs.list_variants(setup)
         assert len(sample) == setup.count == 8 * 5
         columns = [np.reshape(column, (5, 8)) for column in (*sample.values, sample.seeds[:, 0])]
         a, b = [column[0] for column in columns], [column[1] for column in columns]

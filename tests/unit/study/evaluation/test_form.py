@@ -60,14 +60,14 @@ def test_the_unit_of_the_limit_state_does_not_matter() -> None:
 
 def test_each_point_is_asked_for_once() -> None:
     """No point of the limit state is computed twice, and the count of solutions is true."""
-    asked = []
+    points = []
 
     def g(z: np.ndarray) -> float:
-        asked.append(tuple(z))
+        points.append(tuple(z))
         return float(4.0 - z @ z / 2 - z.sum())
 
     found = design_point(g, np.eye(3))
-    assert len(asked) == len(set(asked)) == found.solves
+    assert len(points) == len(set(points)) == found.solves
 
 
 def test_no_design_point_is_said_to_be_found_where_there_is_none() -> None:
@@ -78,7 +78,7 @@ def test_no_design_point_is_said_to_be_found_where_there_is_none() -> None:
         design_point(lambda z: 1.0, np.eye(2))  # noqa: ARG005
 
 
-def test_faults_of_the_limit_state_are_told_as_they_are() -> None:
+def test_errors_of_the_limit_state_are_raised_unchanged() -> None:
     """What the solution raises on the way is not hidden by the search."""
 
     def g(z: np.ndarray) -> float:

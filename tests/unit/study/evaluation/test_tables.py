@@ -13,12 +13,13 @@ from scipy import stats
 
 from helpers.paths import ROOT
 
-pytest.importorskip("SALib")
 pytest.importorskip("jinja2")
 
+from groundslab.study.definition.setup import Limit
 from groundslab.study.evaluation import tables
-from groundslab.study.evaluation.samples import Gathered, Input, Limit, Output, Unit, unit_for
+from groundslab.study.evaluation.samples import PURE, Gathered, Input, Output, unit_for
 from groundslab.study.report import page, svg
+from groundslab.units import UNITS
 
 SOIL, LOAD = stats.lognorm(0.3, scale=40e6), stats.norm(50e3, 5e3)
 EVIL = '<script>alert("1")</script> & $x_1$ \\frac{'
@@ -35,8 +36,8 @@ def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] 
     t = np.repeat(np.arange(designs) / 10, len(u))
     w = q / E + t / 100
     w[list(missing)] = np.nan
-    inputs = [Input("E", Unit("MPa", 1e-6), E, SOIL.pdf), Input("q", Unit("kPa", 1e-3), q, LOAD.pdf)]
-    inputs += [Input("t", Unit("mm", 1e3), t, None, chosen=True)] * (designs > 1)
+    inputs = [Input("E", UNITS["MPa"], E, SOIL.pdf), Input("q", UNITS["kPa"], q, LOAD.pdf)]
+    inputs += [Input("t", UNITS["mm"], t, None, chosen=True)] * (designs > 1)
     n = len(w)
     return Gathered(
         kind=kind,
@@ -45,7 +46,7 @@ def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] 
         reason=tuple(f"NoEquilibrium: {name}" if i in missing else "" for i in range(n)),
         seconds=np.full(n, 0.25),
         inputs=tuple(inputs),
-        outputs=(Output(name, Unit("mm", 1e3), w),),
+        outputs=(Output(name, UNITS["mm"], w),),
         limits=(Limit(f"limit of {name}", name, "at most", 2e-3, 0.05),),
         planned=n,
     )
@@ -98,7 +99,7 @@ def test_an_infinite_output_fails_its_limit() -> None:
     w = made.outputs[0].values.copy()
     w[[3, 8]] = np.inf
     given = {name: getattr(made, name) for name in made.__dataclass_fields__}
-    hurt = Gathered(**{**given, "outputs": (Output("w", Unit("mm", 1e3), w),)})
+    hurt = Gathered(**{**given, "outputs": (Output("w", UNITS["mm"], w),)})
     row = {name: column[0] for name, column in table(hurt, "limit_states").items()}
     assert row["target"] == 0.05
     assert (row["variants"], row["failed"]) == (40, int((w > 2e-3).sum()))
@@ -112,7 +113,7 @@ def test_an_infinite_output_fails_its_limit() -> None:
 def test_designs_by_words_have_a_figure() -> None:
     """A choice of words is named below the probabilities, as several choices are."""
     made = monte_carlo(30, designs=2)
-    words = Input("element", Unit("", 1.0), np.repeat([0.0, 1.0], 30), None, True, ("mitc9",) * 30 + (EVIL,) * 30)
+    words = Input("element", PURE, np.repeat([0.0, 1.0], 30), None, True, ("mitc9",) * 30 + (EVIL,) * 30)
     given = {name: getattr(made, name) for name in made.__dataclass_fields__}
     text = made_page(Gathered(**{**given, "inputs": (*made.inputs[:2], words)}))
     assert "element = mitc9" in text
@@ -195,7 +196,7 @@ def test_a_running_study_of_saltellis_sample() -> None:
         reason=whole.reason[:35],
         seconds=whole.seconds[:35],
         inputs=tuple(Input(each.name, each.unit, each.values[:35]) for each in whole.inputs),
-        outputs=(Output("w", Unit("mm", 1e3), whole.outputs[0].values[:35]),),
+        outputs=(Output("w", UNITS["mm"], whole.outputs[0].values[:35]),),
         limits=whole.limits,
         planned=40,
     )
@@ -279,8 +280,8 @@ def made_page(made: Gathered, title: str = "A study") -> str:
     """Return the page of a study with a map."""
     nodes = np.array([[x, y] for y in (0.0, 1.0, 2.0) for x in (0.0, 2.0, 4.0)])
     elements = np.array([[0, 2, 8, 6, 1, 5, 7, 3, 4]])
-    fields = [page.Map(f"mean of {title}", nodes, elements, np.arange(9.0) - 3, Unit("mm", 1e3))]
-    fields.append(page.Map("constant", nodes, elements, np.zeros(9), Unit("%", 100)))
+    fields = [page.Map(f"mean of {title}", nodes, elements, np.arange(9.0) - 3, UNITS["mm"])]
+    fields.append(page.Map("constant", nodes, elements, np.zeros(9), UNITS["%"]))
     return page.html(made, page.Origin(title, (("seed", "3"), ("file", title))), fields)
 
 

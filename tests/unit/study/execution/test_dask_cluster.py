@@ -109,7 +109,7 @@ def test_killed_worker(tmp_path: Path, whole: Study) -> None:
     study = groundslab.study(write(tmp_path, MANY), workers=2, quiet=True)
     killer.join()
     assert killed
-    assert study.mishaps() == {}
+    assert study.worker_failures() == {}
     assert same(study, whole)
 
 
@@ -122,11 +122,11 @@ def test_variant_that_kills_its_worker(tmp_path: Path) -> None:
     places = os.pathsep.join([str(tmp_path), *sys.path])
     command = ("groundslab", "study", str(write(tmp_path)), "--workers", "2", "--quiet")
     with ended(started(*command, PYTHONPATH=places)) as process:
-        said, told = process.communicate(timeout=2 * PATIENCE)
+        stdout, stderr = process.communicate(timeout=2 * PATIENCE)
     assert process.returncode == 1
-    assert "11 of 12 variants have a row" in said
-    assert "variant 3 has none: 4 workers died of it" in said
-    assert "--resume" in told
+    assert "11 of 12 variants have a row" in stdout
+    assert "variant 3 has none: 4 workers died of it" in stdout
+    assert "--resume" in stderr
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
@@ -139,14 +139,14 @@ def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None
         children = psutil.Process(process.pid).children(recursive=True)
         # Ctrl-C reaches every process of the terminal
         os.kill(process.pid, how) if how == signal.SIGKILL else os.killpg(process.pid, how)
-        _, told = process.communicate(timeout=PATIENCE)
+        _, stderr = process.communicate(timeout=PATIENCE)
         assert psutil.wait_procs(children, timeout=PATIENCE)[1] == []
     before = groundslab.open_study(folder).table()
     assert 3 <= len(before) < COUNT
     if how == signal.SIGINT:
         assert process.returncode == 130
-        assert f"{len(before)} of {COUNT} rows are kept" in told
-        assert "Traceback" not in told
+        assert f"{len(before)} of {COUNT} rows are kept" in stderr
+        assert "Traceback" not in stderr
     study = alone(path, folder, "--resume")
     assert study.table().loc[before.index].equals(before)
     assert same(study, whole)
@@ -157,7 +157,7 @@ Scheduler = tuple[str, subprocess.Popen[str], Callable[..., None]]
 
 
 def test_program_without_guard(tmp_path: Path) -> None:
-    """A program that would run itself again in each process is told so; nothing is left behind but the folder."""
+    """A program that would run itself again in each process gets an error; only the folder is left behind."""
     path = write(tmp_path)
     program = tmp_path / "program.py"
     program.write_text(f"import groundslab\ngroundslab.study({str(path)!r}, workers=1, quiet=True)\n")
@@ -170,13 +170,13 @@ def test_program_without_guard(tmp_path: Path) -> None:
 def scheduler(tmp_path: Path) -> Iterator[Scheduler]:
     """Return the address of a scheduler on the loopback, its process, and what starts a worker for it."""
     with ExitStack() as stack:
-        told = tmp_path / "scheduler.json"
+        address_file = tmp_path / "scheduler.json"
         process = stack.enter_context(
             ended(started("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
-                          "--scheduler-file", str(told)))
+                          "--scheduler-file", str(address_file)))
         )  # fmt: skip
-        wait_for(lambda: told.exists() and "address" in told.read_text())
-        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+        wait_for(lambda: address_file.exists() and "address" in address_file.read_text())
+        address = next(line.split('"')[3] for line in address_file.read_text().splitlines() if '"address"' in line)
 
         def worker(**environment: str) -> None:
             options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
@@ -199,10 +199,10 @@ def test_cluster(
     with ended(started(*command)) as study:
         wait_for(lambda: count(second) >= 3)
         process.kill()
-        _, told = study.communicate(timeout=PATIENCE)
+        _, stderr = study.communicate(timeout=PATIENCE)
     assert study.returncode == 1
-    assert "lost" in told
-    assert "--resume" in told
+    assert "lost" in stderr
+    assert "--resume" in stderr
     before = groundslab.open_study(second).table()
     assert len(before) < COUNT
     after = alone(path, second, "--resume")
@@ -227,16 +227,17 @@ def test_other_versions(tmp_path: Path, scheduler: Scheduler) -> None:
 
 
 def test_no_scheduler(tmp_path: Path) -> None:
-    """An address where no scheduler answers is a fault of the input."""
+    """An address where no scheduler answers is an error of the input."""
     with pytest.raises(InputError, match="Dask scheduler such as"):
         groundslab.study(write(tmp_path), scheduler="nothing at all", quiet=True)
 
 
 def test_differences() -> None:
-    """Packages that differ or are missing are told process by process; others are not."""
+    """Packages that differ or are missing are reported process by process; others are not."""
     here = {"python": "3.12", "groundslab": "1", "numpy": "2.1"}
     there = {"a": here, "b": {**here, "numpy": "2.0"}, "c": {"python": "3.12", "numpy": "2.1", "gstools": "1.6"}}
-    assert [(issue.location, issue.found) for issue in dask_cluster.differences(versions.MUST_AGREE, here, there)] == [
+    issues = dask_cluster.version_differences(versions.MUST_AGREE, here, there)
+    assert [(issue.location, issue.found) for issue in issues] == [
         ("b", "numpy 2.0"), ("c", "no groundslab"), ("c", "gstools 1.6")
     ]  # fmt: skip
     assert versions.versions(("groundslab", "no_such_package_at_all", "python")).keys() == {"python", "groundslab"}
@@ -275,7 +276,7 @@ def test_strangers_are_kept_out() -> None:
     import distributed
 
     before = set(listening(psutil.Process()))
-    with dask_cluster.local(2, 2) as found:
+    with dask_cluster.start_local(2, 2) as found:
         ports = set(listening(psutil.Process())) - before
         assert len(ports) == 5  # scheduler, two workers, and what looks after each of them
         assert all(map(refuses_strangers, ports))
@@ -291,7 +292,7 @@ def test_strangers_are_kept_out() -> None:
 
 def test_dashboard_when_asked_for() -> None:
     """The dashboard is there if asked for, on the loopback, and answers no other name than that of the loopback."""
-    with dask_cluster.local(1, 1, dashboard=True) as found:
+    with dask_cluster.start_local(1, 1, dashboard=True) as found:
         assert found.dashboard.startswith("http://127.0.0.1:")
         port = int(found.dashboard.split(":")[2].split("/")[0])
         for host, code in (("127.0.0.1", 200), ("localhost", 200), ("evil.example", 404)):
@@ -302,7 +303,7 @@ def test_dashboard_when_asked_for() -> None:
 
 
 def test_without_cryptography(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without the package that makes keys nothing is opened, and the fault says what to install."""
+    """Without the package that makes keys nothing is opened, and the error says what to install."""
     monkeypatch.setitem(sys.modules, "cryptography", None)
     for name in [name for name in sys.modules if name.startswith("cryptography.")]:
         monkeypatch.setitem(sys.modules, name, None)
@@ -311,7 +312,7 @@ def test_without_cryptography(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_scheduler_with_keys(tmp_path: Path) -> None:
-    """With the keys in Dask's configuration a scheduler at tls:// solves the study; without them that is a fault."""
+    """With the keys in Dask's configuration a scheduler at tls:// solves the study; without them that is an error."""
     import distributed
 
     made = distributed.Security.temporary()
@@ -321,12 +322,20 @@ def test_a_scheduler_with_keys(tmp_path: Path) -> None:
     keys = {f"{tls}CA_FILE": str(tmp_path / "ca.pem"), "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "true"}
     for role in ("SCHEDULER", "WORKER", "CLIENT"):
         keys |= {f"{tls}{role}__{part}": str(tmp_path / "pair.pem") for part in ("CERT", "KEY")}
-    told = tmp_path / "scheduler.json"
+    address_file = tmp_path / "scheduler.json"
     with ExitStack() as stack:
-        arguments = ("--host", "tls://127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(told))
+        arguments = (
+            "--host",
+            "tls://127.0.0.1",
+            "--port",
+            "0",
+            "--no-dashboard",
+            "--scheduler-file",
+            str(address_file),
+        )
         stack.enter_context(ended(started("distributed.cli.dask_scheduler", *arguments, **keys)))
-        wait_for(lambda: told.exists() and "address" in told.read_text())
-        address = next(line.split('"')[3] for line in told.read_text().splitlines() if '"address"' in line)
+        wait_for(lambda: address_file.exists() and "address" in address_file.read_text())
+        address = next(line.split('"')[3] for line in address_file.read_text().splitlines() if '"address"' in line)
         assert address.startswith("tls://")
         options = ["--nthreads", "1", "--no-dashboard", "--local-directory", str(tmp_path)]
         stack.enter_context(ended(started("distributed.cli.dask_worker", address, *options, **keys)))

@@ -16,7 +16,7 @@ from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.study.definition import files
-from groundslab.study.execution import runner, store, variant
+from groundslab.study.execution import store, variant
 from groundslab.study.sampling import designs
 from helpers.studies import CASE, STUDY, read, run, write
 
@@ -44,7 +44,7 @@ class TestStore:
     def test_numbers_come_back_as_they_were(self, tmp_path: Path) -> None:
         """Figures have all their digits in the store, fields the seven of a float32."""
         read_ = read(tmp_path)
-        sample = designs.sample_of(read_.setup)
+        sample = designs.list_variants(read_.setup)
         rows = {n: variant.Worker(read_.setup).row(sample[n]) for n in (1, 2)}
         study = run(tmp_path)
         table = study.table()
@@ -56,7 +56,7 @@ class TestStore:
             assert np.array_equal(dict(study.fields("settlement"))[number], whole.astype(np.float32))
 
     def test_interrupted_at_every_row(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """A study cut short again and again has the rows of one that was not, and computed none of them twice."""
+        """A study interrupted again and again has the rows of one that was not, and computed none of them twice."""
         whole = run(tmp_path)
         computed: list[int] = []
         row = variant.Worker.row
@@ -105,14 +105,14 @@ class TestStore:
     def test_row_is_never_doubled(self, tmp_path: Path) -> None:
         """A row that is there is left alone when it comes again."""
         study = run(tmp_path, STUDY.replace("count = 12", "count = 2"))
-        again = variant.Worker(study.setup).row(study.sample[1])
-        with store.Store(study.folder, runner.columns_in(study.setup)) as rows:
+        again = variant.Worker(study.setup).row(study.variants[1])
+        with store.Store(study.folder, study.setup) as rows:
             before = rows.rows(["number", "seconds"])
             assert rows.add(again) == 0
             assert rows.rows(["number", "seconds"]) == before
 
     def test_full_disk(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """Where the database may not grow the study ends and says so; with room it goes on to the same rows."""
+        """Where the database may not grow the study ends and says so; with room it continues to the same rows."""
         study = run(tmp_path)
         whole, connect = study.table(), store._connect
         with sqlite3.connect(study.folder / "rows.sqlite") as connection:
@@ -157,7 +157,7 @@ class TestStore:
     def test_one_run_at_a_time(self, tmp_path: Path) -> None:
         """A second run of the same folder is refused while the first one is on; reading is not."""
         study = run(tmp_path)
-        with store.locked(study.folder):
+        with store.lock(study.folder):
             with pytest.raises(InputError, match="runs at this moment"):
                 run(tmp_path, resume=True)
             assert len(study.table()) == 12
@@ -165,7 +165,7 @@ class TestStore:
     def test_what_stands_in_the_way(self, tmp_path: Path) -> None:
         """A folder that is there is not taken over without resume, nor by another study, case or version."""
         study = run(tmp_path, STUDY.replace("count = 12", "count = 1"))
-        with pytest.raises(InputError, match="--resume goes on"):
+        with pytest.raises(InputError, match="--resume continues"):
             run(tmp_path, STUDY.replace("count = 12", "count = 1"))
         with pytest.raises(InputError, match="study file: got a file that was changed"):
             run(tmp_path, resume=True)
@@ -193,7 +193,7 @@ class TestStore:
         with pytest.raises(InputError, match="a name that is taken"):
             run(tmp_path)
 
-    def test_mishap_is_no_row(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def test_failed_worker_makes_no_row(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """What goes wrong with the machine leaves no row; the study goes on, says so, and resume tries again."""
         row = variant.Worker.row
 
@@ -207,10 +207,10 @@ class TestStore:
             patch.setattr(variant.Worker, "row", sometimes)
             assert main.main(["study", str(path), "--workers", "0", "--quiet"]) == 1
         study = groundslab.open_study(tmp_path / "study-study")
-        assert study.mishaps() == {7: "MemoryError: no more"}
+        assert study.worker_failures() == {7: "MemoryError: no more"}
         assert len(study) == 11
         assert main.main(["study", str(path), "--workers", "0", "--quiet", "--resume"]) == 0
-        assert study.mishaps() == {}
+        assert study.worker_failures() == {}
 
     @pytest.mark.skipif(sys.platform == "win32" or os.geteuid() == 0, reason="needs a folder that cannot be written")
     def test_read_where_nothing_can_be_written(self, tmp_path: Path) -> None:
@@ -233,7 +233,7 @@ class TestCommand:
         assert evaluation == f"evaluation: {tmp_path / 'study-study' / 'evaluation' / 'report.html'}"
         assert "solving in this process" in shown.err
         assert main.main(["study", str(path), "--workers", "0"]) == 2
-        assert "--resume goes on" in capsys.readouterr().err
+        assert "--resume continues" in capsys.readouterr().err
 
     def test_interrupt(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -249,9 +249,9 @@ class TestCommand:
         path = write(tmp_path)
         monkeypatch.setattr(variant.Worker, "row", until_five)
         assert main.main(["study", str(path), "--workers", "0", "--quiet"]) == 130
-        told = capsys.readouterr().err
-        assert "4 of 12 rows are kept" in told
-        assert f"groundslab study {path} --resume" in told
+        stderr = capsys.readouterr().err
+        assert "4 of 12 rows are kept" in stderr
+        assert f"groundslab study {path} --resume" in stderr
 
     @pytest.mark.parametrize(
         "option", [["--workers", "-1"], ["--workers", "x"], ["--workers", "1", "--scheduler", "a"]]

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from scipy import stats
 
-pytest.importorskip("SALib")
 pytest.importorskip("jinja2")
 pytest.importorskip("openturns")
 
