@@ -30,8 +30,13 @@ def describe(value: object) -> str:
 
 
 def quote(text: str) -> str:
-    """Return a text in double quotes, escaped as TOML wants it, which also keeps it from upsetting a terminal."""
-    return '"' + "".join(map(_escaped, text)) + '"'
+    """Return a text in double quotes, escaped as in TOML, which also makes it safe for a terminal."""
+    return f'"{escape(text)}"'
+
+
+def escape(text: str) -> str:
+    """Return a text with its control characters, quotes and backslashes escaped as in TOML."""
+    return "".join(map(_escaped, text))
 
 
 def _escaped(letter: str) -> str:
@@ -39,7 +44,7 @@ def _escaped(letter: str) -> str:
         return "\\" + letter
     if letter.isprintable():
         return letter
-    code = ord(letter)
+    code = 0xFFFD if 0xD800 <= ord(letter) < 0xE000 else ord(letter)  # lone surrogates are no letters
     return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 

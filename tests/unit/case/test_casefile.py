@@ -202,7 +202,7 @@ def test_file_as_path_or_text(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "where", "mend"),
+    ("text", "where", "hint"),
     [
         ("[plate\n", "case.toml, line 1, column 7", "Expected ']'"),
         ('title = "a"\nplate = \n', "case.toml, line 2, column 9", "Invalid value"),
@@ -226,7 +226,7 @@ def test_syntax_errors(text: str, where: str, hint: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "got"),
+    ("text", "found"),
     [
         ("x = " + "[" * 100_000, "lists or tables nested too deeply"),
         ("x = " + "9" * 10_000, "a value that cannot be read"),

@@ -287,7 +287,7 @@ ONE_FAULT = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("data", "where", "got", "expected"), ONE_FAULT)
+@pytest.mark.parametrize(("data", "where", "found", "expected"), ONE_FAULT)
 def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
     """Each rule, broken alone, gives exactly one fault with the exact place, what is there, and what should be."""
     (issue,) = issues(data)
@@ -315,7 +315,7 @@ def test_missing_section(section: str, expected: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("data", "where", "mend"),
+    ("data", "where", "fix"),
     [
         (case(plate__thicknes="1 m"), "plate.thicknes", 'did you mean "thickness"?'),
         (case(plate__e="1 Pa"), "plate.e", 'did you mean "E"?'),

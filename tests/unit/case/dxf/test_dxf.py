@@ -21,9 +21,9 @@ from hypothesis import strategies as st
 
 from groundslab import units
 from groundslab.case import casefile, dxf
+from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing
-from groundslab.case.dxf.labels import value_in
-from groundslab.case.dxf.layers import Layers
+from groundslab.case.dxf.labelling import find_quantity
 from groundslab.errors import InputError
 from groundslab.geometry.bulges import Curve, edges_of, from_line
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, UniformLoad
@@ -636,7 +636,7 @@ class TestLoads:
     )  # fmt: skip
     def test_words(self, text: str, value: float | None) -> None:
         """A value may stand behind a name."""
-        assert value_in(text) == value
+        assert find_quantity(text) == value
 
     @pytest.mark.parametrize(
         "text",

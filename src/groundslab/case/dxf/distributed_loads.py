@@ -9,18 +9,23 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from groundslab import units
-from groundslab.case.dxf.beside import Mark, give_texts, value_of, words_of
-from groundslab.case.dxf.chains import Found
-from groundslab.case.dxf.classify import Holders, tell_taken
-from groundslab.case.dxf.drawing import AreaMark, LineMark
-from groundslab.case.dxf.labels import DIMENSION, Label, value_behind
-from groundslab.case.dxf.layers import Roles
-from groundslab.case.dxf.nodes import Nodes
-from groundslab.case.dxf.pieces import Piece
-from groundslab.case.dxf.sheet import DOUBLE, Sheet, Source
-from groundslab.case.dxf.words import named
+from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
+from groundslab.case.dxf.classify import EnclosingCurves, report_taken
+from groundslab.case.dxf.document import Roles
+from groundslab.case.dxf.drawing import DOUBLE, AreaMark, LineMark, ReadContext, Source
+from groundslab.case.dxf.entities import DrawnLine
+from groundslab.case.dxf.labelling import (
+    DIMENSION,
+    Label,
+    PendingLoad,
+    assign_texts,
+    choose_value,
+    find_layer_quantity,
+    join_texts,
+)
 from groundslab.errors import Issue
 from groundslab.geometry.bulges import Curve, Edge, Point
+from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -28,15 +33,19 @@ if TYPE_CHECKING:
 CHORDS = 16  # of an arc, to see what is near it
 
 
-def lines_of(
-    lines: Sequence[tuple[Source, Piece]], texts: Sequence[Label], roles: Roles, tolerance: float, sheet: Sheet
+def read_line_loads(
+    lines: Sequence[tuple[Source, DrawnLine]],
+    texts: Sequence[Label],
+    roles: Roles,
+    tolerance: float,
+    context: ReadContext,
 ) -> list[LineMark]:
     """Return the line loads with the values that stand beside them or in the names of their layers."""
     from shapely import LineString
 
-    nodes, middles = Nodes(tolerance), Nodes(tolerance)
+    nodes, middles = PointIndex(tolerance), PointIndex(tolerance)
     seen: set[frozenset[tuple[int, int, int]]] = set()
-    marks: list[Mark] = []
+    marks: list[PendingLoad] = []
     edges: list[list[Edge]] = []
     for source, piece in lines:
         own = [
@@ -47,39 +56,43 @@ def lines_of(
         ends = [sorted((nodes.number(edge.a), nodes.number(edge.b))) for edge in own]
         key = frozenset((a, b, middles.number(edge.middle())) for (a, b), edge in zip(ends, own, strict=True))
         if not own or key in seen:
-            sheet.tell(source, False, DOUBLE if own else "it has no length")
+            context.report_entity(source, False, DOUBLE if own else "it has no length")
             continue
         seen.add(key)
         edges.append(own)
-        marks.append(Mark(source, own[0].a, LineString([own[0].a, *(p for edge in own for p in chords(edge))])))
-    give_texts(marks, texts, "line_loads", sheet)
-    defaults = _values_of_layers([mark.source.layer for mark in marks], "line_loads", roles, sheet)
+        marks.append(
+            PendingLoad(source, own[0].a, LineString([own[0].a, *(p for edge in own for p in divide_edge(edge))]))
+        )
+    assign_texts(marks, texts, "line_loads", context)
+    defaults = _read_layer_values([mark.source.layer for mark in marks], "line_loads", roles, context)
     found = []
     for mark, own in zip(marks, edges, strict=True):
-        value, how = _value(mark, "line_loads", defaults, sheet)
-        sheet.tell(mark.source, True, f"line load{how}")
+        value, how = _find_value(mark, "line_loads", defaults, context)
+        context.report_entity(mark.source, True, f"line load{how}")
         closed = len(own) > 1 and math.dist(own[0].a, own[-1].b) <= tolerance
         points = tuple(edge.a for edge in own) + (() if closed else (own[-1].b,))
-        found.append(LineMark(points, tuple(edge.bulge for edge in own), value, words_of(mark)))
+        found.append(LineMark(points, tuple(edge.bulge for edge in own), value, join_texts(mark)))
     return found
 
 
-def areas_of(found: list[Found], texts: Sequence[Label], roles: Roles, sheet: Sheet) -> list[AreaMark]:
+def read_area_loads(
+    found: list[ClosedCurve], texts: Sequence[Label], roles: Roles, context: ReadContext
+) -> list[AreaMark]:
     """Return the area loads with the values that stand in or beside them or in the names of their layers.
 
     A curve without a value of its own is a hole of the area in which it lies.
     """
     from shapely import Polygon
 
+    shapes = [_valid(Polygon([p for edge in each.edges() for p in divide_edge(edge)])) for each in found]
     marks = [
-        Mark(each.sources[0], each.curve.points[0], _valid(Polygon([p for edge in each.edges() for p in chords(edge)])),
-             each.curve.area)
-        for each in found
-    ]  # fmt: skip
-    give_texts(marks, texts, "area_loads", sheet)
-    defaults = _values_of_layers([mark.source.layer for mark in marks], "area_loads", roles, sheet)
+        PendingLoad(each.sources[0], each.curve.points[0], shape, each.curve.area)
+        for each, shape in zip(found, shapes, strict=True)
+    ]
+    assign_texts(marks, texts, "area_loads", context)
+    defaults = _read_layer_values([mark.source.layer for mark in marks], "area_loads", roles, context)
     numbers = {id(each): number for number, each in enumerate(found)}
-    holders = Holders(found, sheet) if found else None
+    holders = EnclosingCurves(found, context) if found else None
     hole_of: dict[int, int] = {}
     for each in sorted(found, key=lambda one: -one.curve.area):
         assert holders is not None
@@ -95,11 +108,11 @@ def areas_of(found: list[Found], texts: Sequence[Label], roles: Roles, sheet: Sh
         holes[outer].append(found[hole].curve)
     areas = []
     for number in order:
-        value, how = _value(marks[number], "area_loads", defaults, sheet)
-        tell_taken(found[number], f"area load {loads[number]}{how}", sheet)
-        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, words_of(marks[number])))
+        value, how = _find_value(marks[number], "area_loads", defaults, context)
+        report_taken(found[number], f"area load {loads[number]}{how}", context)
+        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, join_texts(marks[number])))
     for hole, outer in hole_of.items():
-        tell_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value of its own", sheet)
+        report_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value of its own", context)
     return areas
 
 
@@ -111,7 +124,7 @@ def length(load: LineMark) -> float:
                for edge in edges)  # fmt: skip
 
 
-def chords(edge: Edge) -> list[Point]:
+def divide_edge(edge: Edge) -> list[Point]:
     """Return points along an edge, its end the last of them."""
     if not edge.bulge:
         return [edge.b]
@@ -122,26 +135,28 @@ def chords(edge: Edge) -> list[Point]:
 
 
 def _valid(polygon: BaseGeometry) -> BaseGeometry:
-    """Return a polygon, or the rectangle around it if it crosses itself, of which another fault tells."""
+    """Return a polygon, or the rectangle around it if it crosses itself, which is an issue of its own."""
     return polygon if polygon.is_valid else polygon.envelope
 
 
-def _values_of_layers(names: Sequence[str], role: str, roles: Roles, sheet: Sheet) -> dict[str, float]:
-    """Return the values that stand in names of layers; what is meant as one and is none is a fault."""
+def _read_layer_values(names: Sequence[str], role: str, roles: Roles, context: ReadContext) -> dict[str, float]:
+    """Return the values that stand in names of layers; what is meant as one and is none is an issue."""
     values = {}
     for name in dict.fromkeys(names):
-        value = value_behind(roles.behind(name), DIMENSION[role])
+        value = find_layer_quantity(roles.behind(name), DIMENSION[role])
         if isinstance(value, float):
             values[name] = value
         elif value is not None:
-            where, expected = f"{sheet.path}, layer {named(name)}", units.expectation(DIMENSION[role])
-            sheet.add(Issue(where, named(roles.behind(name)), expected, value))
+            where, expected = f"{context.path}, layer {describe(name)}", units.expectation(DIMENSION[role])
+            context.add(Issue(where, describe(roles.behind(name)), expected, value))
     return values
 
 
-def _value(mark: Mark, role: str, defaults: dict[str, float], sheet: Sheet) -> tuple[float | None, str]:
+def _find_value(
+    mark: PendingLoad, role: str, defaults: dict[str, float], context: ReadContext
+) -> tuple[float | None, str]:
     """Return the value of a load, its own or that of its layer, and what the report says of it."""
-    value, how = value_of(mark, role, sheet), ""
+    value, how = choose_value(mark, role, context), ""
     if value is None and mark.source.layer in defaults:
         value, how = defaults[mark.source.layer], ", by the name of its layer"
     return value, ", no value" if value is None else f" of {units.show(value, DIMENSION[role])}{how}"
