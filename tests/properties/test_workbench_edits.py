@@ -17,7 +17,7 @@ from groundslab.workbench.editing.document import Document
 from groundslab.workbench.editing.undo import History
 from helpers.paths import ROOT
 
-EXAMPLES = {"starter": casefile.STARTER, "raft": (ROOT / "examples" / "l_raft.toml").read_text(encoding="utf-8")}
+EXAMPLES = {"starter": casefile.starter(), "raft": (ROOT / "examples" / "l_raft.toml").read_text(encoding="utf-8")}
 KEYS = st.sampled_from(["a", "b", "c", "d e", "x-y", "", "ä", 'q"q'])
 WORDS = st.sampled_from(["", "m", "30 MPa", "# no comment", 'a "quote"', "two\nlines", "[x]", "a = 1, b", "\\", "ß\t"])
 SCALARS = WORDS | st.integers(-5, 5) | st.floats(-2, 2, width=16) | st.booleans()
