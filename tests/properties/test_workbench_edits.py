@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from groundslab.case import casefile
-from groundslab.workbench.editing import toml_writer
+from groundslab.schema import toml_writer
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.editing.undo import History
 from helpers.paths import ROOT

@@ -1,10 +1,11 @@
-"""The combinations of a model: those it lists, those that EN 1990 makes, or each load case by itself."""
+"""Combinations of a model: those it lists, those by EN 1990, or each load case by itself."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from groundslab.model.loads.load_cases import Combination, make_combinations
+from groundslab.model.loads.en1990 import make_combinations
+from groundslab.model.loads.load_cases import Combination
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model

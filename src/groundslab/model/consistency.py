@@ -3,27 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from groundslab.model.columns import Column
-from groundslab.model.ground import (
-    AnyGround,
-    InterfaceLayer,
-    Layered,
-    Pasternak,
-    SoilLayer,
-    Winkler,
-)
-from groundslab.model.loads.load_cases import (
-    Combination,
-    LoadCase,
-    known_cases,
-    known_factors,
-)
-from groundslab.model.loads.load_types import (
-    AnyLoad,
-    SettlementLoad,
-)
+from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
+from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
+from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
 from groundslab.model.loads.placement import Covered, on_plate, voids_on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Beyond, Contact, Mesh
@@ -36,21 +20,12 @@ from groundslab.model.supports import (
     plan_of_plate,
     supports_far_off,
 )
-from groundslab.model.varying_ground import (
-    SoilZone,
-)
+from groundslab.model.varying_ground import SoilZone
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
-if TYPE_CHECKING:
-    pass
-
 MOST_ELEMENTS = 4_000_000  # in all surfaces; nobody wants to fill the memory by a typing error
-
-
 MOST_SURFACES = 200  # each couples with all others at every node
-
-
 SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
 
 
@@ -126,7 +101,7 @@ def counts_fit(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> It
 def loads_have_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
     """Find load cases without a name of their own, and loads whose case is not there."""
     yield from named_once("cases", [case.name for case in cases], needed=True)
-    yield from known_cases("loads", "case", [load.case for load in loads], cases)
+    yield from check_case_names("loads", "case", [load.case for load in loads], cases)
 
 
 def combinations_have_cases(
@@ -134,7 +109,7 @@ def combinations_have_cases(
 ) -> Iterator[RelativeIssue]:
     """Find combinations without a name of their own, and factors of cases that are not there."""
     yield from named_once("combinations", [each.name for each in combinations], needed=True)
-    yield from known_factors(combinations, cases)
+    yield from check_factors(combinations, cases)
 
 
 def columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:

@@ -7,7 +7,7 @@ of faults count from 1, as people count ``[[loads]]`` and ``[[ground.layers]]`` 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
@@ -26,46 +26,20 @@ from groundslab.model.consistency import (
     supports_on_plate,
     voids_lie_on_plate,
 )
-from groundslab.model.ground import (
-    Ground,
-)
+from groundslab.model.ground import Ground
 from groundslab.model.loads.clipping import loads_reach_plate
-from groundslab.model.loads.load_cases import (
-    Combination,
-    Combine,
-    LoadCase,
-    combine_makes,
-    design_has_loads,
-)
-from groundslab.model.loads.load_types import (
-    Load,
-)
+from groundslab.model.loads.en1990 import check_combine
+from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
+from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.placement import loads_have_a_column, loads_on_plate
-from groundslab.model.outputs import (
-    Output,
-    Reinforcement,
-    bars_within,
-    output_on_plate,
-)
+from groundslab.model.outputs import Output, Reinforcement, bars_within, output_on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
-from groundslab.model.supports import (
-    Support,
-)
-from groundslab.model.varying_ground import (
-    Borehole,
-    SoilZone,
-    boreholes_match,
-    depth_fits,
-    zones_match,
-    zones_near,
-)
+from groundslab.model.supports import Support
+from groundslab.model.varying_ground import Borehole, SoilZone, boreholes_match, depth_fits, zones_match, zones_near
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Text
-
-if TYPE_CHECKING:
-    pass
 
 
 class Model(Section):
@@ -82,7 +56,7 @@ class Model(Section):
         counts_fit,
         loads_have_cases,
         combinations_have_cases,
-        combine_makes,
+        check_combine,
         columns_on_plate,
         loads_have_a_column,
         supports_on_plate,
@@ -93,7 +67,7 @@ class Model(Section):
         boreholes_match,
         output_on_plate,
         bars_within,
-        design_has_loads,
+        check_design_combinations,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""

@@ -3,39 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
-from groundslab.model.ground import (
-    POSITIVE,
-)
-from groundslab.model.loads.load_types import (
-    Void,
-)
-from groundslab.model.varying_ground import (
-    GapPoint,
-    gaps_apart,
-)
+from groundslab.model.ground import POSITIVE
+from groundslab.model.varying_ground import GapPoint, Void, gaps_apart
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, quote
 
-if TYPE_CHECKING:
-    pass
-
 Reach = Literal["none", "margin", "infinite"]
-
-
 OuterEdge = Literal["free", "fixed"]
-
-
 Side = Literal["left", "right", "bottom", "top"]
-
-
 Symmetry = Literal["auto", "off"]
-
-
 Solver = Literal["auto", "pardiso", "superlu", "mumps"]
 
 

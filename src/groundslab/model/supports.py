@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
-from groundslab.model.ground import (
-    POSITIVE,
-)
+from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
 from groundslab.schema.base import Check, Section, Table, kind_of

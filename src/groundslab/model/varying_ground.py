@@ -1,19 +1,24 @@
-"""Ground that varies over the plan, as the input file says it: zones of other soil, and boreholes."""
+"""Ground that varies over the plan: zones of other soil, boreholes, gaps and voids under the plate."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import Field
 
-from groundslab.model.ground import AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
+from groundslab.model.ground import POSITIVE, AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.plate import Plate
-from groundslab.model.shapes import Shape, box_of
-from groundslab.schema.base import Section, Table
-from groundslab.schema.fields import Quantity, Text
+from groundslab.model.shapes import AnyShape, Shape, box_of
+from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.fields import ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+    from groundslab.geometry.plan import Ring
 
 #: Zones of soil reach no further from the plate, in lengths of its longer side.
 FARTHEST = 1000
@@ -144,3 +149,48 @@ class GapPoint(Section):
     x: Annotated[float, Quantity("length", "x", "position")]
     y: Annotated[float, Quantity("length", "y", "position")]
     gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground stands higher")]
+
+
+def _one_extent(
+    x: tuple[float, float] | None, y: tuple[float, float] | None, shape: AnyShape | None
+) -> Iterator[RelativeIssue]:
+    if shape is None:
+        for name, value in (("x", x), ("y", y)):
+            if value is None:
+                yield RelativeIssue((name,), "nothing", "x and y, or a shape")
+    elif x is not None or y is not None:
+        yield RelativeIssue(("shape",), "a shape beside x or y", "one of them")
+
+
+class Void(Section):
+    """A part of the plan where the ground lies deeper, or is missing."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_one_extent,)
+
+    depth: Annotated[
+        float | None,
+        Quantity("length", "d", "initial gap there; without it a cavity, whose bottom is never reached", POSITIVE),
+    ] = None
+    x: Annotated[
+        tuple[float, float] | None,
+        ListOf(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
+    ] = None
+    y: Annotated[
+        tuple[float, float] | None,
+        ListOf(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
+    ] = None
+    shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
+
+    def ring(self) -> Ring:
+        """Return the curve around it."""
+        if self.shape is not None:
+            return self.shape.ring()
+        from groundslab.geometry.plan import rectangle
+
+        assert self.x is not None
+        assert self.y is not None
+        return rectangle(*self.x, *self.y)
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the area, arcs as chords at most so far off [m]."""
+        return self.ring().polygon(chord)

@@ -20,7 +20,7 @@ from pydantic.fields import FieldInfo
 from pydantic.functional_validators import ModelWrapValidatorHandler
 
 from groundslab.errors import InputError
-from groundslab.schema.fields import MOST_FAULTS, FieldType, is_from_file
+from groundslab.schema.fields import MOST_ISSUES, FieldType, is_from_file
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, listed, quote, suggestion
 
@@ -229,7 +229,7 @@ def _translate(cls: type[Section], error: ValidationError) -> list[RelativeIssue
     relative_issues: list[RelativeIssue] = []
     # pydantic calls a list too short as well when none of its entries is right
     lines = [line for line in _lines(error) if line["type"] != "too_short" or not line["input"]]
-    for line in lines[:MOST_FAULTS]:
+    for line in lines[:MOST_ISSUES]:
         # below a field's name only positions are ours; the words are the tags of unions
         head, tail = line["loc"][:1], line["loc"][1:]
         place = (*head, *(step for step in tail if isinstance(step, int)))
@@ -238,17 +238,17 @@ def _translate(cls: type[Section], error: ValidationError) -> list[RelativeIssue
             relative_issues += [relative.below(place) for relative in cause.relative_issues]
         else:
             relative_issues.append(_finding(cls, place, line))
-    if len(lines) > MOST_FAULTS:
-        relative_issues.append(RelativeIssue((), f"{len(lines)} faults", f"at most {MOST_FAULTS} of them to be told"))
+    if len(lines) > MOST_ISSUES:
+        relative_issues.append(RelativeIssue((), f"{len(lines)} faults", f"at most {MOST_ISSUES} of them to be told"))
     return relative_issues
 
 
 def _first(relative_issues: list[RelativeIssue]) -> list[RelativeIssue]:
     """Return as many findings as can be told of one part, and that there are more."""
-    if len(relative_issues) <= MOST_FAULTS + 1:  # of what it holds, so many have been told already
+    if len(relative_issues) <= MOST_ISSUES + 1:  # of what it holds, so many have been told already
         return relative_issues
-    more = RelativeIssue((), f"{len(relative_issues)} faults", f"at most {MOST_FAULTS} of them to be told")
-    return [*relative_issues[:MOST_FAULTS], more]
+    more = RelativeIssue((), f"{len(relative_issues)} faults", f"at most {MOST_ISSUES} of them to be told")
+    return [*relative_issues[:MOST_ISSUES], more]
 
 
 def _no_table(place: tuple[str | int, ...], value: object) -> RelativeIssue:

@@ -12,10 +12,11 @@ from groundslab.case.casefile import LARGEST, load, loads, starter, to_toml
 from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import combinations_of
 from groundslab.model.ground import Layered, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
+from groundslab.model.varying_ground import Void
 from helpers.paths import EXAMPLES
 
 

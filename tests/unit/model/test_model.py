@@ -14,10 +14,11 @@ import pytest
 from groundslab.errors import InputError
 from groundslab.model.consistency import MOST_ELEMENTS
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model, docs_table, json_schema
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
+from groundslab.model.varying_ground import Void
 from groundslab.schema.base import Section, key_of, meaning_of, nested
 from groundslab.schema.fields import FROM_FILE, FieldType
 from helpers.paths import ROOT

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
-from groundslab.errors import InputError
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, Factors, ListOf, Number, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, suggestion
-
-if TYPE_CHECKING:
-    pass
 
 Kind = Literal["permanent", "variable"]
 LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
@@ -98,7 +94,9 @@ class Combine(Section):
     ] = (1.5, 0.0)
 
 
-def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
+def check_case_names(
+    part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]
+) -> Iterator[RelativeIssue]:
     """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
     names = [case.name for case in cases]
     known = set(names)
@@ -111,7 +109,7 @@ def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadC
             yield RelativeIssue((part, position, key), found, expected, suggestion(name, names))
 
 
-def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
+def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
     """Find factors of cases that are not there, and combinations of nothing."""
     names = [case.name for case in cases]
     if combinations and not names:
@@ -125,39 +123,6 @@ def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
                 yield RelativeIssue(place, "a case that is not there", one_of(names), suggestion(name, names))
 
 
-def combine_makes(
-    combine: Combine | None, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...]
-) -> Iterator[RelativeIssue]:
-    """Find automatic combinations that cannot be made, are too many or none, or have the name of another one."""
-    if combine is None:
-        return
-    if not cases:
-        yield RelativeIssue(("combine",), "automatic combinations", "[[cases]] to combine")
-        return
-    named_well = [bool(case.name) and case.name == " ".join(case.name.split()) and "+" not in case.name.split()
-                  for case in cases]  # fmt: skip
-    for position, case in enumerate(cases):
-        if case.name and not named_well[position]:
-            hint = "without outer or double blanks and without a + standing alone"
-            yield RelativeIssue(
-                ("cases", position, "name"), describe(case.name), "a name that can stand in a sum", hint
-            )
-    if not all(named_well) or len({case.name for case in cases}) < len(cases):
-        return
-    try:
-        made = {each.name for each in make_combinations(combine, cases)}
-    except InputError as error:
-        for issue in error.issues:
-            yield RelativeIssue(("combine",), issue.found, issue.expected, issue.hint)
-        return
-    if not made:
-        yield RelativeIssue(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
-    for position, combination in enumerate(combinations):
-        if combination.name in made:
-            found = f"{describe(combination.name)}, which combine makes as well"
-            yield RelativeIssue(("combinations", position, "name"), found, "a name of its own")
-
-
 def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
     """Return whether any combination given or made is for the ultimate limit state."""
     return any(each.limit_state == "ultimate" for each in combinations) or (
@@ -165,31 +130,13 @@ def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None)
     )
 
 
-def design_has_loads(
+def check_design_combinations(
     reinforcement: object, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...], combine: Combine | None
 ) -> Iterator[RelativeIssue]:
-    """Find a design that is asked for without ultimate combinations to design for."""
+    """Find reinforcement without an ultimate combination to design for."""
     if reinforcement is None or has_ultimate(combinations, combine):
         return
     add = '[[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
     cased = "" if cases else "[[cases]], the case of each load, and then "
     hint = f"add {cased}{add}; loads that hold partial factors already take part with the factor 1"
     yield RelativeIssue(("reinforcement",), "no ultimate combination of loads", "at least one to design for", hint)
-
-
-def make_combinations(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:
-    """Return the combinations that EN 1990 makes of the cases."""
-    from groundslab.model.loads.en1990 import Action, combinations
-    from groundslab.model.loads.en1990 import Factors as Partial
-
-    actions = [
-        Action(case.name, case.action, case.psi_0, case.psi_1, case.psi_2, case.group)
-        if case.action == "variable"
-        else Action(case.name, case.action)
-        for case in cases
-    ]
-    partial = Partial(combine.permanent, combine.variable)
-    return tuple(
-        Combination(name=each.name, limit_state=each.limit_state, factors=each.factors)
-        for each in combinations(actions, combine.sets, partial)
-    )

@@ -8,9 +8,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from groundslab.model.columns import Column
-from groundslab.model.loads.load_types import AnyLoad, PointLoad, Void
+from groundslab.model.loads.load_types import AnyLoad, PointLoad
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import CHORD
+from groundslab.model.varying_ground import Void
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 

@@ -12,9 +12,10 @@ from groundslab.model.loads.load_types import SettlementLoad
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.geometry.plan import Place, Ring
-    from groundslab.model.loads.load_types import AnyLoad, Void
+    from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
     from groundslab.model.supports import AnySupport
+    from groundslab.model.varying_ground import Void
 
 #: Arcs become chords that are at most this far off, relative to the plate's longer side.
 CHORD = 2e-4

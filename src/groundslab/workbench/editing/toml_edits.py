@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from groundslab.workbench.editing import toml_writer
+from groundslab.schema import toml_writer
 from groundslab.workbench.editing.toml_positions import Path, Value, statements
 
 _COMMENT = re.compile(r"[ \t]*#[^\n]*(?:\n|\Z)")
