@@ -6,6 +6,7 @@ Places are (x, y) in metres. A plan's extent is the longer side of the rectangle
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -24,6 +25,8 @@ Place = tuple[float, float]
 SAME_PLACE = 1e-9
 #: Arcs are replaced by chords that are at most this far off, relative to the extent, to see what lies inside what.
 FLAT = 1e-6
+#: Drawings replace arcs by chords at most this far off, relative to the extent.
+DRAWN_CHORD = 2e-4
 #: However small an arc is, its chords turn by no more than this, so that it looks round [rad].
 ROUND = math.radians(4.0)
 #: A loaded area has its arcs replaced by chords of this angle [rad] at most, ARC_CHORDS of them at least.
@@ -31,6 +34,10 @@ ARC_STEP = 2 * math.pi / 512
 ARC_CHORDS = 8
 #: Arcs are cut into this many chords at most, which are off by 3e-9 of the radius of a quarter circle.
 MOST_CHORDS = 10_000
+#: Largest bulge of an arc, which is then nearly a whole circle.
+LARGEST_BULGE = 100.0
+#: Most elements of a mesh.
+MOST_ELEMENTS = 4_000_000
 #: Section of a place that is not meshed at all; see `sections`.
 NOTHING = -2
 #: Section of a place where ground lies and no plate.
@@ -100,6 +107,18 @@ class Segment:
         result = np.where(np.mod(turn, 2 * math.pi) <= abs(self.sweep), beside, ends)
         return result
 
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the rectangle x0, x1, y0, y1 around the edge [m]."""
+        places = [self.start, self.end]
+        for quarter in () if self.straight else range(-8, 9):
+            turned = (quarter * math.pi / 2 - self.angle) * math.copysign(1.0, self.sweep)
+            if 0 < turned < abs(self.sweep):
+                x, y = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
+                places.append((self.centre[0] + self.radius * x, self.centre[1] + self.radius * y))
+        x_values, y_values = zip(*places, strict=True)
+        return min(x_values), max(x_values), min(y_values), max(y_values)
+
     def chords(self, tolerance: float) -> int:
         """Return into how many chords the edge must be cut for them to be at most a tolerance [m] off it.
 
@@ -124,6 +143,12 @@ def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
     centre = (start[0] + end[0]) / 2 - dy * offset, (start[1] + end[1]) / 2 + dx * offset
     angle = math.atan2(start[1] - centre[1], start[0] - centre[0])
     return Segment(start, end, centre, math.dist(start, centre), angle, 4 * math.atan(bulge))
+
+
+def bounds_of(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
+    """Return the rectangle x0, x1, y0, y1 around edges [m]."""
+    left, right, low, high = zip(*(edge.bounds for edge in edges), strict=True)
+    return min(left), max(right), min(low), max(high)
 
 
 @dataclass(frozen=True)
@@ -169,6 +194,11 @@ class Ring:
             double += (x - x0) * (v - y0) - (u - x0) * (y - y0)
             double += edge.radius**2 * (edge.sweep - math.sin(edge.sweep))
         return abs(double) / 2
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the rectangle x0, x1, y0, y1 around the curve [m]."""
+        return bounds_of(self.segments())
 
     @property
     def straight(self) -> bool:

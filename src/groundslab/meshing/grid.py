@@ -11,8 +11,8 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING, graded, graded_towards, grid, intervals
-from groundslab.geometry.plan import NOTHING, Plan, sections
-from groundslab.meshing.plan_mesh import MOST_ELEMENTS, PlanMesh, check, finished, too_many
+from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, sections
+from groundslab.meshing.plan_mesh import PlanMesh, check, finished, too_many
 from groundslab.meshing.sizing import doubling
 
 #: Neighbouring intervals of a grid may differ by this factor before the longer one is graded.

@@ -10,12 +10,9 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import gauss, jacobian, q9
-from groundslab.geometry.plan import NOTHING, Plan, at
+from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, at
 from groundslab.geometry.validity import issues
 from groundslab.meshing.quality import Quality, quality
-
-#: Largest number of elements: more is nearly always a slip in the size.
-MOST_ELEMENTS = 4_000_000
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
+from groundslab.geometry.plan import Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Quantity, Text
@@ -12,8 +13,6 @@ from groundslab.schema.issues import RelativeIssue
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
-
-    from groundslab.geometry.plan import Ring
 
 
 def one_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
@@ -27,8 +26,6 @@ def one_footprint(width_x: float | None, width_y: float | None, diameter: float 
 
 def footprint(x: float, y: float, width_x: float | None, width_y: float | None, diameter: float | None) -> Ring | None:
     """Return the curve around a footprint centred at (x, y) [m], None if it is a point."""
-    from groundslab.geometry.plan import circle, rectangle
-
     if diameter is not None:
         return circle((x, y), diameter / 2)
     if width_x is not None and width_y is not None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from groundslab.geometry.plan import MOST_ELEMENTS
+from groundslab.geometry.validity import issues
 from groundslab.model.columns import Column
 from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
@@ -24,7 +26,6 @@ from groundslab.model.varying_ground import SoilZone
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
-MOST_ELEMENTS = 4_000_000  # in all surfaces; nobody wants to fill the memory by a typing error
 MOST_SURFACES = 200  # each couples with all others at every node
 SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
 
@@ -128,8 +129,6 @@ def supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterato
     yield from far
     if not supports or far or any(lines_run(supports)):
         return
-    from groundslab.geometry.validity import issues
-
     points = [n for n, support in enumerate(supports) if isinstance(support, PointSupport)]
     lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
     called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
+from groundslab.geometry.plan import Plan, Ring
+from groundslab.geometry.validity import issues
 from groundslab.model.ground import POISSON, POSITIVE
-from groundslab.model.shapes import AnyShape, Rectangle, Shape, box_of
+from groundslab.model.shapes import AnyShape, Rectangle, Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Choice, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import quote
-
-if TYPE_CHECKING:
-    from groundslab.geometry.plan import Ring
 
 Element = Literal["mitc9", "q9", "heterosis"]
 Support = Literal["free", "hinged", "soft", "clamped"]
@@ -92,9 +91,6 @@ def _can_be_meshed(
         if length_x is None or length_y is None:
             return
         outline = Rectangle(x=(-length_x / 2, length_x / 2), y=(-length_y / 2, length_y / 2))
-    from groundslab.geometry.plan import Plan
-    from groundslab.geometry.validity import issues
-
     rings = tuple(opening.ring() for opening in openings)
     plan = Plan(outline.ring(), rings, tuple((zone.shape.ring(), n) for n, zone in enumerate(zones, start=1)))
     for issue in issues(plan):
@@ -148,7 +144,7 @@ class Plate(Section):
             assert self.length_x is not None
             assert self.length_y is not None
             return -self.length_x / 2, self.length_x / 2, -self.length_y / 2, self.length_y / 2
-        return box_of(self.outline.ring())
+        return self.outline.ring().bounds
 
     def ring(self) -> Ring:
         """Return the outline as a curve."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
+from groundslab.geometry.plan import Plan, Ring
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
@@ -15,9 +16,6 @@ from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe
-
-if TYPE_CHECKING:
-    from groundslab.geometry.plan import Plan, Ring
 
 Acts = Literal["both ways", "in compression", "in tension"]
 Turning = Literal["free", "fixed"]
@@ -132,8 +130,6 @@ def named_once(part: str, names: list[str], needed: bool) -> Iterator[RelativeIs
 
 def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring | None = None) -> Plan:
     """Return the plan of a plate with its supports: zone i is section i."""
-    from groundslab.geometry.plan import Plan
-
     return Plan(
         plate.ring(),
         tuple(shape.ring() for shape in plate.openings),

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import Field
 
+from groundslab.geometry.plan import Ring, rectangle
 from groundslab.model.ground import POSITIVE, AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.plate import Plate
-from groundslab.model.shapes import AnyShape, Shape, box_of
+from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
@@ -18,7 +19,6 @@ from groundslab.schema.wording import quote
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-    from groundslab.geometry.plan import Ring
 
 #: Zones of soil reach no further from the plate, in lengths of its longer side.
 FARTHEST = 1000
@@ -71,7 +71,7 @@ def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Relat
     p0, p1, r0, r1 = plate.bounds
     far = FARTHEST * max(p1 - p0, r1 - r0)
     for position, zone in enumerate(soil_zones):
-        x0, x1, y0, y1 = box_of(zone.shape.ring())
+        x0, x1, y0, y1 = zone.shape.ring().bounds
         reach = max(p0 - x0, x1 - p1, r0 - y0, y1 - r1)
         if reach > far:
             expected = f"at most {far:g} m, {FARTHEST} times the plate's longer side"
@@ -185,8 +185,6 @@ class Void(Section):
         """Return the curve around it."""
         if self.shape is not None:
             return self.shape.ring()
-        from groundslab.geometry.plan import rectangle
-
         assert self.x is not None
         assert self.y is not None
         return rectangle(*self.x, *self.y)

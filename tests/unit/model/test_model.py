@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from groundslab.errors import InputError
-from groundslab.model.consistency import MOST_ELEMENTS
+from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model, docs_table, json_schema

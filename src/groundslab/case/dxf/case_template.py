@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from groundslab import units
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
-from groundslab.geometry.bulges import Curve, Point, Region, edges_of
+from groundslab.geometry.bulges import Point, Region, edges_of
+from groundslab.geometry.plan import Ring
 from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ class Footprint:
         return ["[[columns]]", f"name = {quote(self.name)}", f"x = {x}", f"y = {y}", *size]
 
 
-def footprint_of(curve: Curve, name: str) -> Footprint | None:
+def footprint_of(curve: Ring, name: str) -> Footprint | None:
     """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
     xs, ys = zip(*curve.points, strict=True)
     if all(curve.bulges):
@@ -112,19 +113,19 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     columns: list[Footprint] = []
     plate = _Plate(drawing)
     for number, column in enumerate(drawing.columns, 1):
-        footprint = footprint_of(column, f"C{number}") if isinstance(column, Curve) else None
+        footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
         if footprint is not None and plate.holds(footprint.centre):
             columns.append(footprint)
             text += ["", *footprint.lines()]
             continue
         if footprint is not None:
             why = "it does not stand on the plate"
-        elif isinstance(column, Curve):
+        elif isinstance(column, Ring):
             why = "a column is a rectangle along x and y, or a circle"
         else:
             why = "a point says nothing of its size"
         text += ["", f"# Column {number} of the drawing, for information only: {why}."]
-        lines = _curve_lines(column) if isinstance(column, Curve) else [f"point = {_point_text(column)}"]
+        lines = _curve_lines(column) if isinstance(column, Ring) else [f"point = {_point_text(column)}"]
         text += [f"#   {line}" for line in lines]
     text += ["", *_GROUND]
     under = _column_tree(columns)
@@ -164,24 +165,24 @@ def _value_line(key: str, value: float | None, dimension: str, example: str) -> 
 def _place_line(load: LineMark) -> list[str]:
     """Return the lines that say where a line load stands: a circle, or points and bulges."""
     if load.closed and all(load.bulges):
-        circle = _circle_lines(Curve(load.points, load.bulges))
+        circle = _circle_lines(Ring(load.points, load.bulges))
         if circle is not None:
             return ["[loads.shape]", *circle]
     points = (*load.points, load.points[0]) if load.closed else load.points
     return _point_lines(points, load.bulges)
 
 
-def _hole_lines(curve: Curve) -> list[str]:
+def _hole_lines(curve: Ring) -> list[str]:
     """Return the lines of a hole in an area."""
     return _shape_lines("[[loads.holes]]", curve)
 
 
-def _shape_lines(head: str, curve: Curve) -> list[str]:
+def _shape_lines(head: str, curve: Ring) -> list[str]:
     """Return the lines of a shape below its head."""
     return [head, *(_circle_lines(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
 
 
-def _circle_lines(curve: Curve) -> list[str] | None:
+def _circle_lines(curve: Ring) -> list[str] | None:
     """Return the lines of a circle, None if a curve is none."""
     found = footprint_of(curve, "") if all(curve.bulges) else None
     if found is None or not found.round:
@@ -245,7 +246,7 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
     return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
 
 
-def _curve_lines(curve: Curve) -> list[str]:
+def _curve_lines(curve: Ring) -> list[str]:
     """Return the lines of a closed curve; bulges only if it has arcs."""
     return _point_lines(curve.points, curve.bulges)
 

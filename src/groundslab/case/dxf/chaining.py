@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
 from groundslab.case.dxf.entities import DrawnLine
-from groundslab.geometry.bulges import Curve, Edge, Point, edges_of, signed_area
+from groundslab.geometry.bulges import Edge, Point, edges_of, signed_area
+from groundslab.geometry.plan import Ring
 
 
 class PointIndex:
@@ -39,7 +40,7 @@ MOST_ENDS = 40  # open ends of a layer that are listed one by one
 class ClosedCurve:
     """A closed curve and the entities that it was made of."""
 
-    curve: Curve
+    curve: Ring
     sources: tuple[Source, ...]
     remarks: dict[Source, str]
 
@@ -110,7 +111,7 @@ def _close_ring(links: list[_Link], nodes: PointIndex, remarks: dict[Source, str
     """Return closed links as a curve that runs anticlockwise."""
     if signed_area([Edge(nodes.points[link.a], nodes.points[link.b], link.bulge) for link in links]) < 0:
         links = [link.turned() for link in reversed(links)]
-    curve = Curve(tuple(nodes.points[link.a] for link in links), tuple(link.bulge or 0.0 for link in links))
+    curve = Ring(tuple(nodes.points[link.a] for link in links), tuple(link.bulge or 0.0 for link in links))
     sources = tuple(dict.fromkeys(link.source for link in links))
     return ClosedCurve(curve, sources, {source: remarks[source] for source in sources if source in remarks})
 

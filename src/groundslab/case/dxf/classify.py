@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
 from groundslab.errors import Issue
-from groundslab.geometry.bulges import Curve, Point, Region
+from groundslab.geometry.bulges import Point, Region
 from groundslab.geometry.intersections import meeting_of
+from groundslab.geometry.plan import Ring
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ def find_outline(
     has_openings: bool,
     tolerance: float,
     context: ReadContext,
-) -> tuple[Curve | None, list[ClosedCurve]]:
+) -> tuple[Ring | None, list[ClosedCurve]]:
     """Return the outline, the greatest curve of its layer, and the openings that others of that layer are."""
     if not curves:
         where = f"{context.path}, layer {describe(entities[0][0].layer)}" if entities else ""

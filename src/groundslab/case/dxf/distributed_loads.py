@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from groundslab import units
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.classify import EnclosingCurves, report_taken
@@ -24,7 +26,8 @@ from groundslab.case.dxf.labelling import (
     join_texts,
 )
 from groundslab.errors import Issue
-from groundslab.geometry.bulges import Curve, Edge, Point
+from groundslab.geometry.bulges import Edge, Point
+from groundslab.geometry.plan import Ring, segment
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -103,7 +106,7 @@ def read_area_loads(
         holders.add(each)
     order = [number for number in range(len(found)) if number not in hole_of]
     loads = {number: position for position, number in enumerate(order, 1)}
-    holes: dict[int, list[Curve]] = defaultdict(list)
+    holes: dict[int, list[Ring]] = defaultdict(list)
     for hole, outer in hole_of.items():
         holes[outer].append(found[hole].curve)
     areas = []
@@ -119,19 +122,15 @@ def read_area_loads(
 def length(load: LineMark) -> float:
     """Return the length of a line load [m]."""
     points = (*load.points, load.points[0]) if load.closed else load.points
-    edges = [Edge(a, b, bulge) for (a, b), bulge in zip(pairwise(points), load.bulges, strict=True)]
-    return sum(edge.circle()[1] * 4 * math.atan(abs(edge.bulge)) if edge.bulge else math.dist(edge.a, edge.b)
-               for edge in edges)  # fmt: skip
+    return sum(segment(a, b, bulge).length for (a, b), bulge in zip(pairwise(points), load.bulges, strict=True))
 
 
 def divide_edge(edge: Edge) -> list[Point]:
     """Return points along an edge, its end the last of them."""
     if not edge.bulge:
         return [edge.b]
-    (x, y), r = edge.circle()
-    start, sweep = math.atan2(edge.a[1] - y, edge.a[0] - x), 4 * math.atan(edge.bulge)
-    turns = [start + sweep * part / CHORDS for part in range(1, CHORDS)]
-    return [*((x + r * math.cos(turn), y + r * math.sin(turn)) for turn in turns), edge.b]
+    places: list[Point] = segment(*edge).at(np.arange(1, CHORDS + 1) / CHORDS).tolist()
+    return places
 
 
 def _valid(polygon: BaseGeometry) -> BaseGeometry:

@@ -9,7 +9,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, NoReturn
 
 from groundslab.errors import InputError, Issue
-from groundslab.geometry.bulges import Curve, Point
+from groundslab.geometry.bulges import Point
+from groundslab.geometry.plan import Ring
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -45,8 +46,8 @@ class LineMark:
 class AreaMark:
     """An area load: its edge, the edges of its holes, value [Pa] or None, what is written beside it."""
 
-    curve: Curve
-    holes: tuple[Curve, ...]
+    curve: Ring
+    holes: tuple[Ring, ...]
     value: float | None
     text: str
 
@@ -66,10 +67,10 @@ class ReportLine:
 class Drawing:
     """What was taken from a drawing, in meters; ``scale`` is the size of its ``unit`` in meters."""
 
-    outline: Curve
-    openings: tuple[Curve, ...]
-    zones: tuple[Curve, ...]
-    columns: tuple[Curve | Point, ...]
+    outline: Ring
+    openings: tuple[Ring, ...]
+    zones: tuple[Ring, ...]
+    columns: tuple[Ring | Point, ...]
     point_loads: tuple[PointMark, ...]
     line_loads: tuple[LineMark, ...]
     area_loads: tuple[AreaMark, ...]

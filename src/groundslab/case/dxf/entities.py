@@ -14,6 +14,7 @@ from groundslab.case.dxf.document import Roles
 from groundslab.case.dxf.drawing import CLOSE, FARTHEST, MOST_ENTITIES, ReadContext, Source, abort
 from groundslab.errors import InputError
 from groundslab.geometry.bulges import Point, from_line
+from groundslab.geometry.plan import LARGEST_BULGE
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -201,7 +202,6 @@ def _iterate_block(
 SAG, SAG_OF_SIZE = 1e-3, 1e-5
 MOST_LINES = 10_000  # that splines are made into
 HIGHEST = 25  # degree of a spline
-LARGEST_BULGE = 100.0  # of an arc, as in a case file; all but a whole circle
 MOST_HALVINGS = 16  # of a spline's span
 LINES_MADE = "lines that splines are made into"
 FLAT = 1e-9  # bulge of a straight edge, at most

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from groundslab import units
 from groundslab.case.dxf.distributed_loads import length
 from groundslab.case.dxf.drawing import Drawing
-from groundslab.geometry.bulges import Curve, Point, edges_of
 from groundslab.schema.wording import escape
 
 
@@ -19,11 +18,12 @@ def report_text(drawing: Drawing) -> str:
     counts: dict[str, Counter[bool]] = {}
     for line in lines:
         counts.setdefault(line.layer, Counter())[line.taken] += 1
-    width, depth = (max(values) - min(values) for values in zip(*_extreme_points(drawing.outline), strict=True))
+    outline = drawing.outline
+    x0, x1, y0, y1 = outline.bounds
     loads = sum(mark.value or 0.0 for mark in drawing.point_loads)
     text = [
         f"unit: {drawing.unit} ({drawing.scale:.6g} m)",
-        f"outline: {width:.6g} m x {depth:.6g} m, {drawing.outline.area:.6g} m^2, {len(drawing.outline.points)} edges",
+        f"outline: {x1 - x0:.6g} m x {y1 - y0:.6g} m, {outline.area:.6g} m^2, {len(outline.points)} edges",
         f"openings: {len(drawing.openings)}, zones: {len(drawing.zones)}, columns: {len(drawing.columns)}, "
         f"point loads: {len(drawing.point_loads)} (sum {units.show(loads, 'force')})",
         *_distributed_totals(drawing),
@@ -52,17 +52,6 @@ def _distributed_totals(drawing: Drawing) -> Iterator[str]:
             missing = sum(value is None for value, _ in loads)
             without = f", {missing} without a value" if missing else ""
             yield f"{what}: {len(loads)} (sum {units.show(total, 'force')}{without})"
-
-
-def _extreme_points(curve: Curve) -> list[Point]:
-    """Return points that reach as far as a curve does, arcs included."""
-    points = list(curve.points)
-    for edge in edges_of(curve):
-        if edge.bulge:
-            (x, y), r = edge.circle()
-            far = [(x + r, y), (x - r, y), (x, y + r), (x, y - r)]
-            points += [point for point in far if edge.side(point) * edge.bulge < 0]
-    return points
 
 
 def _table(heading: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:

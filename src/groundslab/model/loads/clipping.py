@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.bulges import Edge
 from groundslab.geometry.intersections import crossings
-from groundslab.geometry.plan import Segment, loaded_polygon
+from groundslab.geometry.plan import Segment, bounds_of, loaded_polygon
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_of
 from groundslab.model.plate import Plate
 from groundslab.schema.issues import RelativeIssue
@@ -253,14 +253,9 @@ def _edge(edge: Segment) -> Edge:
     return Edge(edge.start, edge.end, 0.0 if edge.straight else math.tan(edge.sweep / 4))
 
 
-def _box(edges: Sequence[Segment]) -> BaseGeometry:
-    """Return a box that holds edges, of an arc its whole circle."""
+def _box(edges: Iterable[Segment]) -> BaseGeometry:
+    """Return the rectangle around edges."""
     from shapely import box
 
-    ends = [end for edge in edges for end in (edge.start, edge.end)]
-    for edge in edges:
-        if not edge.straight:
-            (x, y), r = edge.centre, edge.radius
-            ends += [(x - r, y - r), (x + r, y + r)]
-    (left, low), (right, high) = (tuple(map(pick, zip(*ends, strict=True))) for pick in (min, max))
-    return box(left, low, right, high)
+    x0, x1, y0, y1 = bounds_of(edges)
+    return box(x0, y0, x1, y1)

@@ -7,8 +7,11 @@ import math
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
+import numpy as np
 from pydantic import Discriminator, Tag
 
+from groundslab.arrays import Array
+from groundslab.geometry.plan import LARGEST_BULGE, Segment, loaded_polygon, segment
 from groundslab.model.columns import Column, footprint, one_footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
@@ -20,11 +23,8 @@ from groundslab.schema.ranges import Range
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-    from groundslab.arrays import Array
-    from groundslab.geometry.plan import Segment
 
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
-LARGEST_BULGE = 100.0  # of an arc, as of the edges of outlines; a whole circle is a shape
 
 NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
@@ -83,8 +83,6 @@ class PatchLoad(_Pressure):
 
 
 def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
-    from groundslab.geometry.plan import loaded_polygon
-
     if not holes:
         return
     around = loaded_polygon(shape.ring())
@@ -98,8 +96,6 @@ def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Re
 def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
     """Return the polygons of a shape without its holes."""
     from shapely import get_parts, union_all
-
-    from groundslab.geometry.plan import loaded_polygon
 
     cut = union_all([loaded_polygon(hole.ring()) for hole in holes])
     left = loaded_polygon(shape.ring()).difference(cut)
@@ -186,8 +182,6 @@ class LineLoad(_Load):
 
     def segments(self) -> tuple[Segment, ...]:
         """Return the straight pieces and arcs that the load stands on, one after the other."""
-        from groundslab.geometry.plan import segment
-
         if self.shape is not None:
             return self.shape.ring().segments()
         assert self.points is not None
@@ -201,8 +195,6 @@ class LineLoad(_Load):
 
     def flat(self, chord: float) -> Array:
         """Return places (p, 2) along the line from its start to its end, arcs as chords at most so far off [m]."""
-        import numpy as np
-
         edges = self.segments()
         parts = [edge.at(np.arange(n) / n) for edge in edges for n in (edge.chords(chord),)]
         return np.concatenate([*parts, [edges[-1].end]])
@@ -317,8 +309,6 @@ class SettlementLoad(_Load):
 
 def pressure_of(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
     """Return the pressure [Pa] of a load as a function of places (..., 2) [m]."""
-    import numpy as np
-
     if load.slope == NO_SLOPE and load.bend == NO_BEND:
         return lambda places: np.full(places.shape[:-1], load.q)
     slope, about = np.array(load.slope), np.array(load.about)
