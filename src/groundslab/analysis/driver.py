@@ -30,7 +30,7 @@ from groundslab.fem.bearings import CLOSED, YIELDING, Contact, slipped
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import System, W, bearings, nodal, right_hand_side
 from groundslab.model.combinations import combinations_of
-from groundslab.model.consistency import plate_elements
+from groundslab.model.consistency import estimate_elements
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, decay_squared, worst
@@ -75,7 +75,7 @@ def check(model: Model) -> None:
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
-    coarser = max(0, math.ceil(math.log2(plate_elements(model.plate, model.mesh) / CHECKED) / 2))
+    coarser = max(0, math.ceil(math.log2(estimate_elements(model.plate, model.mesh) / CHECKED) / 2))
     if len(model.loads) > COMPARED:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
     ground = discretise(model, coarser, loaded=False).ground

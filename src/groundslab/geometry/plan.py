@@ -151,6 +151,14 @@ def bounds_of(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
     return min(left), max(right), min(low), max(high)
 
 
+def box_around(edges: Iterable[Segment]) -> Polygon:
+    """Return the rectangle around edges as a polygon."""
+    import shapely
+
+    x0, x1, y0, y1 = bounds_of(edges)
+    return shapely.box(x0, y0, x1, y1)
+
+
 @dataclass(frozen=True)
 class Ring:
     """A closed curve through points; bulge i belongs to the edge from point i to the next, as in DXF.
@@ -243,7 +251,7 @@ class Plan:
     borders: tuple[Ring, ...] = ()
 
     def rings(self) -> dict[str, Ring]:
-        """Return all rings by the names that faults give them."""
+        """Return all rings by the names that issues give them."""
         named = {"plate.outline": self.outline}
         named |= {f"plate.openings[{i}]": ring for i, ring in enumerate(self.openings, start=1)}
         named |= {f"plate.zones[{i}]": ring for i, (ring, _) in enumerate(self.zones, start=1)}
@@ -334,8 +342,8 @@ def _equal_area_points(edge: Segment) -> Array:
     return places
 
 
-def at(place: Place) -> str:
-    """Return a place as faults name it."""
+def format_place(place: Place) -> str:
+    """Return a place as issues name it."""
     return f"({place[0]:.6g}, {place[1]:.6g})"
 
 

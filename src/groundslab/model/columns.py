@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 
-def one_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
+def check_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
     """Find a footprint that is neither nothing, nor a rectangle, nor a circle."""
     if diameter is not None and (width_x is not None or width_y is not None):
         yield RelativeIssue(("diameter",), "a diameter beside a width", "width_x and width_y, or diameter")
@@ -33,7 +33,9 @@ def footprint(x: float, y: float, width_x: float | None, width_y: float | None, 
     return None
 
 
-def _has_a_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
+def _check_footprint_given(
+    width_x: float | None, width_y: float | None, diameter: float | None
+) -> Iterator[RelativeIssue]:
     if width_x is None and width_y is None and diameter is None:
         yield RelativeIssue(("width_x",), "nothing", "width_x and width_y, or diameter")
 
@@ -41,7 +43,7 @@ def _has_a_footprint(width_x: float | None, width_y: float | None, diameter: flo
 class Column(Section):
     """A column that stands on the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (one_footprint, _has_a_footprint)
+    checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given)
 
     name: Annotated[str, Text("name of the column, by which loads call it")]
     x: Annotated[float, Quantity("length", "x", "its centre")]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Plan, Ring
-from groundslab.geometry.validity import issues
+from groundslab.geometry.validity import find_issues
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape, Rectangle, Shape
 from groundslab.schema.base import Check, Section, Table
@@ -19,7 +19,7 @@ Element = Literal["mitc9", "q9", "heterosis"]
 Support = Literal["free", "hinged", "soft", "clamped"]
 
 
-def _differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[RelativeIssue]:
+def _check_zone_differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[RelativeIssue]:
     if thickness is None and E is None and nu is None:
         yield RelativeIssue((), "a zone like the rest of the plate", "a thickness, E or nu of its own")
 
@@ -27,7 +27,7 @@ def _differs(thickness: float | None, E: float | None, nu: float | None) -> Iter
 class Zone(Section):
     """A part of the plate with another thickness or material; the last zone that covers a place counts."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_differs,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_zone_differs,)
 
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     thickness: Annotated[float | None, Quantity("length", "t", "thickness there; else the plate's", POSITIVE)] = None
@@ -44,7 +44,7 @@ class Edges(Section):
     top: Annotated[Support, Choice(Support, "support of the edge at the top, where y is largest")] = "free"
 
 
-def _one_outline(
+def _check_outline(
     length_x: float | None, length_y: float | None, outline: AnyShape | None, given: set[str]
 ) -> Iterator[RelativeIssue]:
     hint = "length_x and length_y make a rectangle about the origin, outline any shape where it is drawn"
@@ -58,14 +58,14 @@ def _one_outline(
                 yield RelativeIssue((name,), "a length beside an outline", "one of them", hint)
 
 
-def _edges_or_support(support: str, edges: Edges) -> Iterator[RelativeIssue]:
+def _check_edges(support: str, edges: Edges) -> Iterator[RelativeIssue]:
     if support != "free" and edges != Edges():
         yield RelativeIssue(
             ("support",), quote(support), "either support or edges", "edges = {...} holds sides one by one"
         )
 
 
-def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[RelativeIssue]:
+def _check_hinged_edges(outline: AnyShape | None, support: str) -> Iterator[RelativeIssue]:
     """Find a hinged edge along which it cannot be said which rotation is held."""
     if support != "hinged" or outline is None:
         return
@@ -77,7 +77,7 @@ def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[Relat
             return
 
 
-def _can_be_meshed(
+def _check_geometry(
     length_x: float | None,
     length_y: float | None,
     outline: AnyShape | None,
@@ -93,7 +93,7 @@ def _can_be_meshed(
         outline = Rectangle(x=(-length_x / 2, length_x / 2), y=(-length_y / 2, length_y / 2))
     rings = tuple(opening.ring() for opening in openings)
     plan = Plan(outline.ring(), rings, tuple((zone.shape.ring(), n) for n, zone in enumerate(zones, start=1)))
-    for issue in issues(plan):
+    for issue in find_issues(plan):
         name, _, number = issue.location.removeprefix("plate.").rstrip("]").partition("[")
         yield RelativeIssue((name, int(number) - 1) if number else (name,), issue.found, issue.expected, issue.hint)
 
@@ -102,10 +102,10 @@ class Plate(Section):
     """The plate: a rectangle about the origin, or any outline."""
 
     checks: ClassVar[tuple[Check, ...]] = (
-        _one_outline,
-        _edges_or_support,
-        _hinged_along_axes,
-        _can_be_meshed,
+        _check_outline,
+        _check_edges,
+        _check_hinged_edges,
+        _check_geometry,
     )
 
     length_x: Annotated[

@@ -36,7 +36,7 @@ class Rectangle(Section):
         return rectangle(*self.x, *self.y)
 
 
-def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
+def _check_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
     least = 2 if any(abs(bulge) >= FLATTEST for bulge in bulges) else 3
     if len(points) < least:
         yield RelativeIssue(("points",), f"{len(points)} points", f"at least {least}")
@@ -44,10 +44,10 @@ def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ..
         yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", f"at most one for each of the {len(points)} points")
 
 
-def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
+def _check_crossings(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
     from shapely.validation import explain_validity
 
-    if any(_few_points(points, bulges)):
+    if any(_check_points(points, bulges)):
         return
     ring = Ring(points, bulges)
     x0, x1, y0, y1 = ring.bounds
@@ -63,7 +63,7 @@ def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float
 class Polygon(Section):
     """A closed curve through points, its edges straight or arcs."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_few_points, _crosses_itself)
+    checks: ClassVar[tuple[Check, ...]] = (_check_points, _check_crossings)
 
     kind: Annotated[Literal["polygon"], Table("a closed curve through points")] = "polygon"
     points: Annotated[

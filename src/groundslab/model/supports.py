@@ -27,7 +27,7 @@ GapKey = Annotated[
 ]
 
 
-def _one_sided_only(acts: str, gap: float, limit: float | None) -> Iterator[RelativeIssue]:
+def _check_one_sided(acts: str, gap: float, limit: float | None) -> Iterator[RelativeIssue]:
     hint = 'acts = "in compression" or "in tension"'
     if acts == "both ways" and gap > 0:
         yield RelativeIssue(("gap",), f"{gap!r} m", "no gap for a support that acts both ways", hint)
@@ -35,7 +35,7 @@ def _one_sided_only(acts: str, gap: float, limit: float | None) -> Iterator[Rela
         yield RelativeIssue(("limit",), "a limit", "no limit for a support that acts both ways", hint)
 
 
-def _one_way_to_turn(rotation: str, rotational_stiffness: float | None) -> Iterator[RelativeIssue]:
+def _check_rotation(rotation: str, rotational_stiffness: float | None) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and rotational_stiffness is not None:
         yield RelativeIssue(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"')
 
@@ -43,7 +43,7 @@ def _one_way_to_turn(rotation: str, rotational_stiffness: float | None) -> Itera
 class PointSupport(Section):
     """A support at a point, such as a column below or a pile."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _one_way_to_turn)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation)
 
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
     name: SupportName = ""
@@ -64,7 +64,7 @@ class PointSupport(Section):
     ] = None
 
 
-def _turning_needs_rigid(rotation: str, stiffness: float | None, acts: str) -> Iterator[RelativeIssue]:
+def _check_line_rotation(rotation: str, stiffness: float | None, acts: str) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and (stiffness is not None or acts != "both ways"):
         expected = '"free", or a rigid support that acts both ways: along the line w = 0 then says how it turns'
         yield RelativeIssue(("rotation",), '"fixed"', expected)
@@ -73,7 +73,7 @@ def _turning_needs_rigid(rotation: str, stiffness: float | None, acts: str) -> I
 class LineSupport(Section):
     """A support along straight lines, such as a wall or a beam below; rigid lines hinge or clamp the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _turning_needs_rigid)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation)
 
     kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
     name: SupportName = ""
@@ -96,14 +96,14 @@ AnySupport = PointSupport | LineSupport
 Support = Annotated[Annotated[PointSupport, Tag("point")] | Annotated[LineSupport, Tag("line")], Discriminator(kind_of)]
 
 
-def lines_run(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+def check_line_supports(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find lines that go nowhere."""
     for position, support in enumerate(supports):
         if isinstance(support, LineSupport) and len(support.points) < 2:
             yield RelativeIssue(("supports", position, "points"), f"{len(support.points)} point", "at least two")
 
 
-def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+def check_support_distances(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find supports further off the plate than it is long, which no drawing of a plan need hold."""
     x0, x1, y0, y1 = plate.bounds
     far = max(plate.sides)
@@ -117,7 +117,7 @@ def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator
                 break
 
 
-def named_once(part: str, names: list[str], needed: bool) -> Iterator[RelativeIssue]:
+def check_names(part: str, names: list[str], needed: bool) -> Iterator[RelativeIssue]:
     """Find names that are empty though needed, or given twice, among the parts of a list."""
     seen = set[str]()
     for position, name in enumerate(names):

@@ -47,7 +47,7 @@ class Borehole(Section):
     ]  # fmt: skip
 
 
-def _described(ground: AnyGround) -> tuple[object, ...]:
+def _signature(ground: AnyGround) -> tuple[object, ...]:
     """Return what must be the same in all the ground: kind, rule, number and kind of layers."""
     if isinstance(ground, Vlasov):
         return ground.kind, ground.gamma, ground.formulas, ground.mode, len(ground.layers)
@@ -58,15 +58,15 @@ def _described(ground: AnyGround) -> tuple[object, ...]:
     return (ground.kind,)
 
 
-def zones_match(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
+def check_soil_zone_types(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
     """Find zones of soil that cannot be joined to the rest of the ground."""
     for position, zone in enumerate(soil_zones):
-        if _described(zone.ground) != _described(ground):
+        if _signature(zone.ground) != _signature(ground):
             expected = f"ground like the rest: {quote(ground.kind)} with the same rules and as many layers"
             yield RelativeIssue(("soil_zones", position, "ground"), "ground of another kind", expected)
 
 
-def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
+def check_soil_zone_extent(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
     """Find zones of soil that reach so far off the plate that their edge near it could not be told to its digits."""
     p0, p1, r0, r1 = plate.bounds
     far = FARTHEST * max(p1 - p0, r1 - r0)
@@ -81,7 +81,7 @@ def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Relat
             )
 
 
-def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[RelativeIssue]:
+def check_soil_depth(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[RelativeIssue]:
     """Find soil so deep beside the plate that what the plate does to it is over far above the base."""
     most = DEEPEST * max(plate.sides)
     described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
@@ -96,7 +96,7 @@ def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...])
             yield RelativeIssue(place, f"layers of {depth:g} m", expected, "leave out what lies too deep to matter")
 
 
-def boreholes_match(
+def check_boreholes(
     ground: AnyGround, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
 ) -> Iterator[RelativeIssue]:
     """Find boreholes that do not go with the ground, or with each other."""
@@ -134,7 +134,7 @@ def boreholes_match(
             yield RelativeIssue(("boreholes", position), f"the place of boreholes[{first + 1}]", "a place of its own")
 
 
-def gaps_apart(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
+def check_gap_points(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
     """Find gaps that are given twice at one place."""
     seen: dict[tuple[float, float], int] = {}
     for position, point in enumerate(gaps):
@@ -151,7 +151,7 @@ class GapPoint(Section):
     gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground stands higher")]
 
 
-def _one_extent(
+def _check_extent(
     x: tuple[float, float] | None, y: tuple[float, float] | None, shape: AnyShape | None
 ) -> Iterator[RelativeIssue]:
     if shape is None:
@@ -165,7 +165,7 @@ def _one_extent(
 class Void(Section):
     """A part of the plan where the ground lies deeper, or is missing."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_extent,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_extent,)
 
     depth: Annotated[
         float | None,

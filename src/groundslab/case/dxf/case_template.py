@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from groundslab import units
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
 from groundslab.geometry.bulges import Point, Region, edges_of
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Ring, box_around
 from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
@@ -140,7 +140,7 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     for area in drawing.area_loads:
         shapes = [
             *_shape_lines("[loads.shape]", area.curve),
-            *(row for hole in area.holes for row in _hole_lines(hole)),
+            *(row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)),
         ]
         text += _load_lines("area", area, _value_line("q", area.value, "pressure", "10 kPa"), shapes)
     values = [load.value for load in drawing.point_loads]
@@ -172,11 +172,6 @@ def _place_line(load: LineMark) -> list[str]:
     return _point_lines(points, load.bulges)
 
 
-def _hole_lines(curve: Ring) -> list[str]:
-    """Return the lines of a hole in an area."""
-    return _shape_lines("[[loads.holes]]", curve)
-
-
 def _shape_lines(head: str, curve: Ring) -> list[str]:
     """Return the lines of a shape below its head."""
     return [head, *(_circle_lines(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
@@ -195,12 +190,11 @@ class _Plate:
     """The outline and the openings, to ask again and again what stands on the plate."""
 
     def __init__(self, drawing: Drawing) -> None:
-        from shapely import STRtree, box
+        from shapely import STRtree
 
         self._outline = Region(edges_of(drawing.outline))
         self._openings = [Region(edges_of(opening)) for opening in drawing.openings]
-        boxes = [list(zip(*opening.boxes, strict=True)) for opening in self._openings]
-        self._tree = STRtree([box(*map(min, each[:2]), *map(max, each[2:])) for each in boxes])
+        self._tree = STRtree([box_around(opening.segments()) for opening in drawing.openings])
 
     def holds(self, place: Point) -> bool:
         """Return whether a place lies inside the outline and in no opening."""

@@ -11,7 +11,7 @@ from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
 from groundslab.errors import Issue
 from groundslab.geometry.bulges import Point, Region
 from groundslab.geometry.intersections import meeting_of
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Ring, box_around
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def find_outline(
             context.issue(each.sources, start, found, "one outline", hint)
         elif has_openings:
             report_ignored(each, "it lies inside the outline, but openings have a layer of their own", context)
-        elif inner.first(start) is not None:
+        elif inner.find([start]) is not None:
             report_ignored(each, "it lies inside an opening", context)
         else:
             inner.add(each)
@@ -65,43 +65,28 @@ def find_outline(
 
 
 class EnclosingCurves:
-    """Closed curves, added one after the other, and a tree to find the first of them that holds a place."""
+    """Closed curves, added one after the other, and a tree to find those that enclose a place."""
 
     def __init__(self, curves: list[ClosedCurve], context: ReadContext) -> None:
-        from shapely import STRtree, box
+        from shapely import STRtree
 
         self._curves, self._context = curves, context
         self._number = {id(each): number for number, each in enumerate(curves)}
         self._rank: dict[int, int] = {}  # which of those added a curve is
         self._regions: dict[int, Region] = {}
-        boxes = [[edge.box() for edge in each.edges()] for each in curves]
-        self._tree = STRtree(
-            [box(*map(min, list(zip(*each, strict=True))[:2]), *map(max, list(zip(*each, strict=True))[2:]))
-             for each in boxes]
-        )  # fmt: skip
+        self._tree = STRtree([box_around(each.curve.segments()) for each in curves])
 
     def add(self, curve: ClosedCurve) -> None:
         """Add one of the curves."""
         self._rank[self._number[id(curve)]] = len(self._rank)
 
-    def first(self, point: Point) -> ClosedCurve | None:
-        """Return the curve, of those added, that was the first to be added and holds a place; None if none does."""
-        from shapely import Point as Place
-
-        met: list[int] = self._tree.query(Place(point)).tolist()
-        self._context.count_edges(len(met))
-        for number in sorted((each for each in met if each in self._rank), key=self._rank.__getitem__):
-            if self._region(number).holds(point, self._context.count_edges):
-                return self._curves[number]
-        return None
-
-    def last(self, points: Sequence[Point]) -> ClosedCurve | None:
-        """Return the curve, of those added, that was the last to be added and holds all points; None if none does."""
+    def find(self, points: Sequence[Point], last: bool = False) -> ClosedCurve | None:
+        """Return the first (or last) curve to be added that encloses all points; None if none does."""
         from shapely import Point as Place
 
         met: list[int] = self._tree.query(Place(points[0])).tolist()
         self._context.count_edges(len(met))
-        for number in sorted((each for each in met if each in self._rank), key=self._rank.__getitem__, reverse=True):
+        for number in sorted((each for each in met if each in self._rank), key=self._rank.__getitem__, reverse=last):
             region = self._region(number)
             if all(region.holds(point, self._context.count_edges) for point in points):
                 return self._curves[number]

@@ -99,7 +99,7 @@ def read_area_loads(
     hole_of: dict[int, int] = {}
     for each in sorted(found, key=lambda one: -one.curve.area):
         assert holders is not None
-        around = holders.last(each.curve.points)
+        around = holders.find(each.curve.points, last=True)
         outer = None if around is None else numbers[id(around)]
         if outer is not None and outer not in hole_of and not marks[numbers[id(each)]].values:
             hole_of[numbers[id(each)]] = outer
@@ -142,12 +142,12 @@ def _read_layer_values(names: Sequence[str], role: str, roles: Roles, context: R
     """Return the values that stand in names of layers; what is meant as one and is none is an issue."""
     values = {}
     for name in dict.fromkeys(names):
-        value = find_layer_quantity(roles.behind(name), DIMENSION[role])
+        value = find_layer_quantity(roles.suffix(name), DIMENSION[role])
         if isinstance(value, float):
             values[name] = value
         elif value is not None:
             where, expected = f"{context.path}, layer {describe(name)}", units.expectation(DIMENSION[role])
-            context.add(Issue(where, describe(roles.behind(name)), expected, value))
+            context.add(Issue(where, describe(roles.suffix(name)), expected, value))
     return values
 
 

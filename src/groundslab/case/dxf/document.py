@@ -6,7 +6,7 @@ import difflib
 import math
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from pathlib import Path
@@ -110,46 +110,26 @@ class Layers:
 WITH_VALUE = ("line_loads", "area_loads")
 
 
-class Roles(Mapping[str, str]):
-    """What each layer holds, by its name in small letters; layers whose names go on with a value are found too."""
+class Roles:
+    """What layers hold, by their names in lower case; a name may go on with a value where its role allows one."""
 
     def __init__(self, named: Mapping[str, str]) -> None:
-        self._named = named
-        self._starts = {name: role for name, role in named.items() if role in WITH_VALUE}
-        self._found: dict[str, str | None] = dict(named)
+        self.named = named
 
-    def __getitem__(self, layer: str) -> str:
-        """Return what a layer holds."""
-        if layer not in self._found:
-            start = self._start(layer)
-            self._found[layer] = None if start is None else self._named[start]
-        role = self._found[layer]
-        if role is None:
-            raise KeyError(layer)
-        return role
+    def of(self, layer: str) -> str | None:
+        """Return what a layer holds, None if it is not read."""
+        name = layer.lower()
+        return self.named.get(name) or self.named.get(self._start(name))
 
-    def __iter__(self) -> Iterator[str]:
-        """Yield the names of the layers that are read."""
-        return iter(self._named)
-
-    def __len__(self) -> int:
-        """Return how many layers are read."""
-        return len(self._named)
-
-    @property
-    def known(self) -> tuple[str, ...]:
-        """Return what layers hold."""
-        return tuple(self._named.values())
-
-    def behind(self, layer: str) -> str:
+    def suffix(self, layer: str) -> str:
         """Return what follows the known name in the name of a layer."""
         start = self._start(layer.lower())
-        return "" if start is None else layer[len(start) :].strip(" _-=")
+        return layer[len(start) :].strip(" _-=") if start else ""
 
-    def _start(self, layer: str) -> str | None:
-        """Return the known name with which that of a layer begins."""
-        starts = (name for name in self._starts if layer.startswith(name) and not layer[len(name) :][:1].isalpha())
-        return max(starts, key=len, default=None)
+    def _start(self, layer: str) -> str:
+        """Return the known name with which that of a layer begins and may go on, empty if there is none."""
+        starts = (name for name, role in self.named.items() if role in WITH_VALUE and layer.startswith(name))
+        return max((name for name in starts if not layer[len(name) :][:1].isalpha()), key=len, default="")
 
 
 def assign_roles(layers: Layers, context: ReadContext) -> Roles:
@@ -179,7 +159,7 @@ def check_layers(
     """Report layers that are hidden or empty; the outline's, or one given by name, must not be empty."""
     known = [layer.dxf.name for layer in document.layers]
     usual = Layers()
-    for key, role in roles.items():
+    for key, role in roles.named.items():
         name: str = getattr(layers, role)
         if document.layers.has_entry(name):
             layer = document.layers.get(name)

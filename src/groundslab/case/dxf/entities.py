@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING
@@ -54,7 +54,7 @@ class BlockCounts:
             names = " in ".join(describe(name) for name in error.args[1][:8])
             abort(context, f"a block that holds itself: {names}", "blocks that can be resolved")
         for name in order:
-            for role in (None, *roles.known):
+            for role in (None, *roles.named.values()):
                 self._counts[name, role] = self._count_below(contents.get(name, _Content()), role)
         taken, placed = self._count_below(space, None)
         for count, limit, words in (
@@ -77,7 +77,7 @@ class BlockCounts:
             content = contents.setdefault(name, _Content()) if name else first
             for entity in some:
                 layer = layer_of(entity)
-                role = "0" if layer == "0" and name else self._roles.get(layer.lower())
+                role = "0" if layer == "0" and name else self._roles.of(layer)
                 if entity.dxftype() != "INSERT":
                     content.entities[role] += 1
                     continue
@@ -110,10 +110,10 @@ def layer_of(entity: DXFEntity) -> str:
     return str(entity.dxf.get("layer", "0")) if entity.is_supported_dxf_attrib("layer") else "0"
 
 
-def _count_attributes(insert: DXFEntity, roles: Mapping[str, str]) -> int:
+def _count_attributes(insert: DXFEntity, roles: Roles) -> int:
     """Return how many attributes of a block's reference lie on the layer of point loads."""
     attributes: list[DXFEntity] = insert.attribs
-    return sum(roles.get(layer_of(each).lower()) == "point_loads" for each in attributes)
+    return sum(roles.of(layer_of(each)) == "point_loads" for each in attributes)
 
 
 def iterate_entities(
@@ -128,7 +128,7 @@ def iterate_entities(
 
     for entity in entities:
         source = _locate_entity(entity, outer)
-        role = roles.get(source.layer.lower())
+        role = roles.of(source.layer)
         if not isinstance(entity, Insert):
             if role:
                 yield role, source, entity
@@ -174,11 +174,11 @@ def _iterate_block(
 
     for attribute in insert.attribs:
         its = _locate_entity(attribute, (*outer, source))
-        if roles.get(its.layer.lower()) == "point_loads":
+        if roles.of(its.layer) == "point_loads":
             yield "point_loads", its, attribute
     name = str(insert.dxf.get("name"))
     own = Source(source.layer, f"INSERT block {describe(name)}", source.handle)
-    if insert.block() is None or insert.is_xref() or not blocks.holds(name, roles.get(source.layer.lower())):
+    if insert.block() is None or insert.is_xref() or not blocks.holds(name, roles.of(source.layer)):
         return
     if len(outer) >= DEEPEST:
         context.issue([own], None, "too many blocks in blocks", f"at most {DEEPEST} blocks in each other", FEWER)
@@ -193,7 +193,7 @@ def _iterate_block(
         return
     for part, why in skipped:
         its = _locate_entity(part, inner)
-        if its.layer.lower() in roles:
+        if roles.of(its.layer):
             context.report_entity(its, False, f"it cannot be placed ({why})")
     yield from iterate_entities(parts, roles, blocks, context, inner)
 

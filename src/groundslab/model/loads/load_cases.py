@@ -18,7 +18,7 @@ SHARE = Range(at_least=0, at_most=1)
 PARTIAL = Range(at_least=0, at_most=100)
 
 
-def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIssue]:
+def _check_psi(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIssue]:
     if action == "variable" and psi_2 > psi_1:
         hint = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990, 4.1.3)"
         yield RelativeIssue(("psi_2",), repr(psi_2), f"at most psi_1, {psi_1!r}", hint)
@@ -27,7 +27,7 @@ def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIs
 class LoadCase(Section):
     """Loads that always act together."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_shares_fall,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_psi,)
 
     name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
     action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
@@ -39,7 +39,7 @@ class LoadCase(Section):
     ] = ""
 
 
-def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
+def _check_factors(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
     if not any(value for _, value in factors):
         yield RelativeIssue(("factors",), "no factor that is not 0", "a factor for at least one case")
 
@@ -47,7 +47,7 @@ def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIss
 class Combination(Section):
     """Load cases that act together, each with a factor."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_some_factor,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_factors,)
 
     name: Annotated[str, Text("name of the combination")]
     limit_state: Annotated[LimitState, Choice(LimitState, "limit state that it is for")] = "ultimate"
@@ -56,7 +56,7 @@ class Combination(Section):
     ]
 
 
-def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[RelativeIssue]:
+def _check_partial_factors(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[RelativeIssue]:
     for name, (most, least) in (("permanent", permanent), ("variable", variable)):
         if least > most:
             yield RelativeIssue((name,), f"[{most!r}, {least!r}]", "the unfavourable factor first, the larger one")
@@ -68,7 +68,7 @@ def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float])
 class Combine(Section):
     """Which combinations are made from the cases by themselves, by EN 1990."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_factors_fall,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors,)
 
     sets: Annotated[
         tuple[LimitState, ...],

@@ -12,7 +12,7 @@ from pydantic import Discriminator, Tag
 
 from groundslab.arrays import Array
 from groundslab.geometry.plan import LARGEST_BULGE, Segment, loaded_polygon, segment
-from groundslab.model.columns import Column, footprint, one_footprint
+from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import Check, Section, Table, kind_of
@@ -82,18 +82,18 @@ class PatchLoad(_Pressure):
         return box(self.x[0], self.y[0], self.x[1], self.y[1])
 
 
-def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
+def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
     if not holes:
         return
     around = loaded_polygon(shape.ring())
     for position, hole in enumerate(holes):
         if not around.intersects(loaded_polygon(hole.ring())):
             yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
-    if not any(True for _ in _loaded(shape, holes)):
+    if not any(True for _ in _loaded_parts(shape, holes)):
         yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
 
 
-def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
+def _loaded_parts(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
     """Return the polygons of a shape without its holes."""
     from shapely import get_parts, union_all
 
@@ -105,7 +105,7 @@ def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
 class AreaLoad(_Pressure):
     """A pressure on a part of the plate of any shape."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_holes_in_shape,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_holes,)
 
     kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
     shape: Annotated[Shape, Table("where; what lies off the plate does not act, and is reported")]
@@ -115,10 +115,10 @@ class AreaLoad(_Pressure):
         """Return the loaded area, its arcs as chords that enclose the same area."""
         from shapely import union_all
 
-        return union_all(_loaded(self.shape, self.holes))
+        return union_all(_loaded_parts(self.shape, self.holes))
 
 
-def _points_or_shape(
+def _check_points_or_shape(
     points: tuple[tuple[float, float], ...] | None,
     bulges: tuple[float, ...],
     shape: AnyShape | None,
@@ -135,7 +135,7 @@ def _points_or_shape(
             )
 
 
-def _no_standstill(
+def _check_line_length(
     points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]
 ) -> Iterator[RelativeIssue]:
     if points is None:
@@ -155,7 +155,7 @@ def _no_standstill(
 class LineLoad(_Load):
     """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_points_or_shape, _no_standstill)
+    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_line_length)
 
     kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
     q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
@@ -215,7 +215,7 @@ class SelfWeight(_Load):
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
 
 
-def _one_place(
+def _check_position(
     x: float | None,
     y: float | None,
     width_x: float | None,
@@ -237,7 +237,7 @@ def _one_place(
 class PointLoad(_Load):
     """A force and moments at a point, on a footprint or on a column."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_place, one_footprint)
+    checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint)
 
     kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"
     P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone")]

@@ -30,7 +30,7 @@ class Placed(Protocol):
         ...
 
 
-class Covered:
+class PlateArea:
     """What of the plan a plate covers, found once for all that may lie on it."""
 
     def __init__(self, plate: Plate) -> None:
@@ -70,9 +70,9 @@ class Covered:
         return reach
 
 
-def on_plate(plate: Plate | Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+def on_plate(plate: Plate | PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
-    covered = plate if isinstance(plate, Covered) else Covered(plate)
+    covered = plate if isinstance(plate, PlateArea) else PlateArea(plate)
     x0, x1, y0, y1 = covered.bounds
     near, plate = covered.near, covered.plate
     hint = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
@@ -93,7 +93,7 @@ def _has_footprint(part: Placed) -> bool:
     return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
 
 
-def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+def _on_shape(covered: PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate, be it within the rectangle around it."""
     expected = "a place on the plate, not in an opening nor beside the outline"
     (x0, x1, y0, y1), far = covered.bounds, covered.size
@@ -113,19 +113,19 @@ def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> I
         yield RelativeIssue(place, found, expected, hint)
 
 
-def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
+def check_point_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
     """Find point loads that do not lie on the plate; those on columns lie where these do.
 
     A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
     edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
     """
-    covered = Covered(plate)
+    covered = PlateArea(plate)
     for position, load in enumerate(loads):
         if isinstance(load, PointLoad) and not load.column:
             yield from on_plate(covered, load, ("loads", position))
 
 
-def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
+def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
     """Find loads on columns that are not there."""
     names = [column.name for column in columns]
     known = set(names)
@@ -136,8 +136,8 @@ def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...])
             yield RelativeIssue(place, describe(load.column), expected, suggestion(load.column, names))
 
 
-def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
+def check_voids(plate: Plate, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
     """Find voids that do not lie under the plate."""
-    covered = Covered(plate)
+    covered = PlateArea(plate)
     for position, void in enumerate(voids):
         yield from on_plate(covered, void, ("contact", "voids", position))

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from groundslab.errors import InputError
-from groundslab.model.consistency import loads_have_cases
+from groundslab.model.consistency import check_load_cases
 from groundslab.model.loads.en1990 import MOST_COMBINATIONS, check_combine, make_combinations
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase
 
@@ -231,7 +231,7 @@ def test_faulty_actions(values: tuple, message: str) -> None:
 def test_faulty_names(name: str, expected: str) -> None:
     """Load cases without a name of their own, or with one that cannot stand in a sum, are not combined."""
     cases = (G, action(name, "variable"))
-    found = [*check_combine(Combine(sets=("ultimate",)), cases, ()), *loads_have_cases((), cases)]
+    found = [*check_combine(Combine(sets=("ultimate",)), cases, ()), *check_load_cases((), cases)]
     assert [(issue.place, issue.expected) for issue in found] == [(("cases", 1, "name"), expected)]
 
 
