@@ -1,4 +1,4 @@
-"""Writes the parts of docs/ that follow from the code: tables of keys in input.md and study.md, JSON schemas."""
+"""Write the generated parts of docs/: tables of keys in input.md and study.md, JSON schemas."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def contents() -> dict[Path, str]:
 
 
 def _page(name: str, **parts: str) -> str:
-    """Return a page with the parts between its marks written anew."""
+    """Return a page with the parts between its marks replaced."""
     text = (DOCS / name).read_text(encoding="utf-8")
     for part, content in parts.items():
         begin, end = f"<!-- {part}: begin -->", f"<!-- {part}: end -->"

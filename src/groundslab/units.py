@@ -99,7 +99,7 @@ _BASES = ("[length]", "[mass]", "[time]", "[temperature]")
 
 
 class QuantityError(ValueError):
-    """A text is no quantity of the dimension asked for: ``expected`` says what would be."""
+    """A text is no quantity of a dimension; ``expected`` says what would be."""
 
     def __init__(self, expected: str, reason: str) -> None:
         """Keep both parts, so that a message can be put together from them."""
@@ -144,9 +144,9 @@ def parse(text: str, dimension: str) -> float:
     return value
 
 
-def coordinate(metres: float) -> float:
-    """Return a coordinate [m] as it is printed: rounded to nanometres, so that what rounding left of zero is zero."""
-    return round(metres, 9) + 0.0
+def coordinate(value: float) -> float:
+    """Return a coordinate [m] for printing: rounded to nanometers, so that rounding errors around zero vanish."""
+    return round(value, 9) + 0.0
 
 
 def show(value: float, dimension: str) -> str:

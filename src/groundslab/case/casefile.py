@@ -1,4 +1,4 @@
-"""The input file: TOML with units to a Model and back, and a file to start from."""
+"""Case files: TOML with units to a Model and back, and a file to start from."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
 
 def load(path: str | Path) -> Model:
-    """Return the Model that a file describes; raises InputError with all faults."""
+    """Return the Model that a file describes; raises InputError with all issues."""
     return loads(read(path), str(path))
 
 

@@ -30,7 +30,7 @@ class Edge(NamedTuple):
         return (ax + bx + self.bulge * (by - ay)) / 2, (ay + by - self.bulge * (bx - ax)) / 2
 
     def circle(self) -> tuple[Point, float]:
-        """Return centre and radius of an arc."""
+        """Return center and radius of an arc."""
         (ax, ay), (bx, by) = self.a, self.b
         lean = (1 - self.bulge**2) / (4 * self.bulge)
         centre = (ax + bx) / 2 - lean * (by - ay), (ay + by) / 2 + lean * (bx - ax)

@@ -1,6 +1,6 @@
 """A plate of any shape in plan: closed curves of straight edges and arcs, with places in them.
 
-Places are (x, y) in metres. A plan's extent is the longer side of the rectangle around all that is drawn.
+Places are (x, y) in meters. A plan's extent is the longer side of the rectangle around all that is drawn.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ GROUND = -1
 
 @dataclass(frozen=True)
 class Segment:
-    """One edge of a curve: straight (radius 0), or an arc about a centre, from an angle over a signed sweep [rad]."""
+    """One edge of a curve: straight (radius 0), or an arc about a center, from an angle over a signed sweep [rad]."""
 
     start: Place
     end: Place
@@ -134,7 +134,7 @@ class Segment:
 def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
     """Return the edge between two places; the bulge is the tangent of a quarter of the arc's angle.
 
-    An arc that rises by less than half of FLAT over its chord is straight: rounding of its far centre would show.
+    An arc that rises by less than half of FLAT over its chord is straight: rounding of its far center would show.
     """
     if abs(bulge) < FLAT:
         return Segment(start, end)

@@ -46,8 +46,8 @@ class Column(Section):
     checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given)
 
     name: Annotated[str, Text("name of the column, by which loads call it")]
-    x: Annotated[float, Quantity("length", "x", "its centre")]
-    y: Annotated[float, Quantity("length", "y", "its centre")]
+    x: Annotated[float, Quantity("length", "x", "its center")]
+    y: Annotated[float, Quantity("length", "y", "its center")]
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None
     width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE)] = None
     diameter: Annotated[float | None, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None

@@ -85,7 +85,7 @@ def check_shear_of_layers(
             key = ("layers", number, "k1") if isinstance(grounds[place], Layered) else ("k1",)
             hint = 'beyond.kind = "margin" needs no shear'
             if isinstance(grounds[place], Winkler):
-                continue  # of another kind than the rest, which is told elsewhere
+                continue  # of another kind than the rest, an issue of its own
             yield RelativeIssue((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", hint)
 
 
@@ -139,7 +139,7 @@ def check_supports(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[R
         if issue.location in called:
             yield RelativeIssue(("supports", called[issue.location]), found, issue.expected, issue.hint)
         elif met is not None:
-            # what comes near or grazes another is told of the one or of the other; a zone meets a support, too
+            # what comes near another is reported for either of the two; a zone meets a support, too
             found = issue.found.replace(met, issue.location)
             yield RelativeIssue(("supports", called[met]), found, issue.expected, issue.hint)
 

@@ -1,8 +1,7 @@
-"""The description of a problem: plate, ground, loads and how to compute, as the input file says it.
+"""The model: plate, ground, loads and settings of the analysis, as in the input file.
 
-Attributes are named as the keys of the file and hold SI units. Every part can be built from Python too, with
-floats in SI units or text with units; what is wrong is told all at once as InputError. Positions in the paths
-of faults count from 1, as people count ``[[loads]]`` and ``[[ground.layers]]`` in a file.
+Attributes are named as the keys of the file and hold SI units. Every section can be built in Python too, with
+floats in SI units or text with units; InputError lists all issues at once. Positions in their paths count from 1.
 """
 
 from __future__ import annotations
@@ -106,7 +105,7 @@ class Model(Section):
 
     @classmethod
     def root(cls) -> str:
-        """Return nothing: paths of faults start with the section."""
+        """Return nothing: paths of issues start with the section."""
         return ""
 
     @property

@@ -89,7 +89,7 @@ class Circle(Section):
     """A circle."""
 
     kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
-    centre: Annotated[tuple[float, float], ListOf(Quantity("length", "x, y", ""), "x, y", "its centre", 2)] = (
+    centre: Annotated[tuple[float, float], ListOf(Quantity("length", "x, y", ""), "x, y", "its center", 2)] = (
         0.0,
         0.0,
     )

@@ -67,7 +67,7 @@ def check_soil_zone_types(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -
 
 
 def check_soil_zone_extent(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
-    """Find zones of soil that reach so far off the plate that their edge near it could not be told to its digits."""
+    """Find zones of soil that reach too far off the plate for their edge near it to be resolved."""
     p0, p1, r0, r1 = plate.bounds
     far = FARTHEST * max(p1 - p0, r1 - r0)
     for position, zone in enumerate(soil_zones):

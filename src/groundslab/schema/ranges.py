@@ -1,4 +1,4 @@
-"""The numbers that a key may take: limits of its own, and the sizes that make physical sense for its dimension."""
+"""Ranges of numbers: the limits of a field, and the magnitudes that make physical sense for its dimension."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def short(value: float) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """The numbers that a key may take."""
+    """The numbers that a field may hold."""
 
     above: float | None = None
     at_least: float | None = None

@@ -6,7 +6,7 @@ import difflib
 import numbers
 from collections.abc import Iterable, Mapping, Sequence
 
-MOST_NAMES = 10  # told of those that a file has chosen
+MOST_NAMES = 10  # that are listed of those in a file
 
 
 def describe(value: object) -> str:
@@ -55,7 +55,7 @@ def listed(words: Iterable[str], last: str = "or") -> str:
 
 
 def one_of(names: Sequence[str]) -> str:
-    """Return names that a file has chosen as a list for people: of many the first ten, long ones cut."""
+    """Return names from a file as a list for people: of many the first ten, long ones shortened."""
     more = [f"{len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
     return listed([*map(describe, names[:MOST_NAMES]), *more])
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import re
 import runpy
 from collections.abc import Iterator
 from copy import deepcopy
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import groundslab
 from groundslab.errors import InputError
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
@@ -567,3 +569,19 @@ def test_docs_are_up_to_date() -> None:
     assert len(contents) == 4
     for path, text in contents.items():
         assert path.read_text(encoding="utf-8") == text, path
+
+
+def sections(part: type[Section]) -> Iterator[type[Section]]:
+    """Yield the subclasses of a section that belong to the model."""
+    for each in part.__subclasses__():
+        if each.__module__.startswith("groundslab.model.") and not each.__name__.startswith("_"):
+            yield each
+        yield from sections(each)
+
+
+@pytest.mark.parametrize("part", sorted(set(sections(Section)), key=lambda each: each.__name__))
+def test_everything_in_an_input_file_is_public_and_documented(part: type[Section]) -> None:
+    """Each section of the model can be imported from groundslab, and its docstring lists its fields."""
+    assert getattr(groundslab, part.__name__) is part
+    documented = re.findall(r"^(\w+) : .+\n    \S", part.__doc__ or "", re.MULTILINE)
+    assert documented == list(part.model_fields)

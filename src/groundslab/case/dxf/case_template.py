@@ -220,7 +220,7 @@ def _column_tree(columns: list[Footprint]) -> STRtree:
 def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:
     """Return the lines that say where a load acts: on the column that it lies on, or at its own place.
 
-    A load beside the column's centre keeps its moments about it. Where the force is not known yet, nor are these, and
+    A load beside the column's center keeps its moments about it. Where the force is not known yet, nor are these, and
     the load keeps its place.
     """
     from shapely import Point as Place
@@ -233,7 +233,7 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
         if mark.value is not None or not beside:
             force = mark.value or 0.0
             moments = [
-                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m beside the centre of the column'
+                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m beside the center of the column'
                 for name, arm in beside.items()
             ]
             return [*moments, f"column = {quote(own.name)}"]

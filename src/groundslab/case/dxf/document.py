@@ -83,7 +83,7 @@ def set_unit(document: Document, given: str | None, context: ReadContext) -> Non
             return
         context.unit, context.scale = given, scale
         if own is not None and not math.isclose(own[1], scale, rel_tol=1e-5):
-            why = f"the drawing says that its unit is {own[0]}; it was read in {given}, as asked for"
+            why = f"the drawing says that its unit is {own[0]}; it was read in {given} as given"
             context.report.append(ReportLine("", "HEADER", "", False, why))
     elif own is not None:
         context.unit, context.scale = own

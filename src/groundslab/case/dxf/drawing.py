@@ -162,7 +162,7 @@ class ReadContext:
 
     def to_error(self) -> InputError:
         """Return the error with all issues."""
-        more = [Issue(self.path, f"{self.more:,} more faults", "none")] if self.more else []
+        more = [Issue(self.path, f"{self.more:,} more issues", "none")] if self.more else []
         return InputError([*self.issues, *more])
 
 

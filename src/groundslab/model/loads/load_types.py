@@ -207,9 +207,9 @@ class LineLoad(_Load):
 
 
 class SelfWeight(_Load):
-    """The plate's own weight."""
+    """The self-weight of the plate."""
 
-    kind: Annotated[Literal["self weight"], Table("the plate's own weight, by its thickness in each zone")] = (
+    kind: Annotated[Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone")] = (
         "self weight"
     )
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]

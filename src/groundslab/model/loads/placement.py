@@ -75,7 +75,7 @@ def on_plate(plate: Plate | PlateArea, part: Placed, place: tuple[str | int, ...
     covered = plate if isinstance(plate, PlateArea) else PlateArea(plate)
     x0, x1, y0, y1 = covered.bounds
     near, plate = covered.near, covered.plate
-    hint = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
+    hint = "the center of the plate is the origin" if plate.outline is None else "places are those of the outline"
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
         value = getattr(part, axis, None)
