@@ -1,4 +1,4 @@
-"""Quantities with units: text such as "30 MPa" to a float in SI units, and back to text for people."""
+"""Quantities with units: text such as "30 MPa" to floats in SI units, and back to text."""
 
 from __future__ import annotations
 

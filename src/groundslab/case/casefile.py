@@ -24,7 +24,26 @@ _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
 
 def load(path: str | Path) -> Model:
-    """Return the Model that a file describes; raises InputError with all issues."""
+    """Read a model from a case file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file with units, see ``docs/input.md``.
+
+    Returns
+    -------
+    Model
+
+    Raises
+    ------
+    InputError
+        With all issues of the file.
+
+    Examples
+    --------
+    >>> model = groundslab.load("case.toml")  # doctest: +SKIP
+    """
     return loads(read(path), str(path))
 
 

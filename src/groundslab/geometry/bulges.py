@@ -48,7 +48,7 @@ class Edge(NamedTuple):
         if self.bulge:
             centre, radius = self.circle()
             return abs(math.dist(point, centre) - radius) <= tolerance and self.side(point) * self.bulge < 0
-        return from_line(point, self.a, self.b) <= tolerance
+        return distance_to_line(point, self.a, self.b) <= tolerance
 
     def box(self) -> tuple[float, float, float, float]:
         """Return least x and y, greatest x and y of a rectangle that holds the edge."""
@@ -60,7 +60,7 @@ class Edge(NamedTuple):
         return min(ax, bx) - grown, min(ay, by) - grown, max(ax, bx) + grown, max(ay, by) + grown
 
 
-def from_line(point: Point, a: Point, b: Point) -> float:
+def distance_to_line(point: Point, a: Point, b: Point) -> float:
     """Return how far a point is from the straight line between a and b."""
     dx, dy = b[0] - a[0], b[1] - a[1]
     square = dx * dx + dy * dy
@@ -69,7 +69,7 @@ def from_line(point: Point, a: Point, b: Point) -> float:
     return math.dist(point, (a[0] + along * dx, a[1] + along * dy))
 
 
-def edges_of(ring: Ring) -> list[Edge]:
+def get_edges(ring: Ring) -> list[Edge]:
     """Return the edges of a closed curve with a bulge for each point, in order."""
     ends = (*ring.points[1:], ring.points[0])
     return [Edge(a, b, bulge) for a, b, bulge in zip(ring.points, ends, ring.bulges, strict=True)]
@@ -110,7 +110,7 @@ def _side(edge: Edge, point: Point) -> float:
 
 
 class Region:
-    """Closed edges and a tree of the boxes around them, to ask again and again what lies inside."""
+    """Closed edges with a search tree, for repeated tests of what lies inside."""
 
     def __init__(self, edges: Sequence[Edge]) -> None:
         from shapely import STRtree, box

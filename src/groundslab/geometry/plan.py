@@ -1,6 +1,6 @@
-"""A plate of any shape in plan: closed curves of straight edges and arcs, with places in them.
+"""Plan geometry: segments, closed curves of straight edges and arcs, and the plan of a plate.
 
-Places are (x, y) in meters. A plan's extent is the longer side of the rectangle around all that is drawn.
+Places are (x, y) in meters. The extent of a plan is the longer side of its bounding rectangle.
 """
 
 from __future__ import annotations
@@ -145,17 +145,17 @@ def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
     return Segment(start, end, centre, math.dist(start, centre), angle, 4 * math.atan(bulge))
 
 
-def bounds_of(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
+def get_bounds(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around edges [m]."""
     left, right, low, high = zip(*(edge.bounds for edge in edges), strict=True)
     return min(left), max(right), min(low), max(high)
 
 
-def box_around(edges: Iterable[Segment]) -> Polygon:
+def bounding_box(edges: Iterable[Segment]) -> Polygon:
     """Return the rectangle around edges as a polygon."""
     import shapely
 
-    x0, x1, y0, y1 = bounds_of(edges)
+    x0, x1, y0, y1 = get_bounds(edges)
     return shapely.box(x0, y0, x1, y1)
 
 
@@ -206,7 +206,7 @@ class Ring:
     @property
     def bounds(self) -> tuple[float, float, float, float]:
         """Return the rectangle x0, x1, y0, y1 around the curve [m]."""
-        return bounds_of(self.segments())
+        return get_bounds(self.segments())
 
     @property
     def straight(self) -> bool:
@@ -233,7 +233,7 @@ def rectangle(x0: float, x1: float, y0: float, y1: float) -> Ring:
 
 @dataclass(frozen=True)
 class Plan:
-    """A plate in plan, what is cut out of it, what differs in it, and where nodes must lie.
+    """The plan of a plate: outline, openings, zones, and points and lines where nodes must lie.
 
     A zone is a ring and its section, a number from 1; section 0 is the rest of the plate. Where zones overlap, the last
     one counts; what reaches over the plate's edge is cut off. `beyond` is the outer edge of the meshed ground, which
@@ -288,12 +288,12 @@ class Plan:
 
     @property
     def domain(self) -> Ring:
-        """Return the outer edge of all that is meshed, openings in the plate left aside."""
+        """Return the outer edge of the mesh, regardless of openings in the plate."""
         return self.outline if self.beyond is None else self.beyond
 
     @property
     def area(self) -> float:
-        """Return the plate's area [m2], openings taken off."""
+        """Return the area of the plate without openings [m2]."""
         return self.outline.area - sum(ring.area for ring in self.openings)
 
 

@@ -1,4 +1,4 @@
-"""What keeps a plan from being meshed: curves that cross, parts too close or too sharp, each with its place."""
+"""Validity of a plan for meshing: curves that cross, parts too close, angles too sharp."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ TOO_SHARP = math.radians(5)
 
 
 def find_issues(plan: Plan) -> list[Issue]:
-    """Return everything that keeps a plan from being meshed, each with its place."""
+    """Return all issues that keep a plan from being meshed, each with its place."""
     found = list(_find_number_issues(plan))
     if found:
         return found
@@ -49,7 +49,7 @@ def find_issues(plan: Plan) -> list[Issue]:
 
 
 def _find_number_issues(plan: Plan) -> Iterator[Issue]:
-    """Yield what is not a number or too few of them: nothing else can be looked at then."""
+    """Yield values that are not finite, and curves of too few points."""
     for name, ring in plan.rings().items():
         least = 3 if ring.straight else 2
         if len(ring.points) < least:
@@ -71,7 +71,7 @@ def _find_number_issues(plan: Plan) -> Iterator[Issue]:
 
 
 def _find_ring_issues(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
-    """Yield what is wrong with one ring by itself."""
+    """Yield issues of a single ring."""
     import shapely
 
     edges = ring.segments()
@@ -164,7 +164,7 @@ def _openings(flat: dict[str, Polygon]) -> Any:
 
 
 def _find_zone_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
-    """Yield zones off the plate, and ground that does not reach all round it."""
+    """Yield zones off the plate, and ground that does not surround it."""
     import shapely
 
     outline = flat["plate.outline"]
@@ -248,7 +248,7 @@ def _find_near_places(plan: Plan, edges: list[Segment], places: Array, near: flo
 
 
 def _find_narrow_wedges(plan: Plan) -> Iterator[Issue]:
-    """Yield edges of different curves that part so slowly from where they meet that nothing fits between them."""
+    """Yield edges of different curves that meet at too small an angle."""
     import shapely
 
     edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]

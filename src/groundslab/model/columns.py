@@ -1,4 +1,4 @@
-"""Columns on the plate as the input file says them: where they stand and what they cover."""
+"""Columns on the plate: position and footprint."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def check_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
-    """Find a footprint that is neither nothing, nor a rectangle, nor a circle."""
+    """Find a footprint that is given by neither both widths nor a diameter."""
     if diameter is not None and (width_x is not None or width_y is not None):
         yield RelativeIssue(("diameter",), "a diameter beside a width", "width_x and width_y, or diameter")
     if (width_x is None) != (width_y is None):
@@ -59,5 +59,5 @@ class Column(Section):
         return ring
 
     def drawn(self, chord: float) -> BaseGeometry:
-        """Return what it covers, arcs as chords at most so far off [m]."""
+        """Return the footprint, arcs replaced by chords at most so far off [m]."""
         return self.ring().polygon(chord)

@@ -1,4 +1,4 @@
-"""Checks between the parts of a model."""
+"""Checks between the sections of a model."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
 
 
 def estimate_elements(plate: Plate, mesh: Mesh) -> float:
-    """Return about how many elements the whole plate has."""
+    """Return about how many elements the plate has."""
     if mesh.counts is not None:
         return mesh.counts[0] * mesh.counts[1]
     x, y = plate.sides
@@ -102,19 +102,19 @@ def check_mesh_counts(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]
 
 
 def check_load_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
-    """Find load cases without a name of their own, and loads whose case is not there."""
+    """Find load cases without a unique name, and loads of unknown cases."""
     yield from check_names("cases", [case.name for case in cases], needed=True)
     yield from check_case_names("loads", "case", [load.case for load in loads], cases)
 
 
 def check_combinations(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
-    """Find combinations without a name of their own, and factors of cases that are not there."""
+    """Find combinations without a unique name, and factors of unknown cases."""
     yield from check_names("combinations", [each.name for each in combinations], needed=True)
     yield from check_factors(combinations, cases)
 
 
 def check_columns(plate: Plate, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
-    """Find columns without a name of their own or beside the plate."""
+    """Find columns without a unique name or off the plate."""
     yield from check_names("columns", [column.name for column in columns], needed=True)
     covered = PlateArea(plate)
     for position, column in enumerate(columns):
@@ -122,7 +122,7 @@ def check_columns(plate: Plate, columns: tuple[Column, ...]) -> Iterator[Relativ
 
 
 def check_supports(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find supports that cannot be met by a mesh."""
+    """Find supports that no mesh can be fitted to."""
     yield from check_line_supports(supports)
     yield from check_names("supports", [support.name for support in supports], needed=False)
     far = list(check_support_distances(plate, supports))
@@ -145,7 +145,7 @@ def check_supports(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[R
 
 
 def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find forced settlements whose support is not there."""
+    """Find imposed settlements of unknown supports."""
     names = [support.name for support in supports if support.name]
     known = set(names)
     for position, load in enumerate(loads):
@@ -155,7 +155,7 @@ def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySuppor
             yield RelativeIssue(place, describe(load.support), expected, suggestion(load.support, names))
 
 
-#: What a load may have that makes something act.
+#: Fields of loads that are not all zero if anything acts.
 _ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "w", "slope", "bend")
 
 

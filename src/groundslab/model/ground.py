@@ -1,4 +1,4 @@
-"""The ground under the plate, as the input file says it; see ``groundslab.model``."""
+"""Ground under the plate: springs, Pasternak, Vlasov and layered ground."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ class Vlasov(Section):
 
 
 def _layer_kind(layer: Any) -> str | None:
-    """Return which kind of layer is described; by keys, as there is no key of that name."""
+    """Return the kind of a layer by its keys, as no key states it."""
     if isinstance(layer, SoilLayer | InterfaceLayer):
         return type(layer).__name__
     if not isinstance(layer, Mapping):

@@ -49,7 +49,7 @@ from groundslab.schema.fields import Text
 
 
 class Model(Section):
-    """The whole description of a problem."""
+    """A model: plate, ground, loads, combinations, and settings of the analysis."""
 
     checks: ClassVar[tuple[Check, ...]] = (
         check_shear_of_layers,
@@ -116,7 +116,7 @@ class Model(Section):
 
     @property
     def plain(self) -> bool:
-        """Return whether the plate is a plain rectangle whose mesh need not meet any support within it."""
+        """Return whether the plate is a plain rectangle without supports that the mesh has to follow."""
         return self.plate.plain and not self.supports
 
 

@@ -1,4 +1,4 @@
-"""What is wanted beside the fields, as the input file says it: points, section lines, strips, reinforcement."""
+"""Requested outputs: points, section lines, design strips, reinforcement."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class OutputLine(Section):
 
 
 class OutputStrip(Section):
-    """A design strip: moments across it, as integrals over its width and per metre."""
+    """A design strip: moments across it, as integrals over its width and per meter."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_line_length,)
 

@@ -1,4 +1,4 @@
-"""The plate as the input file says it: outline, openings, zones, material, element, supported edges."""
+"""Plate: outline, openings, zones, material, element, supported edges."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _check_edges(support: str, edges: Edges) -> Iterator[RelativeIssue]:
 
 
 def _check_hinged_edges(outline: AnyShape | None, support: str) -> Iterator[RelativeIssue]:
-    """Find a hinged edge along which it cannot be said which rotation is held."""
+    """Find a hinged edge that is not parallel to x or y, along which no single rotation is fixed."""
     if support != "hinged" or outline is None:
         return
     for edge in outline.ring().segments():
@@ -84,7 +84,7 @@ def _check_geometry(
     openings: tuple[AnyShape, ...],
     zones: tuple[Zone, ...],
 ) -> Iterator[RelativeIssue]:
-    """Find what keeps a drawn plate from being meshed: crossings, parts outside, strips too narrow, sharp corners."""
+    """Find geometry that cannot be meshed: crossings, parts outside, narrow strips, sharp corners."""
     if outline is None and not openings and not zones:
         return
     if outline is None:

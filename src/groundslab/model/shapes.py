@@ -1,4 +1,4 @@
-"""Shapes in plan as the input file says them: rectangles, polygons with arcs, circles; and zones of the plate."""
+"""Shapes in plan: rectangles, polygons with arcs, circles."""
 
 from __future__ import annotations
 

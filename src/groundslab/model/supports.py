@@ -1,4 +1,4 @@
-"""Supports of the plate as the input file says them: points and lines, rigid or elastic, one-sided or not."""
+"""Supports at points and along lines: rigid or elastic, one-sided or not."""
 
 from __future__ import annotations
 
@@ -97,14 +97,14 @@ Support = Annotated[Annotated[PointSupport, Tag("point")] | Annotated[LineSuppor
 
 
 def check_line_supports(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find lines that go nowhere."""
+    """Find lines of fewer than two points."""
     for position, support in enumerate(supports):
         if isinstance(support, LineSupport) and len(support.points) < 2:
             yield RelativeIssue(("supports", position, "points"), f"{len(support.points)} point", "at least two")
 
 
 def check_support_distances(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find supports further off the plate than it is long, which no drawing of a plan need hold."""
+    """Find supports further off the plate than it is long."""
     x0, x1, y0, y1 = plate.bounds
     far = max(plate.sides)
     for position, support in enumerate(supports):
@@ -118,7 +118,7 @@ def check_support_distances(plate: Plate, supports: tuple[AnySupport, ...]) -> I
 
 
 def check_names(part: str, names: list[str], needed: bool) -> Iterator[RelativeIssue]:
-    """Find names that are empty though needed, or given twice, among the parts of a list."""
+    """Find names in a list that are missing though needed, or given twice."""
     seen = set[str]()
     for position, name in enumerate(names):
         if not name and needed:

@@ -59,7 +59,7 @@ def _signature(ground: AnyGround) -> tuple[object, ...]:
 
 
 def check_soil_zone_types(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
-    """Find zones of soil that cannot be joined to the rest of the ground."""
+    """Find soil zones of another kind than the rest of the ground."""
     for position, zone in enumerate(soil_zones):
         if _signature(zone.ground) != _signature(ground):
             expected = f"ground like the rest: {quote(ground.kind)} with the same rules and as many layers"
@@ -82,7 +82,7 @@ def check_soil_zone_extent(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> It
 
 
 def check_soil_depth(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[RelativeIssue]:
-    """Find soil so deep beside the plate that what the plate does to it is over far above the base."""
+    """Find soil too deep, compared to the plate, for its base to matter."""
     most = DEEPEST * max(plate.sides)
     described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
     for position, hole in enumerate(boreholes):
@@ -99,7 +99,7 @@ def check_soil_depth(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole,
 def check_boreholes(
     ground: AnyGround, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
 ) -> Iterator[RelativeIssue]:
-    """Find boreholes that do not go with the ground, or with each other."""
+    """Find boreholes that do not match the ground or each other."""
     if not boreholes:
         return
     if not isinstance(ground, Vlasov | Layered) or any(isinstance(each, InterfaceLayer) for each in ground.layers):
@@ -135,7 +135,7 @@ def check_boreholes(
 
 
 def check_gap_points(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
-    """Find gaps that are given twice at one place."""
+    """Find places with two gaps."""
     seen: dict[tuple[float, float], int] = {}
     for position, point in enumerate(gaps):
         first = seen.setdefault((point.x, point.y), position)

@@ -118,7 +118,7 @@ class Quantity(FieldType):
             raise field_error(value, self.expected(), "" if isinstance(value, bool) else hint)
         else:
             number = _number(value, f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si}")
-        limits = ranges.of_quantity(self.range, self.dimension)
+        limits = ranges.quantity_range(self.range, self.dimension)
         if not limits.holds(number):
             raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
         return number
@@ -146,7 +146,7 @@ class Quantity(FieldType):
 
     def range_words(self) -> str:
         """Return the range with its unit."""
-        return f"{ranges.of_quantity(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
+        return f"{ranges.quantity_range(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
 
     def json_schema(self) -> dict[str, Any]:
         """Return a string with a number at its front; the unit's dimension is left to the program."""
@@ -175,7 +175,7 @@ class Number(FieldType):
             return value
         hint = "write it without quotes" if isinstance(value, str) and _looks_like_number(value) else ""
         number = _number(value, self.expected(), hint)
-        limits = ranges.of_number(self.range)
+        limits = ranges.number_range(self.range)
         if not limits.holds(number):
             own = replace(self.range, smallest=0.0).holds(number)
             raise field_error(value, f"a number {limits.wanted(number)}" if own else self.expected())
@@ -191,11 +191,11 @@ class Number(FieldType):
 
     def range_words(self) -> str:
         """Return the range."""
-        return ranges.of_number(self.range).signs()
+        return ranges.number_range(self.range).signs()
 
     def json_schema(self) -> dict[str, Any]:
         """Return a number, or the words."""
-        number = {"type": "number", **ranges.of_number(self.range).schema()}
+        number = {"type": "number", **ranges.number_range(self.range).schema()}
         return {"anyOf": [number, {"enum": list(self.words)}]} if self.words else number
 
 
@@ -233,13 +233,13 @@ class Integer(FieldType):
 class Choice(FieldType):
     """One word out of the words of a ``Literal``."""
 
-    words_of: Any
+    literal: Any
     meaning: str
 
     @property
     def words(self) -> tuple[str, ...]:
         """The words to choose from."""
-        return get_args(self.words_of)
+        return get_args(self.literal)
 
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the word."""

@@ -89,7 +89,7 @@ ANY = Range()
 
 
 @lru_cache
-def of_quantity(own: Range, dimension: str) -> Range:
+def quantity_range(own: Range, dimension: str) -> Range:
     """Return the range of a quantity: its own, and within it the sizes that make sense for its dimension.
 
     What must be positive has a smallest size; what may be zero or negative has a largest one only.
@@ -103,7 +103,7 @@ def of_quantity(own: Range, dimension: str) -> Range:
 
 
 @lru_cache
-def of_number(own: Range) -> Range:
+def number_range(own: Range) -> Range:
     """Return the range of a pure number: its own, and a largest size where it has no limits."""
     lowest = -LARGEST_NUMBER if own.above is None and own.at_least is None else own.at_least
     highest = LARGEST_NUMBER if own.below is None and own.at_most is None else own.at_most

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from groundslab import units
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
-from groundslab.geometry.bulges import Point, Region, edges_of
-from groundslab.geometry.plan import Ring, box_around
+from groundslab.geometry.bulges import Point, Region, get_edges
+from groundslab.geometry.plan import Ring, bounding_box
 from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def footprint_of(curve: Ring, name: str) -> Footprint | None:
     """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
     xs, ys = zip(*curve.points, strict=True)
     if all(curve.bulges):
-        circles = [edge.circle() for edge in edges_of(curve)]
+        circles = [edge.circle() for edge in get_edges(curve)]
         (centre, radius), *others = circles
         turn = sum(4 * math.atan(bulge) for bulge in curve.bulges)
         alike = all(math.dist(c, centre) + abs(r - radius) <= SAME * radius for c, r in others)
@@ -110,23 +110,8 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     for number, zone in enumerate(drawing.zones, 1):
         shape = ["[plate.zones.shape]", 'kind = "polygon"', *_curve_lines(zone)]
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
-    columns: list[Footprint] = []
-    plate = _Plate(drawing)
-    for number, column in enumerate(drawing.columns, 1):
-        footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
-        if footprint is not None and plate.holds(footprint.centre):
-            columns.append(footprint)
-            text += ["", *footprint.lines()]
-            continue
-        if footprint is not None:
-            why = "it does not stand on the plate"
-        elif isinstance(column, Ring):
-            why = "a column is a rectangle along x and y, or a circle"
-        else:
-            why = "a point says nothing of its size"
-        text += ["", f"# Column {number} of the drawing, for information only: {why}."]
-        lines = _curve_lines(column) if isinstance(column, Ring) else [f"point = {_point_text(column)}"]
-        text += [f"#   {line}" for line in lines]
+    columns, lines = _column_lines(drawing)
+    text += lines
     text += ["", *_GROUND]
     under = _column_tree(columns)
     for mark in drawing.point_loads:
@@ -148,6 +133,29 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     if all(value is None for value in values):
         text += ["", *_LOADS]
     return "\n".join(text) + "\n"
+
+
+def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
+    """Return the columns that a case can hold, and the lines of all columns, those of the others as comments."""
+    columns: list[Footprint] = []
+    text: list[str] = []
+    plate = _Plate(drawing)
+    for number, column in enumerate(drawing.columns, 1):
+        footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
+        if footprint is not None and plate.holds(footprint.centre):
+            columns.append(footprint)
+            text += ["", *footprint.lines()]
+            continue
+        if footprint is not None:
+            why = "it does not stand on the plate"
+        elif isinstance(column, Ring):
+            why = "a column is a rectangle along x and y, or a circle"
+        else:
+            why = "a point says nothing of its size"
+        text += ["", f"# Column {number} of the drawing, for information only: {why}."]
+        lines = _curve_lines(column) if isinstance(column, Ring) else [f"point = {_point_text(column)}"]
+        text += [f"#   {line}" for line in lines]
+    return columns, text
 
 
 def _load_lines(kind: str, mark: PointMark | LineMark | AreaMark, value: str, where: list[str]) -> list[str]:
@@ -192,9 +200,9 @@ class _Plate:
     def __init__(self, drawing: Drawing) -> None:
         from shapely import STRtree
 
-        self._outline = Region(edges_of(drawing.outline))
-        self._openings = [Region(edges_of(opening)) for opening in drawing.openings]
-        self._tree = STRtree([box_around(opening.segments()) for opening in drawing.openings])
+        self._outline = Region(get_edges(drawing.outline))
+        self._openings = [Region(get_edges(opening)) for opening in drawing.openings]
+        self._tree = STRtree([bounding_box(opening.segments()) for opening in drawing.openings])
 
     def holds(self, place: Point) -> bool:
         """Return whether a place lies inside the outline and in no opening."""

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
 from groundslab.case.dxf.entities import DrawnLine
-from groundslab.geometry.bulges import Edge, Point, edges_of, signed_area
+from groundslab.geometry.bulges import Edge, Point, get_edges, signed_area
 from groundslab.geometry.plan import Ring
 
 
@@ -46,7 +46,7 @@ class ClosedCurve:
 
     def edges(self) -> list[Edge]:
         """Return the curve's edges."""
-        return edges_of(self.curve)
+        return get_edges(self.curve)
 
 
 class _Link(NamedTuple):

@@ -10,8 +10,8 @@ from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
 from groundslab.errors import Issue
 from groundslab.geometry.bulges import Point, Region
-from groundslab.geometry.intersections import meeting_of
-from groundslab.geometry.plan import Ring, box_around
+from groundslab.geometry.intersections import find_meeting
+from groundslab.geometry.plan import Ring, bounding_box
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def find_outline(
     rest = sorted((each for each in curves if each is not outline), key=lambda each: -each.curve.area)
     for each in rest:
         start = each.curve.points[0]
-        meeting = meeting_of(around, each.edges(), tolerance, context.count_pairs)
+        meeting = find_meeting(around, each.edges(), tolerance, context.count_pairs)
         if meeting is not None:
             found = "a second curve that crosses or touches the outline"
             context.issue(each.sources, meeting, found, "one outline")
@@ -74,7 +74,7 @@ class EnclosingCurves:
         self._number = {id(each): number for number, each in enumerate(curves)}
         self._rank: dict[int, int] = {}  # which of those added a curve is
         self._regions: dict[int, Region] = {}
-        self._tree = STRtree([box_around(each.curve.segments()) for each in curves])
+        self._tree = STRtree([bounding_box(each.curve.segments()) for each in curves])
 
     def add(self, curve: ClosedCurve) -> None:
         """Add one of the curves."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from groundslab.case.dxf.document import Roles
 from groundslab.case.dxf.drawing import CLOSE, FARTHEST, MOST_ENTITIES, ReadContext, Source, abort
 from groundslab.errors import InputError
-from groundslab.geometry.bulges import Point, from_line
+from groundslab.geometry.bulges import Point, distance_to_line
 from groundslab.geometry.plan import LARGEST_BULGE
 from groundslab.schema.wording import describe
 
@@ -328,7 +328,7 @@ def _flatten_spline(spline: Spline, context: ReadContext) -> tuple[list[Vec3], f
     def follow(start: float, end: float, a: Vec3, b: Vec3, depth: int) -> None:
         between = [tool.point(start + (end - start) * part / 4) for part in (1, 2, 3)]
         # An S crosses its chord half way, so that quarters are looked at too.
-        off = max(from_line((p.x, p.y), (a.x, a.y), (b.x, b.y)) for p in between)
+        off = max(distance_to_line((p.x, p.y), (a.x, a.y), (b.x, b.y)) for p in between)
         if depth < 2 or (off > sag / 2 and depth < MOST_HALVINGS):
             if depth >= 2:
                 context.count_work(1, MOST_LINES, LINES_MADE)

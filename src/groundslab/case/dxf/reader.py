@@ -15,7 +15,7 @@ from groundslab.case.dxf.entities import BlockCounts, DrawnLine, iterate_entitie
 from groundslab.case.dxf.labelling import DIMENSION, Label, read_label
 from groundslab.case.dxf.point_loads import read_point_loads
 from groundslab.geometry.bulges import Point
-from groundslab.geometry.intersections import first_meeting
+from groundslab.geometry.intersections import find_self_meeting
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -125,7 +125,7 @@ def _tolerance(lines: dict[str, list[tuple[Source, DrawnLine]]], points: list[tu
 def _check_crossings(found: dict[str, list[ClosedCurve]], tolerance: float, context: ReadContext) -> None:
     """Add an issue for each curve that crosses or touches itself."""
     for each in (each for curves in found.values() for each in curves):
-        meeting = first_meeting(each.edges(), tolerance, context.count_pairs)
+        meeting = find_self_meeting(each.edges(), tolerance, context.count_pairs)
         if meeting is not None:
             hint = "change the curve so that it neither crosses nor touches itself"
             context.issue(

@@ -1,7 +1,7 @@
-"""Loads cut off at the edge of the plate: what of them acts, and how much does not.
+"""Loads clipped at the edge of the plate.
 
-Areas and lines may reach over the plate's edge or over openings, as engineers draw them; only what lies on the plate
-acts, and the rest is reported.
+Areas and lines may extend beyond the plate's edge or over openings; only what lies on the plate acts, and the rest is
+reported.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.bulges import Edge
-from groundslab.geometry.intersections import crossings
-from groundslab.geometry.plan import Segment, box_around, loaded_polygon
+from groundslab.geometry.intersections import find_crossings
+from groundslab.geometry.plan import Segment, bounding_box, loaded_polygon
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_of
 from groundslab.model.plate import Plate
 from groundslab.schema.issues import RelativeIssue
@@ -48,7 +48,7 @@ Pressure = Callable[[Array], Array]
 
 @dataclass(frozen=True, slots=True)
 class Clipped:
-    """What of a load lies off the plate and does not act."""
+    """The part of a load off the plate, which does not act."""
 
     number: int  # of the load, from 1
     name: str
@@ -58,7 +58,7 @@ class Clipped:
     drawn: float  # force of all that is drawn [N]
 
     def words(self) -> str:
-        """Return it as a remark."""
+        """Return a remark for the report."""
         name = f" {quote(self.name)}" if self.name else ""
         return (
             f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies off the plate; "
@@ -91,7 +91,7 @@ class LinePiece:
 
 
 @lru_cache(maxsize=4)
-def region_of(plate: Plate) -> PlateRegion:
+def get_plate_region(plate: Plate) -> PlateRegion:
     """Return the region of a plate."""
     import shapely
 
@@ -102,16 +102,16 @@ def region_of(plate: Plate) -> PlateRegion:
     near = (STRAIGHT if all(ring.straight for ring in rings) else CURVED) * max(plate.sides)
     grown = area.buffer(near, join_style="mitre")
     shapely.prepare(grown)
-    return PlateRegion(edges, area, grown, near, shapely.STRtree([box_around([edge]) for edge in edges]))
+    return PlateRegion(edges, area, grown, near, shapely.STRtree([bounding_box([edge]) for edge in edges]))
 
 
 def clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
-    """Return what of each load lies off the plate, those left out of which all does act."""
+    """Return the parts of loads that lie off the plate."""
     return tuple(_find_clipped(plate, _distributed_shapes(loads)))
 
 
 def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
-    """Find areas and lines of which nothing lies on the plate, and such as are far too large."""
+    """Find areas and lines that lie off the plate entirely, or reach too far off it."""
     import shapely
 
     expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
@@ -130,7 +130,7 @@ def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterato
 
 def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:
     """Return the parts of a line load that lie on the plate."""
-    region, edges = region_of(plate), load.segments()
+    region, edges = get_plate_region(plate), load.segments()
     ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
     end = load.q if load.q_end is None else load.q_end
 
@@ -150,7 +150,7 @@ def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, Bas
         (
             n,
             load,
-            load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else box_around(load.segments()),
+            load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else bounding_box(load.segments()),
         )
         for n, load in enumerate(loads)
         if isinstance(load, PatchLoad | AreaLoad | LineLoad)
@@ -163,7 +163,7 @@ def _find_clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]
 
     if not drawn:
         return
-    region = region_of(plate)
+    region = get_plate_region(plate)
     for k in np.flatnonzero(~shapely.covers(region.grown, [shape for _, _, shape in drawn])):
         position, load, shape = drawn[int(k)]
         found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
@@ -214,8 +214,8 @@ def _parts_on_plate(region: PlateRegion, edge: Segment) -> list[tuple[float, flo
     if region.grown.covers(LineString(_enclosing_line(edge))):
         return [(0.0, 1.0)]
     cuts = {0.0, 1.0}
-    for k in region.tree.query(box_around([edge])):
-        for place in crossings(_to_edge(edge), _to_edge(region.edges[k])):
+    for k in region.tree.query(bounding_box([edge])):
+        for place in find_crossings(_to_edge(edge), _to_edge(region.edges[k])):
             if max(side.distance(np.array([place]))[0] for side in (edge, region.edges[k])) <= region.near:
                 cuts.add(min(max(_parameter_at(edge, place), 0.0), 1.0))
     parts: list[tuple[float, float]] = []

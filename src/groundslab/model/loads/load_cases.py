@@ -1,4 +1,4 @@
-"""Load cases and their factored combinations as the input file says them."""
+"""Load cases and their factored combinations."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _check_partial_factors(permanent: tuple[float, float], variable: tuple[float
 
 
 class Combine(Section):
-    """Which combinations are made from the cases by themselves, by EN 1990."""
+    """Automatic combinations of the load cases by EN 1990."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors,)
 
@@ -97,7 +97,7 @@ class Combine(Section):
 def check_case_names(
     part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]
 ) -> Iterator[RelativeIssue]:
-    """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
+    """Find items of a list without a case although there are cases, or with an unknown one."""
     names = [case.name for case in cases]
     known = set(names)
     for position, name in enumerate(named):
@@ -110,7 +110,7 @@ def check_case_names(
 
 
 def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
-    """Find factors of cases that are not there, and combinations of nothing."""
+    """Find factors of unknown cases, and combinations without any cases."""
     names = [case.name for case in cases]
     if combinations and not names:
         yield RelativeIssue(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")

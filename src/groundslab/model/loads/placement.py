@@ -1,4 +1,4 @@
-"""Whether loads, columns, supports and voids lie on the plate."""
+"""Checks that point loads, columns, outputs and voids lie on the plate."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer s
 
 
 class Placed(Protocol):
-    """What has a place in plan."""
+    """Anything with a position in plan."""
 
     def drawn(self, chord: float) -> BaseGeometry:
         """Return it, arcs as chords at most so far off [m]."""
@@ -31,7 +31,7 @@ class Placed(Protocol):
 
 
 class PlateArea:
-    """What of the plan a plate covers, found once for all that may lie on it."""
+    """The area that a plate covers, computed once for all checks."""
 
     def __init__(self, plate: Plate) -> None:
         self.plate = plate
@@ -94,7 +94,7 @@ def _has_footprint(part: Placed) -> bool:
 
 
 def _on_shape(covered: PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
-    """Find a part that does not lie on the plate, be it within the rectangle around it."""
+    """Find a part off the plate, also within the rectangle around it."""
     expected = "a place on the plate, not in an opening nor beside the outline"
     (x0, x1, y0, y1), far = covered.bounds, covered.size
     # arcs drawn roughly: chords so short would be too many for what is so large
@@ -126,7 +126,7 @@ def check_point_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Rela
 
 
 def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
-    """Find loads on columns that are not there."""
+    """Find loads on unknown columns."""
     names = [column.name for column in columns]
     known = set(names)
     for position, load in enumerate(loads):

@@ -25,7 +25,7 @@ from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing
 from groundslab.case.dxf.labelling import find_quantity
 from groundslab.errors import InputError
-from groundslab.geometry.bulges import edges_of, from_line
+from groundslab.geometry.bulges import distance_to_line, get_edges
 from groundslab.geometry.plan import Ring
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, UniformLoad
 from groundslab.model.shapes import Circle, Polygon
@@ -191,8 +191,8 @@ class TestOutline:
             exact.extend(tool.points(tool.params(999)))
 
         exact: list[Any] = []
-        edges = edges_of(drawn(draw).outline)
-        assert all(min(from_line((p.x, p.y), e.a, e.b) for e in edges) <= 1e-3 for p in exact)
+        edges = get_edges(drawn(draw).outline)
+        assert all(min(distance_to_line((p.x, p.y), e.a, e.b) for e in edges) <= 1e-3 for p in exact)
 
     def test_doubles_count_once(self, drawn: Any) -> None:
         """The same curve begun elsewhere and run backwards, and a line on its edge, are reported and left."""
