@@ -33,7 +33,6 @@ from .model.loads.load_types import SelfWeight as SelfWeight
 from .model.loads.load_types import SettlementLoad as SettlementLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
-from .model.loads.load_types import Void as Void
 from .model.model import Model as Model
 from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine
@@ -55,6 +54,7 @@ from .model.supports import PointSupport as PointSupport
 from .model.varying_ground import Borehole as Borehole
 from .model.varying_ground import GapPoint as GapPoint
 from .model.varying_ground import SoilZone as SoilZone
+from .model.varying_ground import Void as Void
 from .results.results import Combined as Combined
 from .results.results import Results as Results
 from .study.evaluation.study import open_study as open_study

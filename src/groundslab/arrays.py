@@ -1,4 +1,4 @@
-"""Types of arrays, and values kept beside an array for as long as it lives."""
+"""Types of arrays, and a cache of values derived from an array."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ T = TypeVar("T")
 
 
 class Memo(Generic[T]):
-    """Values by the identity of an array and of something that belongs to it; kept as long as the array lives.
+    """Cache of values by the identity of an array and of a companion object, for as long as the array lives.
 
-    Results are frozen and hold arrays, which have no hash: what is made of them for later calls is kept beside them.
+    Results are immutable and hold arrays, which have no hash: functools.cache cannot hold what is derived from them.
     """
 
     def __init__(self) -> None:
         self._kept: dict[int, tuple[object, T]] = {}
 
     def get(self, array: Array | Integers, beside: object, make: Callable[[], T]) -> T:
-        """Return the value that was made for this very array and what stands beside it, or make it."""
+        """Return the cached value of an array and its companion; compute it first if there is none."""
         key = id(array)
         kept = self._kept.get(key)
         if kept is None or kept[0] is not beside:

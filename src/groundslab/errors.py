@@ -1,4 +1,4 @@
-"""Every way in which groundslab says no."""
+"""Exceptions raised by groundslab."""
 
 from __future__ import annotations
 
@@ -8,12 +8,24 @@ from typing import Any
 
 
 class GroundslabError(Exception):
-    """The base of all errors that groundslab raises on purpose."""
+    """Base class of the exceptions of groundslab."""
 
 
 @dataclass(frozen=True, slots=True)
 class Issue:
-    """One thing that is wrong with an input: where it stands, what is there, what should be, how to mend it."""
+    """One issue of an input.
+
+    Attributes
+    ----------
+    location : str
+        Path in the input, such as ``ground.layers[2].E``, positions counted from 1.
+    found : str
+        What is there.
+    expected : str
+        What should be there.
+    hint : str
+        How to correct it; may be empty.
+    """
 
     location: str
     found: str
@@ -21,33 +33,39 @@ class Issue:
     hint: str = ""
 
     def __str__(self) -> str:
-        """Return the fault on one line."""
+        """Return the issue on one line."""
         line = f"{self.location}: got {self.found}, expected {self.expected}"
         return f"{line}; {self.hint}" if self.hint else line
 
 
 class InputError(GroundslabError):
-    """The description of a problem is wrong; ``faults`` names everything that is wrong with it."""
+    """The input is wrong.
+
+    Attributes
+    ----------
+    issues : tuple of Issue
+        Everything that is wrong with it.
+    """
 
     def __init__(self, issues: Sequence[Issue]) -> None:
         self.issues = tuple(issues)
         super().__init__(self.issues)
 
     def __str__(self) -> str:
-        """Return all faults, one a line."""
+        """Return all issues, one per line."""
         return "\n".join(str(issue) for issue in self.issues)
 
 
 class NoEquilibrium(GroundslabError):
-    """The loads cannot be balanced by pressure from the ground and by the supports; says which loads and why."""
+    """Ground pressure and supports cannot balance the loads; the message says which loads and why."""
 
 
 class NeutralEquilibrium(NoEquilibrium):
-    """What touches the plate balances the loads and yet lets it move as a rigid body; says how it can move."""
+    """The loads are balanced, yet the plate can move as a rigid body; the message says how."""
 
 
 class IllConditioned(GroundslabError):
-    """Stiffnesses differ by more than the digits of the computer's numbers allow; says which, and what to change."""
+    """Stiffnesses differ by more than double precision allows; the message says which, and what to change."""
 
 
 class SingularMatrix(GroundslabError):
@@ -55,7 +73,13 @@ class SingularMatrix(GroundslabError):
 
 
 class NotCertified(GroundslabError):
-    """A result fails its certificate; ``results`` holds it all the same, to be looked at, not to be used."""
+    """A result fails its certificate.
+
+    Attributes
+    ----------
+    results : Results or Combined
+        The result, for inspection only.
+    """
 
     ROUNDING = (
         "rounding is what is left over where stiffnesses differ by ten digits and more: bring thickness and E of the "
@@ -90,7 +114,14 @@ class NotCertified(GroundslabError):
 class NotConverged(GroundslabError):
     """An iteration ended without converging.
 
-    ``what`` names the iteration, ``history`` holds one entry per step taken, ``last`` the last iterate's arrays.
+    Attributes
+    ----------
+    what : str
+        Name of the iteration.
+    history : sequence
+        One entry per step.
+    last : mapping of str to array
+        Arrays of the last iterate.
     """
 
     what: str
@@ -98,7 +129,7 @@ class NotConverged(GroundslabError):
     last: Mapping[str, Any] = field(repr=False)
 
     def __post_init__(self) -> None:
-        """Hand the fields to Exception, so that the error can be pickled."""
+        """Pass the fields to Exception, so that the error can be pickled."""
         super().__init__(self.what, self.history, self.last)
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""Quantities with units: text such as "30 MPa" to a float in SI units, and back to text for people."""
+"""Quantities with units: text such as "30 MPa" to floats in SI units, and back to text."""
 
 from __future__ import annotations
 
@@ -27,46 +27,36 @@ class Dimension:
     largest: float = 1e18
 
 
+def _steps(unit: str, prefixes: str, si: str = "") -> tuple[tuple[float, str], ...]:
+    """Return a unit with and without prefixes, its name in SI units without any."""
+    return ((1.0, si or unit), *(({"k": 1e3, "M": 1e6, "G": 1e9}[prefix], prefix + unit) for prefix in prefixes))
+
+
 #: All dimensions that the input knows, by name.
 DIMENSIONS: dict[str, Dimension] = {
     # coordinates of national grids have up to seven digits before the point
     "length": Dimension("a length", "0.2 m", "m", (1, 0, 0, 0), ((1e-3, "mm"), (1.0, "m")), 1e-9, 1e7),
-    "pressure": Dimension(
-        "a pressure", "30 MPa", "Pa", (-1, 1, -2, 0), ((1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa"))
-    ),
+    "pressure": Dimension("a pressure", "30 MPa", "Pa", (-1, 1, -2, 0), _steps("Pa", "kMG")),
     "pressure per length": Dimension(
-        "a pressure per length", "20 MPa/m", "Pa/m", (-2, 1, -2, 0),
-        ((1.0, "Pa/m"), (1e3, "kPa/m"), (1e6, "MPa/m"), (1e9, "GPa/m")),
+        "a pressure per length", "20 MPa/m", "Pa/m", (-2, 1, -2, 0), _steps("Pa/m", "kMG")
     ),
     "pressure times length": Dimension(
-        "a pressure times length", "5 MN/m", "Pa m", (0, 1, -2, 0),
-        ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"), (1e9, "GN/m")),
+        "a pressure times length", "5 MN/m", "Pa m", (0, 1, -2, 0), _steps("N/m", "kMG")
     ),
-    "force per length": Dimension(
-        "a force per length", "20 kN/m", "N/m", (0, 1, -2, 0), ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"))
-    ),
-    "weight per volume": Dimension(
-        "a weight per volume", "25 kN/m^3", "N/m^3", (-2, 1, -2, 0), ((1.0, "N/m^3"), (1e3, "kN/m^3"))
-    ),
-    "force": Dimension("a force", "50 kN", "N", (1, 1, -2, 0), ((1.0, "N"), (1e3, "kN"), (1e6, "MN"))),
-    "moment": Dimension("a moment", "80 kNm", "N m", (2, 1, -2, 0), ((1.0, "N m"), (1e3, "kNm"), (1e6, "MNm"))),
+    "force per length": Dimension("a force per length", "20 kN/m", "N/m", (0, 1, -2, 0), _steps("N/m", "kM")),
+    "weight per volume": Dimension("a weight per volume", "25 kN/m^3", "N/m^3", (-2, 1, -2, 0), _steps("N/m^3", "k")),
+    "force": Dimension("a force", "50 kN", "N", (1, 1, -2, 0), _steps("N", "kM")),
+    "moment": Dimension("a moment", "80 kNm", "N m", (2, 1, -2, 0), _steps("Nm", "kM", "N m")),
     "moment per angle": Dimension(
-        "a moment per angle", "50 MNm/rad", "N m/rad", (2, 1, -2, 0),
-        ((1.0, "N m/rad"), (1e3, "kNm/rad"), (1e6, "MNm/rad")),
+        "a moment per angle", "50 MNm/rad", "N m/rad", (2, 1, -2, 0), _steps("Nm/rad", "kM", "N m/rad")
     ),
-    "stiffness": Dimension(
-        "a force per settlement", "200 MN/m", "N/m", (0, 1, -2, 0),
-        ((1.0, "N/m"), (1e3, "kN/m"), (1e6, "MN/m"), (1e9, "GN/m")),
-    ),
+    "stiffness": Dimension("a force per settlement", "200 MN/m", "N/m", (0, 1, -2, 0), _steps("N/m", "kMG")),
     "stiffness per length": Dimension(
-        "a force per length and settlement", "50 MN/m^2", "N/m^2", (-1, 1, -2, 0),
-        ((1.0, "N/m^2"), (1e3, "kN/m^2"), (1e6, "MN/m^2"), (1e9, "GN/m^2")),
+        "a force per length and settlement", "50 MN/m^2", "N/m^2", (-1, 1, -2, 0), _steps("N/m^2", "kMG")
     ),
-    "pressure per area": Dimension(
-        "a pressure per area", "2 kPa/m^2", "Pa/m^2", (-3, 1, -2, 0), ((1.0, "Pa/m^2"), (1e3, "kPa/m^2"))
-    ),
+    "pressure per area": Dimension("a pressure per area", "2 kPa/m^2", "Pa/m^2", (-3, 1, -2, 0), _steps("Pa/m^2", "k")),
     "moment per length": Dimension(
-        "a moment per length", "25 kNm/m", "N m/m", (1, 1, -2, 0), ((1.0, "N m/m"), (1e3, "kNm/m"), (1e6, "MNm/m"))
+        "a moment per length", "25 kNm/m", "N m/m", (1, 1, -2, 0), _steps("Nm/m", "kM", "N m/m")
     ),
     "area per length": Dimension("an area per length", "5 cm^2/m", "m^2/m", (1, 0, 0, 0), ((1e-4, "cm^2/m"),)),
     "slope": Dimension("a slope", "2 mm/m", "m/m", (0, 0, 0, 0), ((1e-3, "mm/m"), (1.0, "m/m"))),
@@ -76,7 +66,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "strain per temperature": Dimension(
         "a strain per temperature", "1e-5 1/K", "1/K", (0, 0, 0, -1), ((1.0, "1/K"),), smallest=1e-12, largest=1.0
     ),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +120,7 @@ _BASES = ("[length]", "[mass]", "[time]", "[temperature]")
 
 
 class QuantityError(ValueError):
-    """A text is no quantity of the dimension asked for: ``expected`` says what would be."""
+    """A text is no quantity of a dimension; ``expected`` says what would be."""
 
     def __init__(self, expected: str, reason: str) -> None:
         """Keep both parts, so that a message can be put together from them."""
@@ -175,9 +165,9 @@ def parse(text: str, dimension: str) -> float:
     return value
 
 
-def coordinate(metres: float) -> float:
-    """Return a coordinate [m] as it is printed: rounded to nanometres, so that what rounding left of zero is zero."""
-    return round(metres, 9) + 0.0
+def coordinate(value: float) -> float:
+    """Return a coordinate [m] for printing: rounded to nanometers, so that rounding errors around zero vanish."""
+    return round(value, 9) + 0.0
 
 
 def format_number(

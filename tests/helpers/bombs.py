@@ -166,6 +166,6 @@ SMALL: dict[str, tuple[str, str]] = {
     "a spline of high degree": (document(spline([(0.1 * k, k % 7) for k in range(1000)], 900)), ""),
     "a long text": (document(long_text("= " * 50_000)), ""),
     "many layers with wrong values": (
-        document([pair for k in range(500) for pair in line(k, 0, k, 1, f"LOAD_LINE_{k} kN")]), r"400 more faults"
+        document([pair for k in range(500) for pair in line(k, 0, k, 1, f"LOAD_LINE_{k} kN")]), r"400 more issues"
     ),
 }  # fmt: skip

@@ -18,7 +18,6 @@ from groundslab.model.loads.load_types import (
     SettlementLoad,
     TemperatureLoad,
     UniformLoad,
-    Void,
 )
 from groundslab.model.model import Model
 from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStrip, Reinforcement
@@ -26,7 +25,7 @@ from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
-from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone
+from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone, Void
 from groundslab.schema.base import Section, key_of
 from groundslab.schema.fields import Boolean, Choice, ListOf, Text
 

@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 from groundslab.analysis.driver import solve
 from groundslab.errors import NoEquilibrium
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
+from groundslab.model.varying_ground import Void
 from groundslab.results.results import Results
 
 

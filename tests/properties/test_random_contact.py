@@ -19,11 +19,12 @@ from groundslab.discretize.discretize import discretise
 from groundslab.errors import IllConditioned, NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.problem import Problem, W
 from groundslab.model.ground import Pasternak, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Contact, Mesh
 from groundslab.model.supports import PointSupport
+from groundslab.model.varying_ground import Void
 from groundslab.results.results import Results
 from helpers.paths import DATA
 

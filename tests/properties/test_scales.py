@@ -12,12 +12,12 @@ import pytest
 
 from groundslab.analysis.driver import solve
 from groundslab.model.ground import Pasternak, Winkler
-from groundslab.model.loads.load_types import PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Contact, Mesh
 from groundslab.model.supports import PointSupport
-from groundslab.model.varying_ground import GapPoint
+from groundslab.model.varying_ground import GapPoint, Void
 from groundslab.results.results import Results
 
 FACTORS = [1e3, 1e6, 1e9, 1e12]

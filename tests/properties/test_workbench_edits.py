@@ -12,14 +12,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from groundslab.case import casefile
-from groundslab.workbench.editing import toml_writer
+from groundslab.schema import toml_writer
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.editing.undo import History
 from helpers.paths import ROOT
 
 pytestmark = pytest.mark.slow
 
-EXAMPLES = {"starter": casefile.STARTER, "raft": (ROOT / "examples" / "l_raft.toml").read_text(encoding="utf-8")}
+EXAMPLES = {"starter": casefile.starter(), "raft": (ROOT / "examples" / "l_raft.toml").read_text(encoding="utf-8")}
 KEYS = st.sampled_from(["a", "b", "c", "d e", "x-y", "", "ä", 'q"q'])
 WORDS = st.sampled_from(["", "m", "30 MPa", "# no comment", 'a "quote"', "two\nlines", "[x]", "a = 1, b", "\\", "ß\t"])
 SCALARS = WORDS | st.integers(-5, 5) | st.floats(-2, 2, width=16) | st.booleans()

@@ -29,7 +29,7 @@ from groundslab.errors import (
 )
 from groundslab.fem.foundation import Column
 from groundslab.model.combinations import combinations_of
-from groundslab.model.consistency import plate_elements
+from groundslab.model.consistency import estimate_elements
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
@@ -69,7 +69,7 @@ def check(model: Model) -> None:
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
-    ratio = plate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
+    ratio = estimate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
     ground = discretise(model, max(0, math.ceil(math.log2(ratio) / 2)), loaded=False).ground

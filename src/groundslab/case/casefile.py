@@ -1,10 +1,11 @@
-"""The input file: TOML with units to a Model and back, and a file to start from."""
+"""Case files: TOML with units to a Model and back, and a file to start from."""
 
 from __future__ import annotations
 
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,26 @@ _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
 
 def load(path: str | Path) -> Model:
-    """Return the Model that a file describes; raises InputError with all faults."""
+    """Read a model from a case file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file with units, see ``docs/input.md``.
+
+    Returns
+    -------
+    Model
+
+    Raises
+    ------
+    InputError
+        With all issues of the file.
+
+    Examples
+    --------
+    >>> model = groundslab.load("case.toml")  # doctest: +SKIP
+    """
     return loads(read(path), str(path))
 
 
@@ -128,239 +148,7 @@ def _lines(part: Section, path: str) -> Iterator[str]:
         yield from _lines(inner_part, heading.strip("[]"))
 
 
+@cache
 def starter() -> str:
     """Return a commented input file to start from."""
-    return STARTER
-
-
-STARTER = """\
-# Input file of groundslab: a slab on two layers of soil.
-#
-# A number with a dimension is text with its unit: "200 mm", "30 MPa", "20 MN/m^3", "60 kip". Pure numbers
-# (Poisson's ratio, counts) stand without quotes. Loads and settlements are positive downwards.
-# The centre of the plate is the origin of x and y. What is commented out is the default or an alternative.
-
-title = "A slab of 6 x 4 m on two layers"
-
-# The plate: sides, thickness, elastic constants.
-[plate]
-length_x = "6 m"
-length_y = "4 m"
-thickness = "250 mm"
-E = "30 GPa"
-nu = 0.2
-# shear_factor = 0.8333        # 5/6
-# element = "mitc9"            # or "heterosis", or "q9" (too stiff if the plate is thin)
-# edges = {left = "free", right = "free", bottom = "free", top = "free"}
-#                              # or "hinged" (no settlement, no rotation along the edge),
-#                              # "soft" (no settlement), "clamped"
-
-# The ground under the plate. A Vlasov ground settles in one mode over the depth of its layers; its two
-# stiffnesses follow from the elastic constants. The layers stand from the top downwards, on a rigid base.
-[ground]
-kind = "vlasov"
-# gamma = "iterate"            # decay of the mode, found by iteration; or a number
-# mode = "auto"                # "sinh" for one layer, "profile" for several
-
-[[ground.layers]]
-E = "20 MPa"                   # at the top of the layer
-# E_bottom = "40 MPa"          # if it varies with the depth ...
-# variation = "linear"         # ... so, or "quadratic"
-nu = 0.3
-thickness = "2 m"
-
-[[ground.layers]]
-E = "60 MPa"
-nu = 0.3
-thickness = "4 m"
-
-# Other kinds of ground, each instead of all of the above:
-#
-# [ground]
-# kind = "winkler"
-# k = "20 MPa/m"               # or: selvadurai = {E = "40 MPa", depth = "5 m"}
-#
-# [ground]
-# kind = "pasternak"
-# k0 = "20 MPa/m"
-# k1 = "10 MN/m"
-#
-# [ground]
-# kind = "layered"             # a settlement of its own for each surface between layers
-# coupling = "consistent"      # or "interface", whose layers may also be given by k0 and k1
-# [[ground.layers]]
-# E = "20 MPa"
-# nu = 0.3
-# thickness = "2 m"
-# sublayers = 4
-
-# Ground that varies over the plan: zones with ground of their own, of the same kind and with as many layers ...
-#
-# [[soil_zones]]
-# shape = {kind = "rectangle", x = ["1 m", "3 m"], y = ["-2 m", "2 m"]}
-# [soil_zones.ground]
-# kind = "vlasov"
-# [[soil_zones.ground.layers]]
-# E = "10 MPa"
-# nu = 0.3
-# thickness = "2 m"
-# [[soil_zones.ground.layers]]
-# E = "60 MPa"
-# nu = 0.3
-# thickness = "4 m"
-#
-# ... or boreholes, between which thickness, E and nu of each layer are interpolated.
-#
-# [[boreholes]]
-# name = "B1"
-# x = "-4 m"
-# y = "0 m"
-# [[boreholes.layers]]
-# E = "20 MPa"
-# nu = 0.3
-# thickness = "1.5 m"
-# [[boreholes.layers]]
-# E = "60 MPa"
-# nu = 0.3
-# thickness = "4 m"
-# [[boreholes]]
-# name = "B2"
-# x = "4 m"
-# y = "0 m"
-# [[boreholes.layers]]
-# E = "15 MPa"
-# nu = 0.3
-# thickness = "3 m"
-# [[boreholes.layers]]
-# E = "60 MPa"
-# nu = 0.3
-# thickness = "4 m"
-
-# The ground beyond the plate.
-[beyond]
-kind = "infinite"              # or "none" (default), or "margin"
-# width = "5 m"                # of a margin
-# edge = "free"                # outer edge of a margin; or "fixed"
-# sides = ["left", "right", "bottom", "top"]
-
-# Contact between plate and ground.
-[contact]
-tensionless = true             # the plate may lift off; false: it is held down
-# gap = "0 mm"                 # initial gap everywhere
-# limit_pressure = "300 kPa"   # pressure at which the ground yields
-# [[contact.voids]]            # a rectangle where the ground lies deeper
-# depth = "5 mm"
-# x = ["-3 m", "-2 m"]
-# y = ["-2 m", "-1 m"]
-
-# Columns on the plate, rectangles or circles. Loads name them, and punching is checked.
-# [[columns]]
-# name = "A1"
-# x = "-2 m"
-# y = "0 m"
-# width_x = "300 mm"
-# width_y = "400 mm"           # or, instead of both: diameter = "400 mm"
-
-# Supports beside the ground: at points, such as piles, and along lines, such as walls below.
-# [[supports]]
-# kind = "point"
-# name = "pile"
-# x = "-2.5 m"
-# y = "-1.5 m"
-# stiffness = "50 MN/m"        # rigid without it
-# acts = "in compression"      # or "both ways", "in tension"
-# [[supports]]
-# kind = "line"
-# name = "wall"
-# points = [["2 m", "-2 m"], ["2 m", "2 m"]]
-# stiffness = "100 MN/m^2"
-# acts = "in compression"
-
-# Load cases. Without any, all loads act together, without factors. With them each load names the case that it belongs
-# to; each case is solved by itself ...
-# [[cases]]
-# name = "permanent"
-# [[cases]]
-# name = "imposed"
-# action = "variable"          # psi_0 = 0.7, psi_1 = 0.5, psi_2 = 0.3 by default
-
-# ... unless combinations are given, each solved by itself ...
-# [[combinations]]
-# name = "all"
-# limit_state = "ultimate"     # or "characteristic", "frequent", "quasi-permanent"
-# factors = {permanent = 1.35, imposed = 1.5}
-
-# ... or made by EN 1990.
-# [combine]
-# sets = ["ultimate", "characteristic"]
-
-# The loads, as many as there are.
-[[loads]]
-kind = "uniform"               # on the whole plate
-name = "own weight"
-# case = "permanent"
-q = "6.25 kPa"
-
-[[loads]]
-kind = "patch"                 # on a rectangle
-name = "machine"
-# case = "imposed"
-q = "200 kPa"
-x = ["1 m", "2.5 m"]
-y = ["-0.5 m", "1 m"]
-
-# [[loads]]
-# kind = "point"
-# P = "50 kN"
-# x = "0 m"
-# y = "0 m"
-
-# [[loads]]
-# kind = "point"               # on a column, with moments
-# P = "300 kN"
-# M_x = "20 kNm"               # presses the side of larger x down: it turns about the y axis
-# column = "A1"
-
-# [[loads]]
-# kind = "temperature"         # positive if the bottom is warmer
-# difference = "10 K"
-
-# [[loads]]
-# kind = "settlement"          # forced on a support
-# support = "pile"
-# w = "5 mm"
-
-# Where values are listed.
-# [[output.points]]
-# name = "middle"
-# x = "0 m"
-# y = "0 m"
-# [[output.lines]]
-# name = "axis"
-# start = ["-3 m", "0 m"]
-# end = ["3 m", "0 m"]
-# [[output.strips]]
-# name = "strip"
-# start = ["-3 m", "1 m"]
-# end = ["3 m", "1 m"]
-# width = "1 m"
-
-# Reinforcement by EN 1992-1-1, for ultimate combinations: with it there must be one above.
-# [reinforcement]
-# f_ck = "30 MPa"
-# f_yk = "500 MPa"
-# bottom = ["40 mm", "50 mm"]  # from the face to the axis of the bars along x and along y
-# top = ["40 mm", "50 mm"]
-
-# The mesh of the plate. Without this section the shorter side has 24 elements.
-# [mesh]
-# size = "0.25 m"              # or: counts = [24, 16]
-# symmetry = "auto"            # or "off"
-
-# How the equations are solved.
-# [analysis]
-# increments = 1
-# solver = "auto"              # or "pardiso", "superlu", "mumps"
-# nested = true                # start the contact zone from coarser meshes
-# max_iterations = 200
-"""
+    return Path(__file__).with_name("starter.toml").read_text(encoding="utf-8")

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from rich.console import Console
 
-    from groundslab.case.dxf.layers import Layers
+    from groundslab.case.dxf.document import Layers
     from groundslab.model.model import Model
     from groundslab.results.results import Combined, Results
     from groundslab.views.summary.progress import Shown
@@ -408,7 +408,7 @@ def _layers(pairs: Sequence[str]) -> Layers:
     """Return the layers that WHAT=NAME name, the others under their usual names."""
     from dataclasses import fields
 
-    from groundslab.case.dxf.layers import Layers
+    from groundslab.case.dxf.document import Layers
     from groundslab.schema.wording import describe, listed, suggestion
 
     known = [each.name for each in fields(Layers)]

@@ -19,6 +19,7 @@ from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
+from groundslab.geometry.plan import SAME_PLACE
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
 QUARTER_CHORDS = 64
 #: Chords of a curved side of an element at the plate's edge.
 SIDE_CHORDS = 16
-#: Places closer than this, relative to the plate, are the same.
-SAME_PLACE = 1e-9
 #: A side of a column shorter than itself by this share lies on an edge in part.
 SAME_SIDE = 1e-6
 #: An opening counts up to this distance from the column, in effective depths (6.4.2 (3)).

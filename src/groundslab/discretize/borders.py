@@ -12,7 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.geometry.plan import FLAT, SAME_PLACE, Plan, Ring
-from groundslab.geometry.validity import TOO_CLOSE, issues
+from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.model import Model
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def with_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
             kept.append(own)
     while kept:
         found = Plan(plan.outline, plan.openings, plan.zones, plan.beyond, plan.points, plan.lines, tuple(kept))
-        refused = {max(map(int, named)) for issue in issues(found)
+        refused = {max(map(int, named)) for issue in find_issues(found)
                    if (named := re.findall(r"borders\[(\d+)\]", f"{issue.location} {issue.found}"))}  # fmt: skip
         if not refused:
             return found

@@ -15,9 +15,10 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem import bearings
 from groundslab.fem.bearings import Bearings, gap_bearings
 from groundslab.fem.foundation import Column
-from groundslab.fem.mesh import SAME_PLACE, sides_along
+from groundslab.fem.mesh import sides_along
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
 from groundslab.fem.vlasov import Soil
+from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport, PointSupport

@@ -14,11 +14,10 @@ from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
+from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
-#: Places closer than this, relative to the plate, are the same.
-SAME_PLACE = 1e-9
 #: Parts of a model on which the loading of a mesh depends.
 ACTING = ("plate", "columns", "supports", "cases", "loads")
 

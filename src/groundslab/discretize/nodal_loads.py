@@ -11,6 +11,7 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.problem import BETA_X, Loading, W
+from groundslab.geometry.plan import FLAT, SAME_PLACE
 from groundslab.model.loads.clipping import line_on_plate
 from groundslab.model.loads.load_types import (
     AnyLoad,
@@ -25,11 +26,6 @@ from groundslab.model.loads.load_types import (
     pressure_of,
 )
 from groundslab.model.model import Model
-
-#: Places closer than this, relative to the plate, are the same.
-SAME_PLACE = 1e-9
-#: Footprints have their arcs replaced by chords at most this far off, relative to the plate.
-ARC_CHORD = 1e-6
 
 
 def loadings(model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> tuple[Loading, ...]:
@@ -112,7 +108,7 @@ def _at_point(load: PointLoad, model: Model, plan: Layout) -> tuple[Array, Array
     On a footprint a force is a uniform pressure, a moment one that grows linearly from the middle.
     """
     mesh, elements = plan.mesh, plan.plate_elements
-    place = load.drawn(ARC_CHORD * max(model.plate.sides))
+    place = load.drawn(FLAT * max(model.plate.sides))
     none = np.zeros((2, len(elements), 9))
     if place.geom_type == "Point":
         N = _share(load, plan) * load_vectors.at_point(mesh, elements, _on_meshed_side(load, plan))

@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.shape_functions import COLUMN, ROW, distinct, parallelograms, q9
+from groundslab.geometry.plan import SAME_PLACE
 
 if TYPE_CHECKING:
     from shapely import STRtree
@@ -23,8 +24,6 @@ MIRRORED = np.array([1, 0, 3, 2, 4, 7, 6, 5, 8])
 GRID = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
 #: A point this far outside an element, relative to its size, still counts as in it.
 NEAR = 1e-9
-#: Places closer than this, relative to the mesh, are the same.
-SAME_PLACE = 1e-9
 
 #: Elements may grow by this share of the distance from where smaller ones are required.
 GRADING = 0.35

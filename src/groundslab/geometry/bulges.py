@@ -1,32 +1,20 @@
-"""Closed curves and their edges, straight lines and arcs.
+"""Edges as DXF has them: two points and a bulge, and what lies inside closed ones.
 
-A curve is kept as DXF keeps it: points, and for the edge after each point a bulge, the tangent of a quarter of the
-arc's angle, positive to the left (anticlockwise), 0 for a straight edge.
+A bulge is the tangent of a quarter of the arc's angle, positive if it turns left (counter-clockwise), 0 if straight.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from groundslab.geometry.plan import Ring
 
 Point = tuple[float, float]
 #: Counts work that is about to be done, and raises where it is too much.
 Spend = Callable[[int], None]
-
-
-@dataclass(frozen=True, slots=True)
-class Curve:
-    """A closed curve, anticlockwise: points [m] and the bulge of the edge from each point to the next."""
-
-    points: tuple[Point, ...]
-    bulges: tuple[float, ...]
-
-    @property
-    def area(self) -> float:
-        """Return the area inside [m^2]."""
-        return abs(signed_area(edges_of(self)))
 
 
 class Edge(NamedTuple):
@@ -42,7 +30,7 @@ class Edge(NamedTuple):
         return (ax + bx + self.bulge * (by - ay)) / 2, (ay + by - self.bulge * (bx - ax)) / 2
 
     def circle(self) -> tuple[Point, float]:
-        """Return centre and radius of an arc."""
+        """Return center and radius of an arc."""
         (ax, ay), (bx, by) = self.a, self.b
         lean = (1 - self.bulge**2) / (4 * self.bulge)
         centre = (ax + bx) / 2 - lean * (by - ay), (ay + by) / 2 + lean * (bx - ax)
@@ -60,7 +48,7 @@ class Edge(NamedTuple):
         if self.bulge:
             centre, radius = self.circle()
             return abs(math.dist(point, centre) - radius) <= tolerance and self.side(point) * self.bulge < 0
-        return from_line(point, self.a, self.b) <= tolerance
+        return distance_to_line(point, self.a, self.b) <= tolerance
 
     def box(self) -> tuple[float, float, float, float]:
         """Return least x and y, greatest x and y of a rectangle that holds the edge."""
@@ -72,7 +60,7 @@ class Edge(NamedTuple):
         return min(ax, bx) - grown, min(ay, by) - grown, max(ax, bx) + grown, max(ay, by) + grown
 
 
-def from_line(point: Point, a: Point, b: Point) -> float:
+def distance_to_line(point: Point, a: Point, b: Point) -> float:
     """Return how far a point is from the straight line between a and b."""
     dx, dy = b[0] - a[0], b[1] - a[1]
     square = dx * dx + dy * dy
@@ -81,10 +69,10 @@ def from_line(point: Point, a: Point, b: Point) -> float:
     return math.dist(point, (a[0] + along * dx, a[1] + along * dy))
 
 
-def edges_of(curve: Curve) -> list[Edge]:
-    """Return the edges of a curve, in order."""
-    ends = (*curve.points[1:], curve.points[0])
-    return [Edge(a, b, bulge) for a, b, bulge in zip(curve.points, ends, curve.bulges, strict=True)]
+def get_edges(ring: Ring) -> list[Edge]:
+    """Return the edges of a closed curve with a bulge for each point, in order."""
+    ends = (*ring.points[1:], ring.points[0])
+    return [Edge(a, b, bulge) for a, b, bulge in zip(ring.points, ends, ring.bulges, strict=True)]
 
 
 def signed_area(edges: Sequence[Edge]) -> float:
@@ -122,7 +110,7 @@ def _side(edge: Edge, point: Point) -> float:
 
 
 class Region:
-    """Closed edges and a tree of the boxes around them, to ask again and again what lies inside."""
+    """Closed edges with a search tree, for repeated tests of what lies inside."""
 
     def __init__(self, edges: Sequence[Edge]) -> None:
         from shapely import STRtree, box

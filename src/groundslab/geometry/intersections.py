@@ -1,4 +1,4 @@
-"""Whether and where curves meet themselves or each other."""
+"""Intersections of edges, and of curves with themselves or each other."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from groundslab.geometry.bulges import Edge, Point, Region, Spend
 FEW = 8
 
 
-def crossings(e: Edge, f: Edge) -> list[Point]:
-    """Return the points at which the whole lines or circles of two edges cross."""
+def find_crossings(e: Edge, f: Edge) -> list[Point]:
+    """Return the points at which the unbounded lines or full circles of two edges cross."""
     if e.bulge and f.bulge:
         (c, r), (d, s) = e.circle(), f.circle()
         apart = math.dist(c, d)
@@ -24,7 +24,7 @@ def crossings(e: Edge, f: Edge) -> list[Point]:
         foot, square = (c[0] + along * ux, c[1] + along * uy), r**2 - along**2
         across = (-uy, ux)
     elif e.bulge:
-        return crossings(f, e)
+        return find_crossings(f, e)
     else:
         dx, dy = e.b[0] - e.a[0], e.b[1] - e.a[1]
         length = math.hypot(dx, dy)
@@ -52,7 +52,7 @@ def _meeting(e: Edge, f: Edge, tolerance: float) -> Point | None:
     # An arc that leaves a line as its tangent crosses it again nearby, by rounding.
     blur = max(tolerance, 0.01 * min(math.dist(e.a, e.b), math.dist(f.a, f.b)))
     ends = [point for point in (*e[:2], *f[:2], e.middle(), f.middle()) if point not in shared]
-    candidates = [(point, tolerance) for point in ends] + [(point, blur) for point in crossings(e, f)]
+    candidates = [(point, tolerance) for point in ends] + [(point, blur) for point in find_crossings(e, f)]
     for point, radius in candidates:
         if any(math.dist(point, end) <= radius for end in shared):
             continue
@@ -61,7 +61,7 @@ def _meeting(e: Edge, f: Edge, tolerance: float) -> Point | None:
     return None
 
 
-def first_meeting(one: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
+def find_self_meeting(one: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
     """Return a point at which a curve meets itself."""
     twice = [point for point, count in Counter(edge.a for edge in one).items() if count > 1]
     if twice:
@@ -78,7 +78,7 @@ def first_meeting(one: Sequence[Edge], tolerance: float, spend: Spend) -> Point 
     return None
 
 
-def meeting_of(one: Region, other: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
+def find_meeting(one: Region, other: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
     """Return a point at which two curves meet."""
     for edge in other:
         near = _near(one, edge, tolerance)

@@ -1,11 +1,12 @@
-"""A plate of any shape in plan: closed curves of straight edges and arcs, with places in them.
+"""Plan geometry: segments, closed curves of straight edges and arcs, and the plan of a plate.
 
-Places are (x, y) in metres. A plan's extent is the longer side of the rectangle around all that is drawn.
+Places are (x, y) in meters. The extent of a plan is the longer side of its bounding rectangle.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -24,6 +25,8 @@ Place = tuple[float, float]
 SAME_PLACE = 1e-9
 #: Arcs are replaced by chords that are at most this far off, relative to the extent, to see what lies inside what.
 FLAT = 1e-6
+#: Drawings replace arcs by chords at most this far off, relative to the extent.
+DRAWN_CHORD = 2e-4
 #: However small an arc is, its chords turn by no more than this, so that it looks round [rad].
 ROUND = math.radians(4.0)
 #: A loaded area has its arcs replaced by chords of this angle [rad] at most, ARC_CHORDS of them at least.
@@ -31,6 +34,10 @@ ARC_STEP = 2 * math.pi / 512
 ARC_CHORDS = 8
 #: Arcs are cut into this many chords at most, which are off by 3e-9 of the radius of a quarter circle.
 MOST_CHORDS = 10_000
+#: Largest bulge of an arc, which is then nearly a whole circle.
+LARGEST_BULGE = 100.0
+#: Most elements of a mesh.
+MOST_ELEMENTS = 4_000_000
 #: Section of a place that is not meshed at all; see `sections`.
 NOTHING = -2
 #: Section of a place where ground lies and no plate.
@@ -39,7 +46,7 @@ GROUND = -1
 
 @dataclass(frozen=True)
 class Segment:
-    """One edge of a curve: straight (radius 0), or an arc about a centre, from an angle over a signed sweep [rad]."""
+    """One edge of a curve: straight (radius 0), or an arc about a center, from an angle over a signed sweep [rad]."""
 
     start: Place
     end: Place
@@ -100,6 +107,18 @@ class Segment:
         result = np.where(np.mod(turn, 2 * math.pi) <= abs(self.sweep), beside, ends)
         return result
 
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the rectangle x0, x1, y0, y1 around the edge [m]."""
+        places = [self.start, self.end]
+        for quarter in () if self.straight else range(-8, 9):
+            turned = (quarter * math.pi / 2 - self.angle) * math.copysign(1.0, self.sweep)
+            if 0 < turned < abs(self.sweep):
+                x, y = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
+                places.append((self.centre[0] + self.radius * x, self.centre[1] + self.radius * y))
+        x_values, y_values = zip(*places, strict=True)
+        return min(x_values), max(x_values), min(y_values), max(y_values)
+
     def chords(self, tolerance: float) -> int:
         """Return into how many chords the edge must be cut for them to be at most a tolerance [m] off it.
 
@@ -115,7 +134,7 @@ class Segment:
 def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
     """Return the edge between two places; the bulge is the tangent of a quarter of the arc's angle.
 
-    An arc that rises by less than half of FLAT over its chord is straight: rounding of its far centre would show.
+    An arc that rises by less than half of FLAT over its chord is straight: rounding of its far center would show.
     """
     if abs(bulge) < FLAT:
         return Segment(start, end)
@@ -124,6 +143,20 @@ def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
     centre = (start[0] + end[0]) / 2 - dy * offset, (start[1] + end[1]) / 2 + dx * offset
     angle = math.atan2(start[1] - centre[1], start[0] - centre[0])
     return Segment(start, end, centre, math.dist(start, centre), angle, 4 * math.atan(bulge))
+
+
+def get_bounds(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
+    """Return the rectangle x0, x1, y0, y1 around edges [m]."""
+    left, right, low, high = zip(*(edge.bounds for edge in edges), strict=True)
+    return min(left), max(right), min(low), max(high)
+
+
+def bounding_box(edges: Iterable[Segment]) -> Polygon:
+    """Return the rectangle around edges as a polygon."""
+    import shapely
+
+    x0, x1, y0, y1 = get_bounds(edges)
+    return shapely.box(x0, y0, x1, y1)
 
 
 @dataclass(frozen=True)
@@ -171,6 +204,11 @@ class Ring:
         return abs(double) / 2
 
     @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the rectangle x0, x1, y0, y1 around the curve [m]."""
+        return get_bounds(self.segments())
+
+    @property
     def straight(self) -> bool:
         """Return whether no edge is an arc."""
         return all(abs(bulge) < FLAT for bulge in self.bulges)
@@ -195,7 +233,7 @@ def rectangle(x0: float, x1: float, y0: float, y1: float) -> Ring:
 
 @dataclass(frozen=True)
 class Plan:
-    """A plate in plan, what is cut out of it, what differs in it, and where nodes must lie.
+    """The plan of a plate: outline, openings, zones, and points and lines where nodes must lie.
 
     A zone is a ring and its section, a number from 1; section 0 is the rest of the plate. Where zones overlap, the last
     one counts; what reaches over the plate's edge is cut off. `beyond` is the outer edge of the meshed ground, which
@@ -213,7 +251,7 @@ class Plan:
     borders: tuple[Ring, ...] = ()
 
     def rings(self) -> dict[str, Ring]:
-        """Return all rings by the names that faults give them."""
+        """Return all rings by the names that issues give them."""
         named = {"plate.outline": self.outline}
         named |= {f"plate.openings[{i}]": ring for i, ring in enumerate(self.openings, start=1)}
         named |= {f"plate.zones[{i}]": ring for i, (ring, _) in enumerate(self.zones, start=1)}
@@ -250,12 +288,12 @@ class Plan:
 
     @property
     def domain(self) -> Ring:
-        """Return the outer edge of all that is meshed, openings in the plate left aside."""
+        """Return the outer edge of the mesh, regardless of openings in the plate."""
         return self.outline if self.beyond is None else self.beyond
 
     @property
     def area(self) -> float:
-        """Return the plate's area [m2], openings taken off."""
+        """Return the area of the plate without openings [m2]."""
         return self.outline.area - sum(ring.area for ring in self.openings)
 
 
@@ -304,8 +342,8 @@ def _equal_area_points(edge: Segment) -> Array:
     return places
 
 
-def at(place: Place) -> str:
-    """Return a place as faults name it."""
+def format_place(place: Place) -> str:
+    """Return a place as issues name it."""
     return f"({place[0]:.6g}, {place[1]:.6g})"
 
 

@@ -1,4 +1,4 @@
-"""What keeps a plan from being meshed: curves that cross, parts too close or too sharp, each with its place."""
+"""Validity of a plan for meshing: curves that cross, parts too close, angles too sharp."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.errors import Issue
-from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, at
+from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, format_place
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -27,29 +27,29 @@ MOST_MEETINGS = 50_000
 TOO_SHARP = math.radians(5)
 
 
-def issues(plan: Plan) -> list[Issue]:
-    """Return everything that keeps a plan from being meshed, each with its place."""
-    found = list(_number_faults(plan))
+def find_issues(plan: Plan) -> list[Issue]:
+    """Return all issues that keep a plan from being meshed, each with its place."""
+    found = list(_find_number_issues(plan))
     if found:
         return found
     rings = plan.rings()
     for name, ring in rings.items():
-        found += _ring_faults(name, ring, plan.extent)
-    found += _line_faults(plan)
+        found += _find_ring_issues(name, ring, plan.extent)
+    found += _find_line_issues(plan)
     if found:
         return found
     flat = {name: ring.polygon(FLAT * plan.extent) for name, ring in rings.items()}
-    found += _opening_faults(plan, flat)
-    found += _zone_faults(plan, flat)
+    found += _find_opening_issues(plan, flat)
+    found += _find_zone_issues(plan, flat)
     if not found:
-        found += _place_faults(plan, flat)
-        found += _near_misses(plan)
-        found += _grazes(plan)
+        found += _find_place_issues(plan, flat)
+        found += _find_near_misses(plan)
+        found += _find_narrow_wedges(plan)
     return found
 
 
-def _number_faults(plan: Plan) -> Iterator[Issue]:
-    """Yield what is not a number or too few of them: nothing else can be looked at then."""
+def _find_number_issues(plan: Plan) -> Iterator[Issue]:
+    """Yield values that are not finite, and curves of too few points."""
     for name, ring in plan.rings().items():
         least = 3 if ring.straight else 2
         if len(ring.points) < least:
@@ -70,22 +70,25 @@ def _number_faults(plan: Plan) -> Iterator[Issue]:
             yield Issue(f"plate.lines[{i}]", "no line", "at least 2 points with finite coordinates")
 
 
-def _ring_faults(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
-    """Yield what is wrong with one ring by itself."""
+def _find_ring_issues(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
+    """Yield issues of a single ring."""
     import shapely
 
     edges = ring.segments()
     short = [edge for edge in edges if edge.length <= NO_LENGTH * extent]
     for edge in short:
         yield Issue(
-            name, f"an edge without length at {at(edge.start)}", "points apart from each other", "leave one out"
+            name,
+            f"an edge without length at {format_place(edge.start)}",
+            "points apart from each other",
+            "leave one out",
         )
     if short:
         return
     polygon = ring.polygon(FLAT * extent)
     if not polygon.is_valid:
         said = re.search(r"\[(\S+) (\S+)\]", shapely.is_valid_reason(polygon))
-        place = f" at {at((float(said[1]), float(said[2])))}" if said else ""
+        place = f" at {format_place((float(said[1]), float(said[2])))}" if said else ""
         yield Issue(name, f"a curve that crosses or touches itself{place}", "one that does not", "move a point")
         return
     for before, after in zip(edges, edges[1:] + edges[:1], strict=True):
@@ -94,27 +97,29 @@ def _ring_faults(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
         if angle < TOO_SHARP:
             yield Issue(
                 name,
-                f"an angle of {math.degrees(angle):.2g} degrees at {at(after.start)}",
+                f"an angle of {math.degrees(angle):.2g} degrees at {format_place(after.start)}",
                 f"at least {math.degrees(TOO_SHARP):.0f} degrees",
                 "cut the corner off",
             )
 
 
-def _line_faults(plan: Plan) -> Iterator[Issue]:
+def _find_line_issues(plan: Plan) -> Iterator[Issue]:
     for i, line in enumerate(plan.lines, start=1):
         for a, b in pairwise(line):
             if math.dist(a, b) <= NO_LENGTH * plan.extent:
-                yield Issue(f"plate.lines[{i}]", f"a piece without length at {at(a)}", "points apart from each other")
+                yield Issue(
+                    f"plate.lines[{i}]", f"a piece without length at {format_place(a)}", "points apart from each other"
+                )
 
 
 def _meeting(a: Polygon, b: Polygon) -> str:
     """Return where the edges of two polygons meet."""
     place = a.boundary.intersection(b.boundary)
     point = place if place.geom_type == "Point" else place.representative_point()
-    return at((point.x, point.y))
+    return format_place((point.x, point.y))
 
 
-def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
+def _find_opening_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     import shapely
 
     outline = flat["plate.outline"]
@@ -137,7 +142,7 @@ def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
             yield Issue(name, "an opening around the plate", "one inside the plate")
         elif (gap := outline.boundary.distance(own)) < near:
             where = shapely.shortest_line(own, outline.boundary).coords[0]
-            yield _strip(name, "plate.outline", where, gap, near)
+            yield _narrow_strip(name, "plate.outline", where, gap, near)
         for other in (names[k] for k in sorted(beside.get(i, []))):
             if own.intersects(flat[other]):
                 inside = own.contains(flat[other]) or flat[other].contains(own)
@@ -145,11 +150,11 @@ def _opening_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
                 found = f"an opening that meets {other}, {place}"
                 yield Issue(name, found, "openings apart from each other", "draw them as one")
             elif (gap := own.distance(flat[other])) < near:
-                yield _strip(name, other, shapely.shortest_line(own, flat[other]).coords[0], gap, near)
+                yield _narrow_strip(name, other, shapely.shortest_line(own, flat[other]).coords[0], gap, near)
 
 
-def _strip(name: str, other: str, place: Place, gap: float, near: float) -> Issue:
-    found = f"{gap:.3g} m between it and {other} at {at(place)}"
+def _narrow_strip(name: str, other: str, place: Place, gap: float, near: float) -> Issue:
+    found = f"{gap:.3g} m between it and {other} at {format_place(place)}"
     return Issue(name, found, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
 
 
@@ -158,8 +163,8 @@ def _openings(flat: dict[str, Polygon]) -> Any:
     return np.array([polygon for name, polygon in flat.items() if name.startswith("plate.openings")], dtype=object)
 
 
-def _zone_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
-    """Yield zones off the plate, and ground that does not reach all round it."""
+def _find_zone_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
+    """Yield zones off the plate, and ground that does not surround it."""
     import shapely
 
     outline = flat["plate.outline"]
@@ -171,11 +176,11 @@ def _zone_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
         left = outline.difference(flat["beyond"].buffer(2 * FLAT * plan.extent))
         if not left.is_empty:
             place = left.representative_point()
-            found = f"an edge that leaves out the plate at {at((place.x, place.y))}"
+            found = f"an edge that leaves out the plate at {format_place((place.x, place.y))}"
             yield Issue("beyond", found, "one around the plate", "the ground must lie under all of the plate")
 
 
-def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
+def _find_place_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     """Yield points and lines that are not on the plate."""
     import shapely
 
@@ -186,16 +191,16 @@ def _place_faults(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     shapely.prepare(plate)
     for i, point in enumerate(plan.points, start=1):
         if not plate.covers(shapely.Point(point)):
-            yield Issue(f"plate.points[{i}]", f"a point off the plate at {at(point)}", "one on the plate")
+            yield Issue(f"plate.points[{i}]", f"a point off the plate at {format_place(point)}", "one on the plate")
     for i, line in enumerate(plan.lines, start=1):
         left = shapely.LineString(line).difference(plate)
         if not left.is_empty:
             place = left.representative_point()
-            found = f"a line that leaves the plate at {at((place.x, place.y))}"
+            found = f"a line that leaves the plate at {format_place((place.x, place.y))}"
             yield Issue(f"plate.lines[{i}]", found, "one on the plate", "end it at the edge")
 
 
-def _near_misses(plan: Plan) -> Iterator[Issue]:
+def _find_near_misses(plan: Plan) -> Iterator[Issue]:
     """Yield points, and corners of zones and lines, that lie beside an edge or point, neither on it nor clear of it."""
     import shapely
 
@@ -217,7 +222,7 @@ def _near_misses(plan: Plan) -> Iterator[Issue]:
         counts[own] = shapely.intersects_xy(reach, *places[own].T)
     near = TOO_CLOSE * plan.extent
     seen: set[tuple[str, str]] = set()
-    for i, k_near in _places_near(plan, [edge for _, edge in edges], places, near):
+    for i, k_near in _find_near_places(plan, [edge for _, edge in edges], places, near):
         name, edge = edges[i]
         k_near = k_near[counts[k_near] & (names[k_near] != name)]
         distance = np.zeros(len(places))
@@ -226,10 +231,10 @@ def _near_misses(plan: Plan) -> Iterator[Issue]:
             pair = min(name, str(names[k])), max(name, str(names[k]))
             if pair not in seen:
                 seen.add(pair)
-                yield _strip(str(names[k]), name, (places[k, 0], places[k, 1]), float(distance[k]), near)
+                yield _narrow_strip(str(names[k]), name, (places[k, 0], places[k, 1]), float(distance[k]), near)
 
 
-def _places_near(plan: Plan, edges: list[Segment], places: Array, near: float) -> Iterator[tuple[int, Integers]]:
+def _find_near_places(plan: Plan, edges: list[Segment], places: Array, near: float) -> Iterator[tuple[int, Integers]]:
     """Yield of each edge that has places (p, 2) nearer than so far [m] its number and theirs, ascending."""
     import shapely
 
@@ -242,8 +247,8 @@ def _places_near(plan: Plan, edges: list[Segment], places: Array, near: float) -
         yield int(one), many
 
 
-def _grazes(plan: Plan) -> Iterator[Issue]:
-    """Yield edges of different curves that part so slowly from where they meet that nothing fits between them."""
+def _find_narrow_wedges(plan: Plan) -> Iterator[Issue]:
+    """Yield edges of different curves that meet at too small an angle."""
     import shapely
 
     edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]
@@ -274,5 +279,6 @@ def _grazes(plan: Plan) -> Iterator[Issue]:
         away = two.distance(one.at(parts[(parts >= 0) & (parts <= 1)]))
         if ((away > same) & (away < step * math.sin(TOO_SHARP))).any():
             seen.add(pair)
-            found = f"an edge that parts from {other} at {at(place)} at less than {math.degrees(TOO_SHARP):.0f} degrees"
+            sharp = f"at less than {math.degrees(TOO_SHARP):.0f} degrees"
+            found = f"an edge that parts from {other} at {format_place(place)} {sharp}"
             yield Issue(name, found, "a larger angle, or the same edge", "so narrow a wedge cannot be meshed")

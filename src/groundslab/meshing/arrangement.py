@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.geometry.bulges import Edge
-from groundslab.geometry.intersections import crossings
+from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.plan import FLAT, NOTHING, SAME_PLACE, Place, Plan, Segment, sections
 
 #: Crossings this close to an end that both edges have, relative to the extent, are this end: an arc that leaves a line
@@ -106,7 +106,7 @@ def _neighbours(edges: list[Segment], distance: float) -> list[tuple[int, int]]:
 def _cut(one: Segment, two: Segment, cuts: set[int], others: set[int], vertices: Vertices) -> None:
     """Add the places where two edges cross to the ends of the pieces of both."""
     shared = [vertices.places[k] for k in cuts & others]
-    for place in crossings(_as_edge(one), _as_edge(two)):
+    for place in find_crossings(_as_edge(one), _as_edge(two)):
         if any(math.dist(place, end) <= vertices.end for end in shared):
             continue
         if max(edge.distance(np.array([place]))[0] for edge in (one, two)) <= 2 * vertices.same:

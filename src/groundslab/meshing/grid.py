@@ -11,8 +11,8 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING, count_intervals, divide_graded, graded_size, grid
-from groundslab.geometry.plan import NOTHING, Plan, sections
-from groundslab.meshing.plan_mesh import MOST_ELEMENTS, PlanMesh, check, finish, too_many_elements
+from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, sections
+from groundslab.meshing.plan_mesh import PlanMesh, check, finish, too_many_elements
 from groundslab.meshing.sizing import growth_distance
 
 #: Neighboring intervals of a grid may differ by this factor before the longer one is graded.

@@ -10,12 +10,9 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import gauss, jacobian, q9
-from groundslab.geometry.plan import NOTHING, Plan, at
-from groundslab.geometry.validity import issues
+from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, format_place
+from groundslab.geometry.validity import find_issues
 from groundslab.meshing.quality import Quality, quality
-
-#: Largest number of elements: more is nearly always a slip in the size.
-MOST_ELEMENTS = 4_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +33,7 @@ class PlanMesh:
 
 def check(plan: Plan, size: float) -> None:
     """Raise what is wrong with a plan and a size."""
-    found = issues(plan)
+    found = find_issues(plan)
     if not (math.isfinite(size) and size > 0):
         found.append(Issue("mesh.size", f"{size!r}", "a length greater than 0"))
     elif not found and plan.area / size**2 > MOST_ELEMENTS:
@@ -57,7 +54,7 @@ def finish(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
     used, number = np.unique(elements, return_inverse=True)
     found = quality(nodes[elements])
     if not found.worst > 0:
-        inverted = f"a mesh with an element turned inside out at {at(found.worst_place)}"
+        inverted = f"a mesh with an element turned inside out at {format_place(found.worst_place)}"
         raise InputError(
             [Issue("plan", inverted, "elements that can be used", "simplify the plan there or mesh it finer")]
         )

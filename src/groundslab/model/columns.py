@@ -1,10 +1,11 @@
-"""Columns on the plate as the input file says them: where they stand and what they cover."""
+"""Columns on the plate: position and footprint."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
+from groundslab.geometry.plan import Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Quantity, Text
@@ -13,11 +14,9 @@ from groundslab.schema.issues import RelativeIssue
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-    from groundslab.geometry.plan import Ring
 
-
-def one_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
-    """Find a footprint that is neither nothing, nor a rectangle, nor a circle."""
+def check_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
+    """Find a footprint that is given by neither both widths nor a diameter."""
     if diameter is not None and (width_x is not None or width_y is not None):
         yield RelativeIssue(("diameter",), "a diameter beside a width", "width_x and width_y, or diameter")
     if (width_x is None) != (width_y is None):
@@ -27,8 +26,6 @@ def one_footprint(width_x: float | None, width_y: float | None, diameter: float 
 
 def footprint(x: float, y: float, width_x: float | None, width_y: float | None, diameter: float | None) -> Ring | None:
     """Return the curve around a footprint centred at (x, y) [m], None if it is a point."""
-    from groundslab.geometry.plan import circle, rectangle
-
     if diameter is not None:
         return circle((x, y), diameter / 2)
     if width_x is not None and width_y is not None:
@@ -36,7 +33,9 @@ def footprint(x: float, y: float, width_x: float | None, width_y: float | None, 
     return None
 
 
-def _has_a_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
+def _check_footprint_given(
+    width_x: float | None, width_y: float | None, diameter: float | None
+) -> Iterator[RelativeIssue]:
     if width_x is None and width_y is None and diameter is None:
         yield RelativeIssue(("width_x",), "nothing", "width_x and width_y, or diameter")
 
@@ -44,11 +43,11 @@ def _has_a_footprint(width_x: float | None, width_y: float | None, diameter: flo
 class Column(Section):
     """A column that stands on the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (one_footprint, _has_a_footprint)
+    checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given)
 
     name: Annotated[str, Text("name of the column, by which loads call it")]
-    x: Annotated[float, Quantity("length", "x", "its centre")]
-    y: Annotated[float, Quantity("length", "y", "its centre")]
+    x: Annotated[float, Quantity("length", "x", "its center")]
+    y: Annotated[float, Quantity("length", "y", "its center")]
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None
     width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE)] = None
     diameter: Annotated[float | None, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
@@ -60,5 +59,5 @@ class Column(Section):
         return ring
 
     def drawn(self, chord: float) -> BaseGeometry:
-        """Return what it covers, arcs as chords at most so far off [m]."""
+        """Return the footprint, arcs replaced by chords at most so far off [m]."""
         return self.ring().polygon(chord)

@@ -1,10 +1,11 @@
-"""The combinations of a model: those it lists, those that EN 1990 makes, or each load case by itself."""
+"""Combinations of a model: those it lists, those by EN 1990, or each load case by itself."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from groundslab.model.loads.load_cases import Combination, make_combinations
+from groundslab.model.loads.en1990 import make_combinations
+from groundslab.model.loads.load_cases import Combination
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -14,7 +15,7 @@ def combinations_of(model: Model) -> tuple[Combination, ...]:
     """Return all combinations of a model: those given and those made by EN 1990.
 
     With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both
-    are as the file gives them, without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
+    are without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
     """
     if not model.cases:
         return (Combination(name="all loads", limit_state="characteristic", factors={"": 1.0}),)

@@ -1,61 +1,37 @@
-"""Checks between the parts of a model."""
+"""Checks between the sections of a model."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from groundslab.geometry.plan import MOST_ELEMENTS
+from groundslab.geometry.validity import find_issues
 from groundslab.model.columns import Column
-from groundslab.model.ground import (
-    AnyGround,
-    InterfaceLayer,
-    Layered,
-    Pasternak,
-    SoilLayer,
-    Winkler,
-)
-from groundslab.model.loads.load_cases import (
-    Combination,
-    LoadCase,
-    known_cases,
-    known_factors,
-)
-from groundslab.model.loads.load_types import (
-    AnyLoad,
-    SettlementLoad,
-)
-from groundslab.model.loads.placement import Covered, on_plate, voids_on_plate
+from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
+from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
+from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
+from groundslab.model.loads.placement import PlateArea, check_voids, on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.supports import (
     AnySupport,
     LineSupport,
     PointSupport,
-    lines_run,
-    named_once,
+    check_line_supports,
+    check_names,
+    check_support_distances,
     plan_of_plate,
-    supports_far_off,
 )
-from groundslab.model.varying_ground import (
-    SoilZone,
-)
+from groundslab.model.varying_ground import SoilZone
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
-if TYPE_CHECKING:
-    pass
-
-MOST_ELEMENTS = 4_000_000  # in all surfaces; nobody wants to fill the memory by a typing error
-
-
 MOST_SURFACES = 200  # each couples with all others at every node
-
-
 SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
 
 
-def plate_elements(plate: Plate, mesh: Mesh) -> float:
-    """Return about how many elements the whole plate has."""
+def estimate_elements(plate: Plate, mesh: Mesh) -> float:
+    """Return about how many elements the plate has."""
     if mesh.counts is not None:
         return mesh.counts[0] * mesh.counts[1]
     x, y = plate.sides
@@ -63,19 +39,19 @@ def plate_elements(plate: Plate, mesh: Mesh) -> float:
     return max(1.0, x / size) * max(1.0, y / size)
 
 
-def few_elements(plate: Plate, mesh: Mesh) -> Iterator[RelativeIssue]:
+def check_element_count(plate: Plate, mesh: Mesh) -> Iterator[RelativeIssue]:
     """Find meshes with too many elements on the plate."""
-    total = plate_elements(plate, mesh)
+    total = estimate_elements(plate, mesh)
     if total > MOST_ELEMENTS:
         key = ("counts",) if mesh.counts is not None else ("size",) if mesh.size is not None else ()
         yield RelativeIssue(("mesh", *key), f"about {total:.3g} elements", f"at most {MOST_ELEMENTS:,} elements")
 
 
-def few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator[RelativeIssue]:
+def check_surface_count(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator[RelativeIssue]:
     """Find layers that have too many elements in all their surfaces."""
     if isinstance(ground, Layered):
         surfaces = sum(layer.sublayers if isinstance(layer, SoilLayer) else 1 for layer in ground.layers)
-        on_plate = plate_elements(plate, mesh)
+        on_plate = estimate_elements(plate, mesh)
         if surfaces > MOST_SURFACES:
             yield RelativeIssue(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
         elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
@@ -83,7 +59,7 @@ def few_in_all_surfaces(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator
             yield RelativeIssue(("ground", "layers"), found, f"at most {MOST_ELEMENTS:,} for the product of both")
 
 
-def layers_shear(ground: AnyGround) -> list[bool]:
+def carry_shear(ground: AnyGround) -> list[bool]:
     """Return whether the layers of a ground carry shear, from the top downwards."""
     if isinstance(ground, Winkler):
         return [False]
@@ -92,14 +68,16 @@ def layers_shear(ground: AnyGround) -> list[bool]:
     return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
 
-def all_shear_or_none(ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyond: Beyond) -> Iterator[RelativeIssue]:
+def check_shear_of_layers(
+    ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyond: Beyond
+) -> Iterator[RelativeIssue]:
     """Find layers without shear beside others with it, where the ground beyond is infinite.
 
     Ground without any shear is the limit in which it ends with the plate; of such layers beneath or beside others no
     tail is known.
     """
     grounds = {("ground",): ground} | {("soil_zones", n, "ground"): zone.ground for n, zone in enumerate(soil_zones)}
-    shears = {place: layers_shear(each) for place, each in grounds.items()}
+    shears = {place: carry_shear(each) for place, each in grounds.items()}
     if beyond.kind != "infinite" or not any(map(any, shears.values())):
         return
     for place, layers in shears.items():
@@ -107,71 +85,67 @@ def all_shear_or_none(ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyon
             key = ("layers", number, "k1") if isinstance(grounds[place], Layered) else ("k1",)
             hint = 'beyond.kind = "margin" needs no shear'
             if isinstance(grounds[place], Winkler):
-                continue  # of another kind than the rest, which is told elsewhere
+                continue  # of another kind than the rest, an issue of its own
             yield RelativeIssue((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", hint)
 
 
-def voids_lie_on_plate(plate: Plate, contact: Contact) -> Iterator[RelativeIssue]:
+def check_contact_voids(plate: Plate, contact: Contact) -> Iterator[RelativeIssue]:
     """Find voids that do not lie on the plate."""
-    return voids_on_plate(plate, contact.voids)
+    return check_voids(plate, contact.voids)
 
 
-def counts_fit(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+def check_mesh_counts(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find counts of elements on a plate that is not a plain rectangle."""
     if mesh.counts is not None and (supports or not plate.plain):
         hint = "counts are for a rectangle without openings, zones and supports"
         yield RelativeIssue(("mesh", "counts"), "counts", "a size", hint)
 
 
-def loads_have_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
-    """Find load cases without a name of their own, and loads whose case is not there."""
-    yield from named_once("cases", [case.name for case in cases], needed=True)
-    yield from known_cases("loads", "case", [load.case for load in loads], cases)
+def check_load_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
+    """Find load cases without a unique name, and loads of unknown cases."""
+    yield from check_names("cases", [case.name for case in cases], needed=True)
+    yield from check_case_names("loads", "case", [load.case for load in loads], cases)
 
 
-def combinations_have_cases(
-    combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]
-) -> Iterator[RelativeIssue]:
-    """Find combinations without a name of their own, and factors of cases that are not there."""
-    yield from named_once("combinations", [each.name for each in combinations], needed=True)
-    yield from known_factors(combinations, cases)
+def check_combinations(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
+    """Find combinations without a unique name, and factors of unknown cases."""
+    yield from check_names("combinations", [each.name for each in combinations], needed=True)
+    yield from check_factors(combinations, cases)
 
 
-def columns_on_plate(plate: Plate, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
-    """Find columns without a name of their own or beside the plate."""
-    yield from named_once("columns", [column.name for column in columns], needed=True)
-    covered = Covered(plate)
+def check_columns(plate: Plate, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
+    """Find columns without a unique name or off the plate."""
+    yield from check_names("columns", [column.name for column in columns], needed=True)
+    covered = PlateArea(plate)
     for position, column in enumerate(columns):
         yield from on_plate(covered, column, ("columns", position))
 
 
-def supports_on_plate(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find supports that cannot be met by a mesh."""
-    yield from lines_run(supports)
-    yield from named_once("supports", [support.name for support in supports], needed=False)
-    far = list(supports_far_off(plate, supports))
+def check_supports(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+    """Find supports that no mesh can be fitted to."""
+    yield from check_line_supports(supports)
+    yield from check_names("supports", [support.name for support in supports], needed=False)
+    far = list(check_support_distances(plate, supports))
     yield from far
-    if not supports or far or any(lines_run(supports)):
+    if not supports or far or any(check_line_supports(supports)):
         return
-    from groundslab.geometry.validity import issues
-
     points = [n for n, support in enumerate(supports) if isinstance(support, PointSupport)]
     lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
     called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}
     called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}
-    for issue in issues(plan_of_plate(plate, supports)):
+    for issue in find_issues(plan_of_plate(plate, supports)):
         met = next((name for name in called if name in issue.found), None)
         found = issue.found if met is None else issue.found.replace(met, f"supports[{called[met] + 1}]")
         if issue.location in called:
             yield RelativeIssue(("supports", called[issue.location]), found, issue.expected, issue.hint)
         elif met is not None:
-            # what comes near or grazes another is told of the one or of the other; a zone meets a support, too
+            # what comes near another is reported for either of the two; a zone meets a support, too
             found = issue.found.replace(met, issue.location)
             yield RelativeIssue(("supports", called[met]), found, issue.expected, issue.hint)
 
 
-def settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find forced settlements whose support is not there."""
+def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+    """Find imposed settlements of unknown supports."""
     names = [support.name for support in supports if support.name]
     known = set(names)
     for position, load in enumerate(loads):
@@ -181,11 +155,11 @@ def settlements_have_a_support(loads: tuple[AnyLoad, ...], supports: tuple[AnySu
             yield RelativeIssue(place, describe(load.support), expected, suggestion(load.support, names))
 
 
-#: What a load may have that makes something act.
+#: Fields of loads that are not all zero if anything acts.
 _ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "w", "slope", "bend")
 
 
-def something_acts(loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
+def check_some_load_acts(loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
     """Find loads that are all zero."""
     given = (getattr(load, name, None) for load in loads for name in _ACTING)
     if not any(any(value) if isinstance(value, tuple) else value for value in given):

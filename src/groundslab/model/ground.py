@@ -1,4 +1,4 @@
-"""The ground under the plate, as the input file says it; see ``groundslab.model``."""
+"""Ground under the plate: springs, Pasternak, Vlasov and layered ground."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Selvadurai(Section):
     depth: Annotated[float, Quantity("length", "H", "depth of the soil over the rigid base", POSITIVE)]
 
 
-def _one_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[RelativeIssue]:
+def _check_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[RelativeIssue]:
     if (k is None) == (selvadurai is None):
         found = "neither k nor selvadurai" if k is None else "both k and selvadurai"
         yield RelativeIssue((), found, "exactly one of k and selvadurai")
@@ -50,7 +50,7 @@ def _one_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[R
 class Winkler(Section):
     """Independent springs."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_stiffness,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_stiffness,)
 
     kind: Annotated[Literal["winkler"], Table("independent springs")] = "winkler"
     k: Annotated[float | None, Quantity("pressure per length", "k", "modulus of subgrade reaction", POSITIVE)] = None
@@ -65,7 +65,7 @@ class Pasternak(Section):
     k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", SHEAR)]
 
 
-def _variation_has_an_end(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[RelativeIssue]:
+def _check_variation(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[RelativeIssue]:
     if "variation" in given and E_bottom is None:
         yield RelativeIssue(("variation",), quote(variation), "no variation without E_bottom", "give E_bottom as well")
 
@@ -73,7 +73,7 @@ def _variation_has_an_end(variation: str, E_bottom: float | None, given: set[str
 class SoilLayer(Section):
     """A layer of soil given by its elastic constants."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_variation_has_an_end,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_variation,)
 
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus, at the top of the layer", POSITIVE)]
     E_bottom: Annotated[
@@ -95,7 +95,7 @@ class InterfaceLayer(Section):
     k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness against shear", SHEAR)]
 
 
-def _no_sublayers(
+def _check_sublayers(
     layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str = "interface"
 ) -> Iterator[RelativeIssue]:
     for position, layer in enumerate(layers):
@@ -104,11 +104,11 @@ def _no_sublayers(
             yield RelativeIssue(("layers", position, "sublayers"), str(layer.sublayers), expected)
 
 
-def _vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeIssue]:
-    return _no_sublayers(layers)
+def _check_vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeIssue]:
+    return _check_sublayers(layers)
 
 
-def _one_layer_only(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[RelativeIssue]:
+def _check_mode(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[RelativeIssue]:
     if mode == "sinh" and len(layers) > 1:
         yield RelativeIssue(
             ("mode",),
@@ -118,7 +118,7 @@ def _one_layer_only(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[Relati
         )
 
 
-def _printed_for_one_layer(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[RelativeIssue]:
+def _check_formulas(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[RelativeIssue]:
     if formulas == "as printed" and len(layers) > 1:
         yield RelativeIssue(
             ("formulas",), f'"as printed" with {len(layers)} layers', 'one layer, or formulas = "exact"'
@@ -128,7 +128,7 @@ def _printed_for_one_layer(layers: tuple[SoilLayer, ...], formulas: str) -> Iter
 class Vlasov(Section):
     """Soil layers whose settlement follows one mode over the whole depth."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_vlasov_sublayers, _one_layer_only, _printed_for_one_layer)
+    checks: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_mode, _check_formulas)
 
     kind: Annotated[Literal["vlasov"], Table("soil layers that settle in one mode over the depth")] = "vlasov"
     layers: Annotated[tuple[SoilLayer, ...], Field(min_length=1), Table("the layers, from the top downwards")]
@@ -141,7 +141,7 @@ class Vlasov(Section):
 
 
 def _layer_kind(layer: Any) -> str | None:
-    """Return which kind of layer is described; by keys, as there is no key of that name."""
+    """Return the kind of a layer by its keys, as no key states it."""
     if isinstance(layer, SoilLayer | InterfaceLayer):
         return type(layer).__name__
     if not isinstance(layer, Mapping):
@@ -156,7 +156,7 @@ AnyLayer = Annotated[
 ]
 
 
-def _layers_fit(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -> Iterator[RelativeIssue]:
+def _check_layer_kinds(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -> Iterator[RelativeIssue]:
     given = [isinstance(layer, InterfaceLayer) for layer in layers]
     if coupling == "consistent":
         for position in (position for position, by_k in enumerate(given) if by_k):
@@ -166,7 +166,7 @@ def _layers_fit(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -
         yield RelativeIssue(("layers",), "layers of both kinds", expected)
 
 
-def _gamma_fits(
+def _check_gamma(
     layers: tuple[SoilLayer | InterfaceLayer, ...],
     coupling: str,
     gamma: float | str,
@@ -183,7 +183,7 @@ def _gamma_fits(
 class Layered(Section):
     """A stack of layers with an unknown settlement at each surface between them."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_layers_fit, _no_sublayers, _gamma_fits)
+    checks: ClassVar[tuple[Check, ...]] = (_check_layer_kinds, _check_sublayers, _check_gamma)
 
     kind: Annotated[Literal["layered"], Table("a stack of layers, each surface with its own settlement")] = "layered"
     coupling: Annotated[

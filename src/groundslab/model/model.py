@@ -1,99 +1,79 @@
-"""The description of a problem: plate, ground, loads and how to compute, as the input file says it.
+"""The model: plate, ground, loads and settings of the analysis, as in the input file.
 
-Attributes are named as the keys of the file and hold SI units. Every part can be built from Python too, with
-floats in SI units or text with units; what is wrong is told all at once as InputError. Positions in the paths
-of faults count from 1, as people count ``[[loads]]`` and ``[[ground.layers]]`` in a file.
+Attributes are named as the keys of the file and hold SI units. Every section can be built in Python too, with
+floats in SI units or text with units; InputError lists all issues at once. Positions in their paths count from 1.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
 from groundslab.model.columns import Column
 from groundslab.model.consistency import (
-    all_shear_or_none,
-    columns_on_plate,
-    combinations_have_cases,
-    counts_fit,
-    few_elements,
-    few_in_all_surfaces,
-    layers_shear,
-    loads_have_cases,
-    settlements_have_a_support,
-    something_acts,
-    supports_on_plate,
-    voids_lie_on_plate,
+    carry_shear,
+    check_columns,
+    check_combinations,
+    check_contact_voids,
+    check_element_count,
+    check_load_cases,
+    check_mesh_counts,
+    check_settlement_loads,
+    check_shear_of_layers,
+    check_some_load_acts,
+    check_supports,
+    check_surface_count,
 )
-from groundslab.model.ground import (
-    Ground,
-)
-from groundslab.model.loads.clipping import loads_reach_plate
-from groundslab.model.loads.load_cases import (
-    Combination,
-    Combine,
-    LoadCase,
-    combine_makes,
-    design_has_loads,
-)
-from groundslab.model.loads.load_types import (
-    Load,
-)
-from groundslab.model.loads.placement import loads_have_a_column, loads_on_plate
-from groundslab.model.outputs import (
-    Output,
-    Reinforcement,
-    bars_within,
-    output_on_plate,
-)
+from groundslab.model.ground import Ground
+from groundslab.model.loads.clipping import check_distributed_loads
+from groundslab.model.loads.en1990 import check_combine
+from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
+from groundslab.model.loads.load_types import Load
+from groundslab.model.loads.placement import check_load_columns, check_point_loads
+from groundslab.model.outputs import Output, Reinforcement, check_bar_distances, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
-from groundslab.model.supports import (
-    Support,
-)
+from groundslab.model.supports import Support
 from groundslab.model.varying_ground import (
     Borehole,
     SoilZone,
-    boreholes_match,
-    depth_fits,
-    zones_match,
-    zones_near,
+    check_boreholes,
+    check_soil_depth,
+    check_soil_zone_extent,
+    check_soil_zone_types,
 )
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Text
 
-if TYPE_CHECKING:
-    pass
-
 
 class Model(Section):
-    """The whole description of a problem."""
+    """A model: plate, ground, loads, combinations, and settings of the analysis."""
 
     checks: ClassVar[tuple[Check, ...]] = (
-        all_shear_or_none,
-        something_acts,
-        loads_on_plate,
-        loads_reach_plate,
-        voids_lie_on_plate,
-        few_elements,
-        few_in_all_surfaces,
-        counts_fit,
-        loads_have_cases,
-        combinations_have_cases,
-        combine_makes,
-        columns_on_plate,
-        loads_have_a_column,
-        supports_on_plate,
-        settlements_have_a_support,
-        zones_match,
-        zones_near,
-        depth_fits,
-        boreholes_match,
-        output_on_plate,
-        bars_within,
-        design_has_loads,
+        check_shear_of_layers,
+        check_some_load_acts,
+        check_point_loads,
+        check_distributed_loads,
+        check_contact_voids,
+        check_element_count,
+        check_surface_count,
+        check_mesh_counts,
+        check_load_cases,
+        check_combinations,
+        check_combine,
+        check_columns,
+        check_load_columns,
+        check_supports,
+        check_settlement_loads,
+        check_soil_zone_types,
+        check_soil_zone_extent,
+        check_soil_depth,
+        check_boreholes,
+        check_output,
+        check_bar_distances,
+        check_design_combinations,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
@@ -125,18 +105,18 @@ class Model(Section):
 
     @classmethod
     def root(cls) -> str:
-        """Return nothing: paths of faults start with the section."""
+        """Return nothing: paths of issues start with the section."""
         return ""
 
     @property
     def ground_reaches(self) -> bool:
         """Return whether ground beyond the plate has an effect: there is some, and it carries shear."""
         grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
-        return self.beyond.kind != "none" and any(any(layers_shear(each)) for each in grounds)
+        return self.beyond.kind != "none" and any(any(carry_shear(each)) for each in grounds)
 
     @property
     def plain(self) -> bool:
-        """Return whether the plate is a plain rectangle whose mesh need not meet any support within it."""
+        """Return whether the plate is a plain rectangle without supports that the mesh has to follow."""
         return self.plate.plain and not self.supports
 
 

@@ -1,4 +1,4 @@
-"""What is wanted beside the fields, as the input file says it: points, section lines, strips, reinforcement."""
+"""Requested outputs: points, section lines, design strips, reinforcement."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.model.ground import POSITIVE
-from groundslab.model.loads.placement import Covered, on_plate
+from groundslab.model.loads.placement import PlateArea, on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
-from groundslab.model.supports import named_once
+from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
@@ -37,7 +37,7 @@ class OutputPoint(Section):
         return Point(self.x, self.y)
 
 
-def _no_standstill(start: tuple[float, float], end: tuple[float, float]) -> Iterator[RelativeIssue]:
+def _check_line_length(start: tuple[float, float], end: tuple[float, float]) -> Iterator[RelativeIssue]:
     if start == end:
         yield RelativeIssue(("end",), "the place where it starts", "another place")
 
@@ -45,7 +45,7 @@ def _no_standstill(start: tuple[float, float], end: tuple[float, float]) -> Iter
 class OutputLine(Section):
     """A straight section line along which all fields are listed."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_no_standstill,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_line_length,)
 
     name: Annotated[str, Text("name of the line")]
     start: Annotated[tuple[float, float], Place]
@@ -53,9 +53,9 @@ class OutputLine(Section):
 
 
 class OutputStrip(Section):
-    """A design strip: moments across it, as integrals over its width and per metre."""
+    """A design strip: moments across it, as integrals over its width and per meter."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_no_standstill,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_line_length,)
 
     name: Annotated[str, Text("name of the strip")]
     start: Annotated[tuple[float, float], Place]
@@ -66,22 +66,22 @@ class OutputStrip(Section):
     ] = 21
 
 
-def _points_named(points: tuple[OutputPoint, ...]) -> Iterator[RelativeIssue]:
-    yield from named_once("points", [point.name for point in points], needed=True)
+def _check_point_names(points: tuple[OutputPoint, ...]) -> Iterator[RelativeIssue]:
+    yield from check_names("points", [point.name for point in points], needed=True)
 
 
-def _lines_named(lines: tuple[OutputLine, ...]) -> Iterator[RelativeIssue]:
-    yield from named_once("lines", [line.name for line in lines], needed=True)
+def _check_line_names(lines: tuple[OutputLine, ...]) -> Iterator[RelativeIssue]:
+    yield from check_names("lines", [line.name for line in lines], needed=True)
 
 
-def _strips_named(strips: tuple[OutputStrip, ...]) -> Iterator[RelativeIssue]:
-    yield from named_once("strips", [strip.name for strip in strips], needed=True)
+def _check_strip_names(strips: tuple[OutputStrip, ...]) -> Iterator[RelativeIssue]:
+    yield from check_names("strips", [strip.name for strip in strips], needed=True)
 
 
 class Output(Section):
     """Where values are listed."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_points_named, _lines_named, _strips_named)
+    checks: ClassVar[tuple[Check, ...]] = (_check_point_names, _check_line_names, _check_strip_names)
 
     points: Annotated[tuple[OutputPoint, ...], Table("points at which all fields are listed", 10_000)] = ()
     lines: Annotated[tuple[OutputLine, ...], Table("section lines along which all fields are listed")] = ()
@@ -108,11 +108,11 @@ class Reinforcement(Section):
     ]
 
 
-def output_on_plate(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
+def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
     from shapely import LineString
 
-    covered = Covered(plate)
+    covered = PlateArea(plate)
     for position, point in enumerate(output.points):
         yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):
@@ -125,7 +125,7 @@ def output_on_plate(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
                 yield RelativeIssue(("output", part, position), "a line beside the plate", "one that crosses it")
 
 
-def bars_within(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
+def check_bar_distances(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
     """Find bars that do not fit into the thinnest part of the plate."""
     if reinforcement is None:
         return

@@ -1,26 +1,25 @@
-"""The plate as the input file says it: outline, openings, zones, material, element, supported edges."""
+"""Plate: outline, openings, zones, material, element, supported edges."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
+from groundslab.geometry.plan import Plan, Ring
+from groundslab.geometry.validity import find_issues
 from groundslab.model.ground import POISSON, POSITIVE
-from groundslab.model.shapes import AnyShape, Rectangle, Shape, box_of
+from groundslab.model.shapes import AnyShape, Rectangle, Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Choice, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import quote
 
-if TYPE_CHECKING:
-    from groundslab.geometry.plan import Ring
-
 Element = Literal["mitc9", "q9", "heterosis"]
 Support = Literal["free", "hinged", "soft", "clamped"]
 
 
-def _differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[RelativeIssue]:
+def _check_zone_differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[RelativeIssue]:
     if thickness is None and E is None and nu is None:
         yield RelativeIssue((), "a zone like the rest of the plate", "a thickness, E or nu of its own")
 
@@ -28,7 +27,7 @@ def _differs(thickness: float | None, E: float | None, nu: float | None) -> Iter
 class Zone(Section):
     """A part of the plate with another thickness or material; the last zone that covers a place counts."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_differs,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_zone_differs,)
 
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     thickness: Annotated[float | None, Quantity("length", "t", "thickness there; else the plate's", POSITIVE)] = None
@@ -45,7 +44,7 @@ class Edges(Section):
     top: Annotated[Support, Choice(Support, "support of the edge at the top, where y is largest")] = "free"
 
 
-def _one_outline(
+def _check_outline(
     length_x: float | None, length_y: float | None, outline: AnyShape | None, given: set[str]
 ) -> Iterator[RelativeIssue]:
     hint = "length_x and length_y make a rectangle about the origin, outline any shape where it is drawn"
@@ -59,15 +58,15 @@ def _one_outline(
                 yield RelativeIssue((name,), "a length beside an outline", "one of them", hint)
 
 
-def _edges_or_support(support: str, edges: Edges) -> Iterator[RelativeIssue]:
+def _check_edges(support: str, edges: Edges) -> Iterator[RelativeIssue]:
     if support != "free" and edges != Edges():
         yield RelativeIssue(
             ("support",), quote(support), "either support or edges", "edges = {...} holds sides one by one"
         )
 
 
-def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[RelativeIssue]:
-    """Find a hinged edge along which it cannot be said which rotation is held."""
+def _check_hinged_edges(outline: AnyShape | None, support: str) -> Iterator[RelativeIssue]:
+    """Find a hinged edge that is not parallel to x or y, along which no single rotation is fixed."""
     if support != "hinged" or outline is None:
         return
     for edge in outline.ring().segments():
@@ -78,26 +77,23 @@ def _hinged_along_axes(outline: AnyShape | None, support: str) -> Iterator[Relat
             return
 
 
-def _can_be_meshed(
+def _check_geometry(
     length_x: float | None,
     length_y: float | None,
     outline: AnyShape | None,
     openings: tuple[AnyShape, ...],
     zones: tuple[Zone, ...],
 ) -> Iterator[RelativeIssue]:
-    """Find what keeps a drawn plate from being meshed: crossings, parts outside, strips too narrow, sharp corners."""
+    """Find geometry that cannot be meshed: crossings, parts outside, narrow strips, sharp corners."""
     if outline is None and not openings and not zones:
         return
     if outline is None:
         if length_x is None or length_y is None:
             return
         outline = Rectangle(x=(-length_x / 2, length_x / 2), y=(-length_y / 2, length_y / 2))
-    from groundslab.geometry.plan import Plan
-    from groundslab.geometry.validity import issues
-
     rings = tuple(opening.ring() for opening in openings)
     plan = Plan(outline.ring(), rings, tuple((zone.shape.ring(), n) for n, zone in enumerate(zones, start=1)))
-    for issue in issues(plan):
+    for issue in find_issues(plan):
         name, _, number = issue.location.removeprefix("plate.").rstrip("]").partition("[")
         yield RelativeIssue((name, int(number) - 1) if number else (name,), issue.found, issue.expected, issue.hint)
 
@@ -106,10 +102,10 @@ class Plate(Section):
     """The plate: a rectangle about the origin, or any outline."""
 
     checks: ClassVar[tuple[Check, ...]] = (
-        _one_outline,
-        _edges_or_support,
-        _hinged_along_axes,
-        _can_be_meshed,
+        _check_outline,
+        _check_edges,
+        _check_hinged_edges,
+        _check_geometry,
     )
 
     length_x: Annotated[
@@ -148,7 +144,7 @@ class Plate(Section):
             assert self.length_x is not None
             assert self.length_y is not None
             return -self.length_x / 2, self.length_x / 2, -self.length_y / 2, self.length_y / 2
-        return box_of(self.outline.ring())
+        return self.outline.ring().bounds
 
     def ring(self) -> Ring:
         """Return the outline as a curve."""

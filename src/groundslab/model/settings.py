@@ -3,53 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
-from groundslab.model.ground import (
-    POSITIVE,
-)
-from groundslab.model.loads.load_types import (
-    Void,
-)
-from groundslab.model.varying_ground import (
-    GapPoint,
-    gaps_apart,
-)
+from groundslab.model.ground import POSITIVE
+from groundslab.model.varying_ground import GapPoint, Void, check_gap_points
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, quote
 
-if TYPE_CHECKING:
-    pass
-
 Reach = Literal["none", "margin", "infinite"]
-
-
 OuterEdge = Literal["free", "fixed"]
-
-
 Side = Literal["left", "right", "bottom", "top"]
-
-
 Symmetry = Literal["auto", "off"]
-
-
 Solver = Literal["auto", "pardiso", "superlu", "mumps"]
 
 
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
 
-def _width_fits(kind: str, width: float | None) -> Iterator[RelativeIssue]:
+def _check_width(kind: str, width: float | None) -> Iterator[RelativeIssue]:
     if kind == "margin" and width is None:
         yield RelativeIssue(("width",), "nothing", 'a length such as "5 m", as kind is "margin"')
     if kind == "none" and width is not None:
         yield RelativeIssue(("width",), f"{width!r} m", 'no width, as kind is "none"', 'kind = "margin" has a width')
 
 
-def _edge_fits(kind: str, edge: str, given: set[str]) -> Iterator[RelativeIssue]:
+def _check_edge(kind: str, edge: str, given: set[str]) -> Iterator[RelativeIssue]:
     if kind != "margin" and "edge" in given:
         yield RelativeIssue(
             ("edge",), quote(edge), f'no edge, as kind is "{kind}"', 'kind = "margin" has an outer edge'
@@ -59,7 +40,7 @@ def _edge_fits(kind: str, edge: str, given: set[str]) -> Iterator[RelativeIssue]
 class Beyond(Section):
     """The ground beyond the plate; without effect where the ground carries no shear, as springs do not reach there."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_width_fits, _edge_fits)
+    checks: ClassVar[tuple[Check, ...]] = (_check_width, _check_edge)
 
     kind: Annotated[
         Reach,
@@ -82,22 +63,22 @@ class Beyond(Section):
     ] = SIDES
 
 
-def _gap_may_open(tensionless: bool, gap: float) -> Iterator[RelativeIssue]:
+def _check_gap(tensionless: bool, gap: float) -> Iterator[RelativeIssue]:
     if not tensionless and gap > 0:
         yield RelativeIssue(("gap",), f"{gap!r} m", "no gap, as tensionless is false")
 
 
-def _void_may_open(tensionless: bool, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
+def _check_voids(tensionless: bool, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
     if not tensionless and voids:
         yield RelativeIssue(("voids",), describe(voids), "no voids, as tensionless is false")
 
 
-def _gaps_may_open(tensionless: bool, gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
+def _check_gaps(tensionless: bool, gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
     if not tensionless and gaps:
         yield RelativeIssue(("gaps",), describe(gaps), "no gaps, as tensionless is false")
 
 
-def _ground_may_yield(tensionless: bool, limit_pressure: float | None) -> Iterator[RelativeIssue]:
+def _check_limit_pressure(tensionless: bool, limit_pressure: float | None) -> Iterator[RelativeIssue]:
     if not tensionless and limit_pressure is not None:
         yield RelativeIssue(("limit_pressure",), f"{limit_pressure!r} Pa", "no limit, as tensionless is false")
 
@@ -106,11 +87,11 @@ class Contact(Section):
     """Contact between plate and ground."""
 
     checks: ClassVar[tuple[Check, ...]] = (
-        _gap_may_open,
-        _void_may_open,
-        _gaps_may_open,
-        gaps_apart,
-        _ground_may_yield,
+        _check_gap,
+        _check_voids,
+        _check_gaps,
+        check_gap_points,
+        _check_limit_pressure,
     )
 
     tensionless: Annotated[bool, Boolean("whether the plate may lift off")] = True
@@ -134,7 +115,7 @@ class Contact(Section):
     ] = None
 
 
-def _one_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[RelativeIssue]:
+def _check_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[RelativeIssue]:
     if size is not None and counts is not None:
         yield RelativeIssue((), "both size and counts", "at most one of size and counts")
 
@@ -142,7 +123,7 @@ def _one_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[Re
 class Mesh(Section):
     """The mesh of the plate; without size and counts the shorter side has 24 elements."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_size,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_size,)
 
     size: Annotated[
         float | None,

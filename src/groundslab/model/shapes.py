@@ -1,21 +1,18 @@
-"""Shapes in plan as the input file says them: rectangles, polygons with arcs, circles; and zones of the plate."""
+"""Shapes in plan: rectangles, polygons with arcs, circles."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
+from groundslab.geometry.plan import LARGEST_BULGE, Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section, Table, kind_of
 from groundslab.schema.fields import ListOf, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
-
-if TYPE_CHECKING:
-    from groundslab.geometry.plan import Ring
 
 #: Two points make a curve if one of its edges has at least this bulge.
 FLATTEST = 1e-3
@@ -36,12 +33,10 @@ class Rectangle(Section):
 
     def ring(self) -> Ring:
         """Return the curve around it."""
-        from groundslab.geometry.plan import rectangle
-
         return rectangle(*self.x, *self.y)
 
 
-def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
+def _check_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
     least = 2 if any(abs(bulge) >= FLATTEST for bulge in bulges) else 3
     if len(points) < least:
         yield RelativeIssue(("points",), f"{len(points)} points", f"at least {least}")
@@ -49,15 +44,13 @@ def _few_points(points: tuple[tuple[float, float], ...], bulges: tuple[float, ..
         yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", f"at most one for each of the {len(points)} points")
 
 
-def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
+def _check_crossings(points: tuple[tuple[float, float], ...], bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
     from shapely.validation import explain_validity
 
-    from groundslab.geometry.plan import Ring
-
-    if any(_few_points(points, bulges)):
+    if any(_check_points(points, bulges)):
         return
     ring = Ring(points, bulges)
-    x0, x1, y0, y1 = box_of(ring)
+    x0, x1, y0, y1 = ring.bounds
     size = max(x1 - x0, y1 - y0)
     reason = "all points at one place"
     if size > 0:
@@ -70,7 +63,7 @@ def _crosses_itself(points: tuple[tuple[float, float], ...], bulges: tuple[float
 class Polygon(Section):
     """A closed curve through points, its edges straight or arcs."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_few_points, _crosses_itself)
+    checks: ClassVar[tuple[Check, ...]] = (_check_points, _check_crossings)
 
     kind: Annotated[Literal["polygon"], Table("a closed curve through points")] = "polygon"
     points: Annotated[
@@ -80,7 +73,7 @@ class Polygon(Section):
     bulges: Annotated[
         tuple[float, ...],
         ListOf(
-            Number("b", "", Range(at_least=-100.0, at_most=100.0)),
+            Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE)),
             "b",
             "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
             least=0,
@@ -89,8 +82,6 @@ class Polygon(Section):
 
     def ring(self) -> Ring:
         """Return the curve."""
-        from groundslab.geometry.plan import Ring
-
         return Ring(self.points, self.bulges)
 
 
@@ -98,7 +89,7 @@ class Circle(Section):
     """A circle."""
 
     kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
-    centre: Annotated[tuple[float, float], ListOf(Quantity("length", "x, y", ""), "x, y", "its centre", 2)] = (
+    centre: Annotated[tuple[float, float], ListOf(Quantity("length", "x, y", ""), "x, y", "its center", 2)] = (
         0.0,
         0.0,
     )
@@ -106,22 +97,7 @@ class Circle(Section):
 
     def ring(self) -> Ring:
         """Return the curve."""
-        from groundslab.geometry.plan import circle
-
         return circle(self.centre, self.radius)
-
-
-def box_of(ring: Ring) -> tuple[float, float, float, float]:
-    """Return the rectangle x0, x1, y0, y1 around a curve, its arcs followed exactly [m]."""
-    places = list(ring.points)
-    for edge in () if ring.straight else ring.segments():
-        for quarter in () if edge.straight else range(-8, 9):
-            turned = (quarter * math.pi / 2 - edge.angle) * math.copysign(1.0, edge.sweep)
-            if 0 < turned < abs(edge.sweep):
-                x, y = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
-                places.append((edge.centre[0] + edge.radius * x, edge.centre[1] + edge.radius * y))
-    x_values, y_values = zip(*places, strict=True)
-    return min(x_values), max(x_values), min(y_values), max(y_values)
 
 
 AnyShape = Rectangle | Polygon | Circle

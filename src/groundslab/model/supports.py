@@ -1,15 +1,14 @@
-"""Supports of the plate as the input file says them: points and lines, rigid or elastic, one-sided or not."""
+"""Supports at points and along lines: rigid or elastic, one-sided or not."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
-from groundslab.model.ground import (
-    POSITIVE,
-)
+from groundslab.geometry.plan import Plan, Ring
+from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
 from groundslab.schema.base import Check, Section, Table, kind_of
@@ -17,9 +16,6 @@ from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe
-
-if TYPE_CHECKING:
-    from groundslab.geometry.plan import Plan, Ring
 
 Acts = Literal["both ways", "in compression", "in tension"]
 Turning = Literal["free", "fixed"]
@@ -31,7 +27,7 @@ GapKey = Annotated[
 ]
 
 
-def _one_sided_only(acts: str, gap: float, limit: float | None) -> Iterator[RelativeIssue]:
+def _check_one_sided(acts: str, gap: float, limit: float | None) -> Iterator[RelativeIssue]:
     hint = 'acts = "in compression" or "in tension"'
     if acts == "both ways" and gap > 0:
         yield RelativeIssue(("gap",), f"{gap!r} m", "no gap for a support that acts both ways", hint)
@@ -39,7 +35,7 @@ def _one_sided_only(acts: str, gap: float, limit: float | None) -> Iterator[Rela
         yield RelativeIssue(("limit",), "a limit", "no limit for a support that acts both ways", hint)
 
 
-def _one_way_to_turn(rotation: str, rotational_stiffness: float | None) -> Iterator[RelativeIssue]:
+def _check_rotation(rotation: str, rotational_stiffness: float | None) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and rotational_stiffness is not None:
         yield RelativeIssue(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"')
 
@@ -47,7 +43,7 @@ def _one_way_to_turn(rotation: str, rotational_stiffness: float | None) -> Itera
 class PointSupport(Section):
     """A support at a point, such as a column below or a pile."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _one_way_to_turn)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation)
 
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
     name: SupportName = ""
@@ -68,7 +64,7 @@ class PointSupport(Section):
     ] = None
 
 
-def _turning_needs_rigid(rotation: str, stiffness: float | None, acts: str) -> Iterator[RelativeIssue]:
+def _check_line_rotation(rotation: str, stiffness: float | None, acts: str) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and (stiffness is not None or acts != "both ways"):
         expected = '"free", or a rigid support that acts both ways: along the line w = 0 then says how it turns'
         yield RelativeIssue(("rotation",), '"fixed"', expected)
@@ -77,7 +73,7 @@ def _turning_needs_rigid(rotation: str, stiffness: float | None, acts: str) -> I
 class LineSupport(Section):
     """A support along straight lines, such as a wall or a beam below; rigid lines hinge or clamp the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_sided_only, _turning_needs_rigid)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation)
 
     kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
     name: SupportName = ""
@@ -100,15 +96,15 @@ AnySupport = PointSupport | LineSupport
 Support = Annotated[Annotated[PointSupport, Tag("point")] | Annotated[LineSupport, Tag("line")], Discriminator(kind_of)]
 
 
-def lines_run(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find lines that go nowhere."""
+def check_line_supports(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+    """Find lines of fewer than two points."""
     for position, support in enumerate(supports):
         if isinstance(support, LineSupport) and len(support.points) < 2:
             yield RelativeIssue(("supports", position, "points"), f"{len(support.points)} point", "at least two")
 
 
-def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find supports further off the plate than it is long, which no drawing of a plan need hold."""
+def check_support_distances(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+    """Find supports further off the plate than it is long."""
     x0, x1, y0, y1 = plate.bounds
     far = max(plate.sides)
     for position, support in enumerate(supports):
@@ -121,8 +117,8 @@ def supports_far_off(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator
                 break
 
 
-def named_once(part: str, names: list[str], needed: bool) -> Iterator[RelativeIssue]:
-    """Find names that are empty though needed, or given twice, among the parts of a list."""
+def check_names(part: str, names: list[str], needed: bool) -> Iterator[RelativeIssue]:
+    """Find names in a list that are missing though needed, or given twice."""
     seen = set[str]()
     for position, name in enumerate(names):
         if not name and needed:
@@ -134,8 +130,6 @@ def named_once(part: str, names: list[str], needed: bool) -> Iterator[RelativeIs
 
 def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring | None = None) -> Plan:
     """Return the plan of a plate with its supports: zone i is section i."""
-    from groundslab.geometry.plan import Plan
-
     return Plan(
         plate.ring(),
         tuple(shape.ring() for shape in plate.openings),

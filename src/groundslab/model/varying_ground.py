@@ -1,19 +1,24 @@
-"""Ground that varies over the plan, as the input file says it: zones of other soil, and boreholes."""
+"""Ground that varies over the plan: zones of other soil, boreholes, gaps and voids under the plate."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import Field
 
-from groundslab.model.ground import AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
+from groundslab.geometry.plan import Ring, rectangle
+from groundslab.model.ground import POSITIVE, AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.plate import Plate
-from groundslab.model.shapes import Shape, box_of
-from groundslab.schema.base import Section, Table
-from groundslab.schema.fields import Quantity, Text
+from groundslab.model.shapes import AnyShape, Shape
+from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.fields import ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
 
 #: Zones of soil reach no further from the plate, in lengths of its longer side.
 FARTHEST = 1000
@@ -42,7 +47,7 @@ class Borehole(Section):
     ]  # fmt: skip
 
 
-def _described(ground: AnyGround) -> tuple[object, ...]:
+def _signature(ground: AnyGround) -> tuple[object, ...]:
     """Return what must be the same in all the ground: kind, rule, number and kind of layers."""
     if isinstance(ground, Vlasov):
         return ground.kind, ground.gamma, ground.formulas, ground.mode, len(ground.layers)
@@ -53,20 +58,20 @@ def _described(ground: AnyGround) -> tuple[object, ...]:
     return (ground.kind,)
 
 
-def zones_match(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
-    """Find zones of soil that cannot be joined to the rest of the ground."""
+def check_soil_zone_types(ground: AnyGround, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
+    """Find soil zones of another kind than the rest of the ground."""
     for position, zone in enumerate(soil_zones):
-        if _described(zone.ground) != _described(ground):
+        if _signature(zone.ground) != _signature(ground):
             expected = f"ground like the rest: {quote(ground.kind)} with the same rules and as many layers"
             yield RelativeIssue(("soil_zones", position, "ground"), "ground of another kind", expected)
 
 
-def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
-    """Find zones of soil that reach so far off the plate that their edge near it could not be told to its digits."""
+def check_soil_zone_extent(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[RelativeIssue]:
+    """Find zones of soil that reach too far off the plate for their edge near it to be resolved."""
     p0, p1, r0, r1 = plate.bounds
     far = FARTHEST * max(p1 - p0, r1 - r0)
     for position, zone in enumerate(soil_zones):
-        x0, x1, y0, y1 = box_of(zone.shape.ring())
+        x0, x1, y0, y1 = zone.shape.ring().bounds
         reach = max(p0 - x0, x1 - p1, r0 - y0, y1 - r1)
         if reach > far:
             expected = f"at most {far:g} m, {FARTHEST} times the plate's longer side"
@@ -76,8 +81,8 @@ def zones_near(plate: Plate, soil_zones: tuple[SoilZone, ...]) -> Iterator[Relat
             )
 
 
-def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[RelativeIssue]:
-    """Find soil so deep beside the plate that what the plate does to it is over far above the base."""
+def check_soil_depth(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...]) -> Iterator[RelativeIssue]:
+    """Find soil too deep, compared to the plate, for its base to matter."""
     most = DEEPEST * max(plate.sides)
     described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
     for position, hole in enumerate(boreholes):
@@ -91,10 +96,10 @@ def depth_fits(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole, ...])
             yield RelativeIssue(place, f"layers of {depth:g} m", expected, "leave out what lies too deep to matter")
 
 
-def boreholes_match(
+def check_boreholes(
     ground: AnyGround, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
 ) -> Iterator[RelativeIssue]:
-    """Find boreholes that do not go with the ground, or with each other."""
+    """Find boreholes that do not match the ground or each other."""
     if not boreholes:
         return
     if not isinstance(ground, Vlasov | Layered) or any(isinstance(each, InterfaceLayer) for each in ground.layers):
@@ -129,8 +134,8 @@ def boreholes_match(
             yield RelativeIssue(("boreholes", position), f"the place of boreholes[{first + 1}]", "a place of its own")
 
 
-def gaps_apart(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
-    """Find gaps that are given twice at one place."""
+def check_gap_points(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
+    """Find places with two gaps."""
     seen: dict[tuple[float, float], int] = {}
     for position, point in enumerate(gaps):
         first = seen.setdefault((point.x, point.y), position)
@@ -144,3 +149,46 @@ class GapPoint(Section):
     x: Annotated[float, Quantity("length", "x", "position")]
     y: Annotated[float, Quantity("length", "y", "position")]
     gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground stands higher")]
+
+
+def _check_extent(
+    x: tuple[float, float] | None, y: tuple[float, float] | None, shape: AnyShape | None
+) -> Iterator[RelativeIssue]:
+    if shape is None:
+        for name, value in (("x", x), ("y", y)):
+            if value is None:
+                yield RelativeIssue((name,), "nothing", "x and y, or a shape")
+    elif x is not None or y is not None:
+        yield RelativeIssue(("shape",), "a shape beside x or y", "one of them")
+
+
+class Void(Section):
+    """A part of the plan where the ground lies deeper, or is missing."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_extent,)
+
+    depth: Annotated[
+        float | None,
+        Quantity("length", "d", "initial gap there; without it a cavity, whose bottom is never reached", POSITIVE),
+    ] = None
+    x: Annotated[
+        tuple[float, float] | None,
+        ListOf(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
+    ] = None
+    y: Annotated[
+        tuple[float, float] | None,
+        ListOf(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
+    ] = None
+    shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
+
+    def ring(self) -> Ring:
+        """Return the curve around it."""
+        if self.shape is not None:
+            return self.shape.ring()
+        assert self.x is not None
+        assert self.y is not None
+        return rectangle(*self.x, *self.y)
+
+    def drawn(self, chord: float) -> BaseGeometry:
+        """Return the area, arcs as chords at most so far off [m]."""
+        return self.ring().polygon(chord)

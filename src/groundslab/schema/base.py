@@ -1,4 +1,4 @@
-"""The base of all parts of a description: checked between fields as well, and all faults told at once."""
+"""Base class of all sections of a model: checks between fields, and all issues reported at once."""
 
 from __future__ import annotations
 
@@ -20,19 +20,16 @@ from pydantic.fields import FieldInfo
 from pydantic.functional_validators import ModelWrapValidatorHandler
 
 from groundslab.errors import InputError
-from groundslab.schema.fields import MOST_FAULTS, FieldType, is_from_file
+from groundslab.schema.fields import MOST_ISSUES, FieldType, is_from_file
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, listed, quote, suggestion
 
-MOST_KEYS = 1000  # of one table; those that are too many are not named one by one
+MOST_KEYS = 1000  # of one table; of more they are not named one by one
 
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Says in the ``Annotated`` of a field that holds other parts (or the tag of a kind) what it means.
-
-    Of a list of parts, how many there may be at most.
-    """
+    """Meaning of a field that holds sections, or the tag of a kind, in its ``Annotated``; and the most in a list."""
 
     meaning: str
     most: int = 1000
@@ -40,14 +37,14 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Nested:
-    """Which parts a field may hold, one or a list of them; empty ``parts`` for a field that holds a value."""
+    """Sections that a field may hold, one or a list of them; none for a field that holds a value."""
 
     parts: tuple[type[Section], ...]
     many: bool
 
 
 def nested(field: FieldInfo) -> Nested:
-    """Return the parts that a field may hold."""
+    """Return the sections that a field may hold."""
     found: list[type[Section]] = []
     many = False
 
@@ -67,12 +64,12 @@ def nested(field: FieldInfo) -> Nested:
 
 
 def key_of(field: FieldInfo) -> FieldType | None:
-    """Return the kind of key that a field states, None for one that holds parts or a tag."""
+    """Return the type of a field that holds a value, None for one that holds sections or a tag."""
     return next((item for item in field.metadata if isinstance(item, FieldType)), None)
 
 
 def most_of(field: FieldInfo) -> int | None:
-    """Return how many parts a field may hold, None for one that holds no list of parts."""
+    """Return how many sections a field may hold, None for one that holds no list of sections."""
     return next((item.most for item in field.metadata if isinstance(item, Table) and nested(field).many), None)
 
 
@@ -81,34 +78,56 @@ def meaning_of(field: FieldInfo) -> str:
     return next((item.meaning for item in field.metadata if isinstance(item, FieldType | Table)), "")
 
 
-#: A check names in its parameters the fields that it needs, and yields findings; ``given`` are the keys set.
+#: A check has the fields that it needs as parameters, and yields issues; ``given`` are the keys that were set.
 Check = Callable[..., Iterator[RelativeIssue]]
 
 
 class Section(BaseModel):
-    """The base of all parts of a description: frozen, no unknown keys, all faults at once as InputError."""
+    """A section of a model: immutable, without unknown keys, its issues reported at once as InputError."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=False)
 
     checks: ClassVar[tuple[Check, ...]] = ()
 
     def __init__(self, **data: Any) -> None:
-        """Check the data; raises InputError with all faults."""
+        """Validate the data; raises InputError with all issues."""
         try:
             super().__init__(**data)
         except ValidationError as error:
             refused = self._input_error(error)
         else:
             return
-        # raised out here it does not carry pydantic's error with all of the data along as its context
+        # raised here, it does not keep pydantic's error with all of the data as its context
         raise refused
 
-    # so that pydantic does not call __init__ for a part within a part, whose faults must reach the outer one
+    # so that pydantic does not call __init__ for a section within a section, whose issues belong to the outer one
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
     @classmethod
+    def __pydantic_init_subclass__(cls, **options: Any) -> None:
+        """Add the fields to the docstring, as numpydoc writes parameters."""
+        super().__pydantic_init_subclass__(**options)
+        lines = []
+        for name, field in cls.model_fields.items():
+            key, inner = key_of(field), nested(field)
+            kinds = listed(part.__name__ for part in inner.parts) if inner.parts else "str"
+            kind = key.type_words().replace("`", "") if key else f"list of {kinds}" if inner.many else kinds
+            within = f" ({key.range_words()})" if key and key.range_words() else ""
+            lines += [
+                f"{name} : {kind}{'' if field.is_required() else ', optional'}",
+                f"    {meaning_of(field)}{within}",
+            ]
+        raises = ["", "Raises", "------", "InputError", "    With all issues of the input."]
+        cls.__doc__ = "\n".join([cls.summary(), "", "Parameters", "----------", *lines, *raises])
+
+    @classmethod
+    def summary(cls) -> str:
+        """Return the first paragraph of the docstring."""
+        return (inspect.getdoc(cls) or "").split("\n\n")[0]
+
+    @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
-        """Return the part that ``obj`` describes; raises InputError with all faults."""
+        """Return the section that ``obj`` describes; raises InputError with all issues."""
         try:
             return super().model_validate(obj, **options)
         except ValidationError as error:
@@ -116,12 +135,23 @@ class Section(BaseModel):
         raise refused
 
     def replace(self, **changes: Any) -> Self:
-        """Return the part with some fields changed, checked anew; None takes away what is given for a field."""
+        """Return a copy with some fields changed, validated again.
+
+        Parameters
+        ----------
+        **changes
+            New values by field name; None resets a field to its default.
+
+        Raises
+        ------
+        InputError
+            With all issues of the changed section.
+        """
         return type(self)(**{name: value for name, value in {**dict(self), **changes}.items() if value is not None})
 
     @classmethod
     def root(cls) -> str:
-        """Return what the paths of faults start with when the part is built on its own."""
+        """Return the start of the paths of issues when the section is built by itself."""
         return cls.__name__
 
     @classmethod
@@ -132,7 +162,7 @@ class Section(BaseModel):
     @model_validator(mode="wrap")
     @classmethod
     def _all_at_once(cls, data: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
-        """Run the checks between fields even where some fields are wrong: those that need only sound ones."""
+        """Run the checks between fields even where some fields are wrong: those that need valid ones only."""
         if isinstance(data, cls):
             return handler(data)
         # of a list far too long nothing else is said, as all that could be takes long to find
@@ -145,7 +175,9 @@ class Section(BaseModel):
             relative_issues = _translate(cls, error)
             if not isinstance(data, Mapping):
                 raise FieldError(*relative_issues) from None
-            sound = _sound(cls, data, {str(line["loc"][0]) for line in _lines(error) if line["loc"]}, info.context)
+            sound = _valid_fields(
+                cls, data, {str(line["loc"][0]) for line in _errors(error) if line["loc"]}, info.context
+            )
         else:
             sound = dict(made)
         from_file = is_from_file(info.context)
@@ -160,14 +192,14 @@ class Section(BaseModel):
             if sound.keys() >= needs:
                 relative_issues += check(**{name: sound[name] for name in needs})
         if made is None or relative_issues:
-            raise FieldError(*_first(relative_issues))
+            raise FieldError(*_limit_issues(relative_issues))
         return made
 
 
 def kind_of(value: Any) -> str | None:
-    """Return the kind that a table or a part says it is, for unions of parts; None if it does not say."""
+    """Return the kind that a table or a section states, for unions of sections; None if there is none."""
     kind = value.get("kind") if isinstance(value, Mapping) else getattr(value, "kind", None)
-    # a kind that is no text is not handed on: pydantic would print it, however deep it is nested
+    # only text is returned: pydantic would print anything else, however deep it is nested
     return kind if isinstance(kind, str) else None
 
 
@@ -178,7 +210,7 @@ def _needs(check: Check) -> frozenset[str]:
 
 
 def _too_long(cls: type[Section], data: Any) -> list[RelativeIssue]:
-    """Return which lists of parts hold too many of them, or that there are too many keys."""
+    """Return issues of lists with too many sections, or of a table with too many keys."""
     if not isinstance(data, Mapping):
         return []
     if len(data) > MOST_KEYS:
@@ -193,16 +225,16 @@ def _too_long(cls: type[Section], data: Any) -> list[RelativeIssue]:
 
 @cache
 def _most_of_lists(cls: type[Section]) -> dict[str, int]:
-    """Return how many parts each list of a part may hold."""
+    """Return how many sections each list of a section may hold."""
     return {name: most for name, field in cls.model_fields.items() if (most := most_of(field)) is not None}
 
 
-def _lines(error: ValidationError) -> list[Any]:
+def _errors(error: ValidationError) -> list[Any]:
     return error.errors(include_url=False)
 
 
-def _sound(cls: type[Section], data: Mapping[Any, Any], broken: set[str], context: Any) -> dict[str, Any]:
-    """Return the fields that are right although others of the same part are wrong."""
+def _valid_fields(cls: type[Section], data: Mapping[Any, Any], broken: set[str], context: Any) -> dict[str, Any]:
+    """Return the valid fields of a section of which others are wrong."""
     sound = {}
     for name, field in cls.model_fields.items():
         if name in broken:
@@ -212,7 +244,7 @@ def _sound(cls: type[Section], data: Mapping[Any, Any], broken: set[str], contex
         else:
             try:
                 sound[name] = _adapter(cls, name).validate_python(data[name], context=context)
-            except ValidationError:  # pragma: no cover - it was right a moment ago
+            except ValidationError:  # pragma: no cover - it was valid a moment ago
                 continue
     return sound
 
@@ -225,41 +257,44 @@ def _adapter(cls: type[Section], name: str) -> TypeAdapter[Any]:
 
 
 def _translate(cls: type[Section], error: ValidationError) -> list[RelativeIssue]:
-    """Return pydantic's errors of one part as findings."""
+    """Return pydantic's errors of one section as issues."""
     relative_issues: list[RelativeIssue] = []
     # pydantic calls a list too short as well when none of its entries is right
-    lines = [line for line in _lines(error) if line["type"] != "too_short" or not line["input"]]
-    for line in lines[:MOST_FAULTS]:
-        # below a field's name only positions are ours; the words are the tags of unions
+    lines = [line for line in _errors(error) if line["type"] != "too_short" or not line["input"]]
+    for line in lines[:MOST_ISSUES]:
+        # below a field's name only positions belong to the path; names are the tags of unions
         head, tail = line["loc"][:1], line["loc"][1:]
         place = (*head, *(step for step in tail if isinstance(step, int)))
         cause = line.get("ctx", {}).get("error")
         if isinstance(cause, FieldError):
             relative_issues += [relative.below(place) for relative in cause.relative_issues]
         else:
-            relative_issues.append(_finding(cls, place, line))
-    if len(lines) > MOST_FAULTS:
-        relative_issues.append(RelativeIssue((), f"{len(lines)} faults", f"at most {MOST_FAULTS} of them to be told"))
+            relative_issues.append(_to_issue(cls, place, line))
+    if len(lines) > MOST_ISSUES:
+        relative_issues.append(_too_many_issues(len(lines)))
     return relative_issues
 
 
-def _first(relative_issues: list[RelativeIssue]) -> list[RelativeIssue]:
-    """Return as many findings as can be told of one part, and that there are more."""
-    if len(relative_issues) <= MOST_FAULTS + 1:  # of what it holds, so many have been told already
+def _limit_issues(relative_issues: list[RelativeIssue]) -> list[RelativeIssue]:
+    """Return as many issues as are listed of one section, and that there are more."""
+    if len(relative_issues) <= MOST_ISSUES + 1:  # those of a section within it are limited already
         return relative_issues
-    more = RelativeIssue((), f"{len(relative_issues)} faults", f"at most {MOST_FAULTS} of them to be told")
-    return [*relative_issues[:MOST_FAULTS], more]
+    return [*relative_issues[:MOST_ISSUES], _too_many_issues(len(relative_issues))]
 
 
-def _no_table(place: tuple[str | int, ...], value: object) -> RelativeIssue:
+def _too_many_issues(count: int) -> RelativeIssue:
+    return RelativeIssue((), f"{count} issues", f"at most {MOST_ISSUES}, of which the first are listed")
+
+
+def _not_a_table(place: tuple[str | int, ...], value: object) -> RelativeIssue:
     listed_once = isinstance(value, list) and not (place and isinstance(place[-1], int))
     return RelativeIssue(
         place, describe(value), "a table of keys", "write single brackets: [...]" if listed_once else ""
     )
 
 
-def _finding(cls: type[Section], place: tuple[str | int, ...], line: Any) -> RelativeIssue:
-    """Return one of pydantic's own errors as a finding."""
+def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any) -> RelativeIssue:
+    """Return one of pydantic's own errors as an issue."""
     kind, value = line["type"], line["input"]
     if kind in ("extra_forbidden", "invalid_key"):
         known = list(cls.model_fields)
@@ -267,7 +302,7 @@ def _finding(cls: type[Section], place: tuple[str | int, ...], line: Any) -> Rel
         return RelativeIssue(tuple(map(str, place)), "an unknown key", f"one of {', '.join(known)}", meant)
     field = cls.model_fields.get(str(place[0])) if place else None
     if field is None:
-        return _no_table(place, value)
+        return _not_a_table(place, value)
     inner = nested(field)
     if kind in ("missing", "too_short"):
         key = key_of(field)
@@ -283,7 +318,7 @@ def _finding(cls: type[Section], place: tuple[str | int, ...], line: Any) -> Rel
         hint = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
         return RelativeIssue(place, describe(value), "a list of tables", hint)
     if inner.parts:
-        return _no_table(place, value)
+        return _not_a_table(place, value)
     if kind == "literal_error":
         return RelativeIssue(place, describe(value), line["ctx"]["expected"].replace("'", '"'))
     return RelativeIssue(place, describe(value), line["msg"])

@@ -1,6 +1,6 @@
-"""The kinds of keys that a description consists of, and what is said when the value of one is wrong.
+"""Types of the fields of a model.
 
-A key's kind states type, unit, symbol, range and meaning once; checks, JSON schema and docs come from it.
+A type states unit, symbol, range and meaning once; checks, messages, JSON schema and docs come from it.
 """
 
 from __future__ import annotations
@@ -16,42 +16,45 @@ from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
 from groundslab import units
-from groundslab.schema import ranges
+from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
-from groundslab.schema.ranges import ANY, Range
 from groundslab.schema.wording import describe, listed, quote, suggestion
 
-#: Validation context of what comes from a file: there units are mandatory, a key without effect a fault.
+#: Validation context of files: units are mandatory there, and a key without effect is an issue.
 FROM_FILE = {"from_file": True}
-MOST_FAULTS = 100  # reported for one table
+MOST_ISSUES = 100  # reported for one table
 MOST_VALUES = 10_000  # of a list, unless its key says otherwise
 LARGEST_WHOLE = 2**31 - 1
 
 
 class FieldType:
-    """The kind of a key that holds a value: how it is read, checked, written and described.
+    """Type of a field that holds a value: how it is read, checked, written and described.
 
     Stands in the ``Annotated`` of a field. Subclasses are frozen dataclasses with ``symbol`` and ``meaning``.
     """
 
     symbol: str = ""
     meaning: str = ""
+    #: What a value should be, its type in the table of keys, its JSON schema, where they are the same for all fields.
+    EXPECTED: ClassVar[str]
+    TYPE: ClassVar[str]
+    SCHEMA: ClassVar[dict[str, Any]]
 
     def read(self, value: Any, from_file: bool) -> Any:
-        """Return the value as it is kept; raises Wrong."""
+        """Return the value in SI units; raises FieldError."""
         raise NotImplementedError
 
     def expected(self) -> str:
         """Return what the value should be, for messages and examples."""
-        raise NotImplementedError
+        return self.EXPECTED
 
     def write(self, value: Any) -> str:
         """Return the value as TOML."""
-        raise NotImplementedError
+        return toml_writer.value(value)
 
     def type_words(self) -> str:
         """Return type or unit for the table of keys."""
-        raise NotImplementedError
+        return self.TYPE
 
     def range_words(self) -> str:
         """Return the range for the table of keys."""
@@ -59,15 +62,14 @@ class FieldType:
 
     def json_schema(self) -> dict[str, Any]:
         """Return the JSON schema of the value in a file."""
-        raise NotImplementedError
+        return self.SCHEMA
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic read the value with ``read``; None is allowed where the type says so."""
-        schema = core_schema.with_info_plain_validator_function(self._read)
+        schema = core_schema.with_info_plain_validator_function(
+            lambda value, info: self.read(value, from_file=is_from_file(info.context))
+        )
         return core_schema.nullable_schema(schema) if type(None) in get_args(source) else schema
-
-    def _read(self, value: Any, info: core_schema.ValidationInfo) -> Any:
-        return self.read(value, from_file=is_from_file(info.context))
 
 
 def is_from_file(context: Any) -> bool:
@@ -83,7 +85,7 @@ def _looks_like_number(text: str) -> bool:
 
 
 def _number(value: Any, expected: str, hint: str = "") -> float:
-    """Return a finite number as float; raises Wrong."""
+    """Return a finite number as float; raises FieldError."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise field_error(value, expected, hint)
     try:
@@ -102,7 +104,7 @@ class Quantity(FieldType):
     dimension: str
     symbol: str
     meaning: str
-    range: Range = ANY
+    range: ranges.Range = ranges.ANY
 
     def read(self, value: Any, from_file: bool) -> float:
         """Return the quantity in SI units."""
@@ -116,7 +118,7 @@ class Quantity(FieldType):
             raise field_error(value, self.expected(), "" if isinstance(value, bool) else hint)
         else:
             number = _number(value, f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si}")
-        limits = ranges.of_quantity(self.range, self.dimension)
+        limits = ranges.quantity_range(self.range, self.dimension)
         if not limits.holds(number):
             raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
         return number
@@ -144,7 +146,7 @@ class Quantity(FieldType):
 
     def range_words(self) -> str:
         """Return the range with its unit."""
-        return f"{ranges.of_quantity(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
+        return f"{ranges.quantity_range(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
 
     def json_schema(self) -> dict[str, Any]:
         """Return a string with a number at its front; the unit's dimension is left to the program."""
@@ -164,7 +166,7 @@ class Number(FieldType):
 
     symbol: str
     meaning: str
-    range: Range = ANY
+    range: ranges.Range = ranges.ANY
     words: tuple[str, ...] = ()
 
     def read(self, value: Any, from_file: bool) -> float | str:  # noqa: ARG002
@@ -173,7 +175,7 @@ class Number(FieldType):
             return value
         hint = "write it without quotes" if isinstance(value, str) and _looks_like_number(value) else ""
         number = _number(value, self.expected(), hint)
-        limits = ranges.of_number(self.range)
+        limits = ranges.number_range(self.range)
         if not limits.holds(number):
             own = replace(self.range, smallest=0.0).holds(number)
             raise field_error(value, f"a number {limits.wanted(number)}" if own else self.expected())
@@ -183,21 +185,17 @@ class Number(FieldType):
         """Return the range in words."""
         return listed([f"a number {self.range.words()}".strip(), *map(quote, self.words)])
 
-    def write(self, value: float | str) -> str:
-        """Return the number with all its digits, or the word in quotes."""
-        return quote(value) if isinstance(value, str) else repr(value)
-
     def type_words(self) -> str:
         """Return that it is a number, or a word."""
         return listed(["number", *(f"`{quote(word)}`" for word in self.words)])
 
     def range_words(self) -> str:
         """Return the range."""
-        return ranges.of_number(self.range).signs()
+        return ranges.number_range(self.range).signs()
 
     def json_schema(self) -> dict[str, Any]:
         """Return a number, or the words."""
-        number = {"type": "number", **ranges.of_number(self.range).schema()}
+        number = {"type": "number", **ranges.number_range(self.range).schema()}
         return {"anyOf": [number, {"enum": list(self.words)}]} if self.words else number
 
 
@@ -205,30 +203,22 @@ class Number(FieldType):
 class Integer(FieldType):
     """A whole number from ``at_least`` to ``at_most``."""
 
+    TYPE: ClassVar = "whole number"
+
     meaning: str
     at_least: int = 1
     at_most: int = LARGEST_WHOLE
 
     def read(self, value: Any, from_file: bool) -> int:  # noqa: ARG002
         """Return the number as int."""
-        if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+        integer = isinstance(value, numbers.Integral) and not isinstance(value, bool)
+        if not integer or not self.at_least <= value <= self.at_most:
             raise field_error(value, self.expected())
-        number = int(value)
-        if not self.at_least <= number <= self.at_most:
-            raise field_error(value, self.expected())
-        return number
+        return int(value)
 
     def expected(self) -> str:
         """Return the range in words."""
         return f"a whole number from {self.at_least} to {self.at_most}"
-
-    def write(self, value: int) -> str:
-        """Return the digits."""
-        return str(value)
-
-    def type_words(self) -> str:
-        """Return that it is a whole number."""
-        return "whole number"
 
     def range_words(self) -> str:
         """Return the range."""
@@ -243,13 +233,13 @@ class Integer(FieldType):
 class Choice(FieldType):
     """One word out of the words of a ``Literal``."""
 
-    words_of: Any
+    literal: Any
     meaning: str
 
     @property
     def words(self) -> tuple[str, ...]:
         """The words to choose from."""
-        return get_args(self.words_of)
+        return get_args(self.literal)
 
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the word."""
@@ -260,10 +250,6 @@ class Choice(FieldType):
     def expected(self) -> str:
         """Return the words."""
         return listed(map(quote, self.words))
-
-    def write(self, value: str) -> str:
-        """Return the word in quotes."""
-        return quote(value)
 
     def type_words(self) -> str:
         """Return the words."""
@@ -276,7 +262,11 @@ class Choice(FieldType):
 
 @dataclass(frozen=True)
 class Boolean(FieldType):
-    """Yes or no."""
+    """True or false."""
+
+    EXPECTED: ClassVar = "true or false"
+    TYPE: ClassVar = "`true` or `false`"
+    SCHEMA: ClassVar = {"type": "boolean"}
 
     meaning: str
 
@@ -286,26 +276,14 @@ class Boolean(FieldType):
             raise field_error(value, self.expected(), "write it without quotes" if value in ("true", "false") else "")
         return value
 
-    def expected(self) -> str:
-        """Return both values."""
-        return "true or false"
-
-    def write(self, value: bool) -> str:
-        """Return the flag as TOML."""
-        return "true" if value else "false"
-
-    def type_words(self) -> str:
-        """Return both values."""
-        return "`true` or `false`"
-
-    def json_schema(self) -> dict[str, Any]:
-        """Return a boolean."""
-        return {"type": "boolean"}
-
 
 @dataclass(frozen=True)
 class Text(FieldType):
     """Free text."""
+
+    EXPECTED: ClassVar = "text in quotes"
+    TYPE: ClassVar = "text"
+    SCHEMA: ClassVar = {"type": "string"}
 
     meaning: str
 
@@ -316,22 +294,6 @@ class Text(FieldType):
         if any("\ud800" <= letter <= "\udfff" for letter in value):
             raise field_error(value, "text without lone surrogates")
         return value
-
-    def expected(self) -> str:
-        """Return that it is text."""
-        return "text in quotes"
-
-    def write(self, value: str) -> str:
-        """Return the text in quotes."""
-        return quote(value)
-
-    def type_words(self) -> str:
-        """Return that it is text."""
-        return "text"
-
-    def json_schema(self) -> dict[str, Any]:
-        """Return a string."""
-        return {"type": "string"}
 
 
 @dataclass(frozen=True)
@@ -364,7 +326,7 @@ class ListOf(FieldType):
             except FieldError as error:
                 relative_issues += [relative.below((position,)) for relative in error.relative_issues]
         if relative_issues:
-            raise FieldError(*relative_issues[:MOST_FAULTS])
+            raise FieldError(*relative_issues[:MOST_ISSUES])
         pair = f"[{', '.join(describe(item) for item in value[:8])}]"
         if self.rising and not all(a < b for a, b in itertools.pairwise(kept)):
             raise FieldError(RelativeIssue((), pair, "the smaller value first and no empty range"))
@@ -375,8 +337,7 @@ class ListOf(FieldType):
     def expected(self) -> str:
         """Return how many of what."""
         least = {0: "any number", 1: "at least one"}.get(self.least, f"at least {self.least}")
-        count = least if self.length is None else str(self.length)
-        return f"a list of {count}, each {self.each.expected()}"
+        return f"a list of {self.length or least}, each {self.each.expected()}"
 
     def write(self, value: Sequence[Any]) -> str:
         """Return the list as TOML."""
@@ -395,12 +356,8 @@ class ListOf(FieldType):
     def json_schema(self) -> dict[str, Any]:
         """Return an array."""
         count = {"minItems": self.length or self.least, "maxItems": self._most}
-        return {
-            "type": "array",
-            "items": self.each.json_schema(),
-            **count,
-            **({"uniqueItems": True} if self.unique else {}),
-        }
+        unique = {"uniqueItems": True} if self.unique else {}
+        return {"type": "array", "items": self.each.json_schema(), **count, **unique}
 
 
 @dataclass(frozen=True)
@@ -408,6 +365,8 @@ class Factors(FieldType):
     """A table of numbers by names that the file is free to choose, kept as pairs in the order of the file."""
 
     EACH: ClassVar = Number("", "")
+    EXPECTED: ClassVar = "a table of numbers such as {dead = 1.35, live = 1.5}"
+    TYPE: ClassVar = "table of numbers"
 
     symbol: str
     meaning: str
@@ -429,20 +388,12 @@ class Factors(FieldType):
             except FieldError as error:
                 relative_issues += [relative.below((name,)) for relative in error.relative_issues]
         if relative_issues:
-            raise FieldError(*relative_issues[:MOST_FAULTS])
+            raise FieldError(*relative_issues[:MOST_ISSUES])
         return tuple(kept)
-
-    def expected(self) -> str:
-        """Return an example."""
-        return "a table of numbers such as {dead = 1.35, live = 1.5}"
 
     def write(self, value: Sequence[tuple[str, float]]) -> str:
         """Return an inline table."""
         return "{" + ", ".join(f"{quote(name)} = {number!r}" for name, number in value) + "}"
-
-    def type_words(self) -> str:
-        """Return that it is a table of numbers."""
-        return "table of numbers"
 
     def json_schema(self) -> dict[str, Any]:
         """Return an object of numbers."""

@@ -1,4 +1,4 @@
-"""What is wrong with a description: found bit by bit, put into words, and given a place in the end."""
+"""Issues of a section, before their location in the file is known."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from groundslab.schema.wording import describe
 
 @dataclass(frozen=True, slots=True)
 class RelativeIssue:
-    """A fault before its place is known in full: ``place`` holds keys and positions (from 0) below a part."""
+    """An issue whose ``place`` holds keys and positions (from 0) below a section."""
 
     place: tuple[str | int, ...]
     found: str
@@ -19,11 +19,11 @@ class RelativeIssue:
     hint: str = ""
 
     def below(self, place: Sequence[str | int]) -> RelativeIssue:
-        """Return the finding as seen from further up."""
+        """Return the issue as seen from further up."""
         return replace(self, place=(*place, *self.place))
 
     def issue(self, root: str) -> Issue:
-        """Return the fault, named from ``root`` (may be empty), its positions counted from 1."""
+        """Return the issue with its location below ``root`` (may be empty), positions counted from 1."""
         path = root
         for step in self.place:
             if isinstance(step, int):
@@ -36,11 +36,11 @@ class RelativeIssue:
 
 
 class FieldError(ValueError):
-    """Findings on their way through pydantic."""
+    """Carries issues through pydantic."""
 
     def __init__(self, *relative_issues: RelativeIssue) -> None:
-        """Keep the findings."""
-        super().__init__("see the findings")
+        """Keep the issues."""
+        super().__init__("see relative_issues")
         self.relative_issues = relative_issues
 
 

@@ -1,4 +1,4 @@
-"""The numbers that a key may take: limits of its own, and the sizes that make physical sense for its dimension."""
+"""Ranges of numbers: the limits of a field, and the magnitudes that make physical sense for its dimension."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def short(value: float) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """The numbers that a key may take."""
+    """The numbers that a field may hold."""
 
     above: float | None = None
     at_least: float | None = None
@@ -89,7 +89,7 @@ ANY = Range()
 
 
 @lru_cache
-def of_quantity(own: Range, dimension: str) -> Range:
+def quantity_range(own: Range, dimension: str) -> Range:
     """Return the range of a quantity: its own, and within it the sizes that make sense for its dimension.
 
     What must be positive has a smallest size; what may be zero or negative has a largest one only.
@@ -103,7 +103,7 @@ def of_quantity(own: Range, dimension: str) -> Range:
 
 
 @lru_cache
-def of_number(own: Range) -> Range:
+def number_range(own: Range) -> Range:
     """Return the range of a pure number: its own, and a largest size where it has no limits."""
     lowest = -LARGEST_NUMBER if own.above is None and own.at_least is None else own.at_least
     highest = LARGEST_NUMBER if own.below is None and own.at_most is None else own.at_most

@@ -1,4 +1,4 @@
-"""What a part's fields say about themselves, as JSON schema for editors and as Markdown for people."""
+"""Reference of the input: the fields of sections as JSON schema for editors and as Markdown for people."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ def default_of(field: FieldInfo) -> Any:
 
 def _part_schema(part: type[Section], definitions: dict[str, Any]) -> dict[str, Any]:
     properties = {name: _field_schema(field, definitions) for name, field in part.model_fields.items()}
-    # what tells one kind from another is needed in a file, although Python knows it from the class
+    # the tag of a kind is required in a file, although Python knows it from the class
     required = [name for name, field in part.model_fields.items() if field.is_required() or _is_tag(field)]
     return {
         "type": "object",
-        "description": (part.__doc__ or "").strip().partition("\n")[0],
+        "description": part.summary(),
         "properties": properties,
         "additionalProperties": False,
         **({"required": required} if required else {}),
@@ -57,7 +57,7 @@ def _field_schema(field: FieldInfo, definitions: dict[str, Any]) -> dict[str, An
     inner = nested(field)
     for part in inner.parts:
         if part.__name__ not in definitions:
-            definitions[part.__name__] = {}  # its place, so that it is not entered twice
+            definitions[part.__name__] = {}  # reserved, so that it is not entered twice
             definitions[part.__name__] = _part_schema(part, definitions)
     references = [{"$ref": f"#/definitions/{part.__name__}"} for part in inner.parts]
     one = references[0] if len(references) == 1 else {"oneOf": references}
@@ -98,9 +98,9 @@ def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[s
             tag = next((field for field in each.model_fields.values() if _is_tag(field)), None)
             which = f"given by {', '.join(_needed(each))}" if len(inner.parts) > 1 and not tag else ""
             names = (kind if path else "", f'kind = "{tag.default}"' if tag else "", which)
-            told = meaning_of(tag) if tag else meaning_of(field)
-            told += f" (at most {most_of(field):,} in the list)" if inner.many else ""
-            yield from _tables(each, below, ", ".join(filter(None, names)), told)
+            meaning = meaning_of(tag) if tag else meaning_of(field)
+            meaning += f" (at most {most_of(field):,} in the list)" if inner.many else ""
+            yield from _tables(each, below, ", ".join(filter(None, names)), meaning)
 
 
 def _needed(part: type[Section]) -> list[str]:

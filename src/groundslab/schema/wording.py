@@ -6,7 +6,7 @@ import difflib
 import numbers
 from collections.abc import Iterable, Mapping, Sequence
 
-MOST_NAMES = 10  # told of those that a file has chosen
+MOST_NAMES = 10  # that are listed of those in a file
 
 
 def describe(value: object) -> str:
@@ -30,8 +30,13 @@ def describe(value: object) -> str:
 
 
 def quote(text: str) -> str:
-    """Return a text in double quotes, escaped as TOML wants it, which also keeps it from upsetting a terminal."""
-    return '"' + "".join(map(_escaped, text)) + '"'
+    """Return a text in double quotes, escaped as in TOML, which also makes it safe for a terminal."""
+    return f'"{escape(text)}"'
+
+
+def escape(text: str) -> str:
+    """Return a text with its control characters, quotes and backslashes escaped as in TOML."""
+    return "".join(map(_escaped, text))
 
 
 def _escaped(letter: str) -> str:
@@ -39,7 +44,7 @@ def _escaped(letter: str) -> str:
         return "\\" + letter
     if letter.isprintable():
         return letter
-    code = ord(letter)
+    code = 0xFFFD if 0xD800 <= ord(letter) < 0xE000 else ord(letter)  # lone surrogates are no letters
     return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
@@ -50,7 +55,7 @@ def listed(words: Iterable[str], last: str = "or") -> str:
 
 
 def one_of(names: Sequence[str]) -> str:
-    """Return names that a file has chosen as a list for people: of many the first ten, long ones cut."""
+    """Return names from a file as a list for people: of many the first ten, long ones shortened."""
     more = [f"{len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
     return listed([*map(describe, names[:MOST_NAMES]), *more])
 

@@ -1,13 +1,13 @@
-"""Files and folders written whole or not at all.
+"""Atomic writing of files and folders.
 
-While NAME is written, others stand beside it:
+While NAME is written, temporary files stand next to it:
 
-    .NAME.partial-<random>  a file or folder in the making, or an old folder on its way out: worthless after a crash
-    .NAME.previous          the folder that NAME was, whole, for the moment between two renames
+    .NAME.partial-<random>  a file or folder being written, or an old folder being removed: worthless after a crash
+    .NAME.previous          the complete previous folder, between two renames
 
-A crash leaves NAME as it was, or complete and new. Between the two renames of a folder it leaves NAME absent with
-.NAME.previous beside it, which ``recover_folder`` puts back. Processes that exchange the same folder wait for each
-other, where the system has locks. Names of these helpers fit wherever NAME itself does.
+After a crash NAME is either unchanged or complete and new. Between the two renames of a folder NAME is absent and
+.NAME.previous present, which ``recover_folder`` restores. Processes that replace the same folder wait for each other,
+where the system has locks. The names of temporary files are valid wherever NAME is.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ LONGEST_STEM = 96
 
 
 def write(path: Path, content: bytes, *, private: bool = False, new: bool = False) -> None:
-    """Write a file so that after a crash either the old or the new content is there, whole; raises OSError.
+    """Write a file atomically; raises OSError.
 
-    The file keeps its mode, and a link stays one. A private file is the user's alone and is never written through a
-    link. A new one takes no other's place: FileExistsError is raised if the name is taken.
+    The file keeps its mode, and a link stays one. A private file can be read by the user only and is never written
+    through a link. A new one replaces nothing: FileExistsError is raised if the name is taken.
     """
     target = path if private or new else Path(os.path.realpath(path))
     partial = helper(target, f"partial-{secrets.token_hex(4)}")
@@ -62,7 +62,7 @@ def write(path: Path, content: bytes, *, private: bool = False, new: bool = Fals
 
 
 def _take_name(partial: Path, target: Path) -> None:
-    """Give a file a name that nothing has; raises FileExistsError."""
+    """Rename a file unless the name is taken; raises FileExistsError."""
     try:
         os.link(partial, target)
     except FileExistsError:
@@ -75,7 +75,7 @@ def _take_name(partial: Path, target: Path) -> None:
 
 
 def replace(old: Path, new: Path) -> None:
-    """Rename a file, over another one if need be."""
+    """Rename a file, replacing another one."""
     for pause in PAUSES:
         with suppress(PermissionError):
             old.replace(new)
@@ -85,8 +85,8 @@ def replace(old: Path, new: Path) -> None:
 
 
 def sweep(path: Path, age: float) -> None:
-    """Remove what a process that was killed so long ago [s] has left half written of a file."""
-    for each in _left_over(path):
+    """Remove partial files that killed processes left, older than an age [s]."""
+    for each in _find_partial(path):
         with suppress(OSError):
             if not each.is_dir() and time.time() - each.lstat().st_mtime > age:
                 each.unlink()
@@ -95,7 +95,7 @@ def sweep(path: Path, age: float) -> None:
 def write_folder(
     target: Path, fill: Callable[[Path], None], ours: Callable[[str], bool], check: Callable[[], object]
 ) -> None:
-    """Let ``fill`` write into a new folder and put it in the target's place; raises OSError.
+    """Let ``fill`` write into a new folder and replace the target by it; raises OSError.
 
     ``ours`` says which paths below the folder ``fill`` could write. ``check`` is called just before the exchange and
     raises an error of its own if what is there may not be replaced.
@@ -107,22 +107,22 @@ def write_folder(
         staging.mkdir()
         fill(staging)
         _sync(staging)
-        with _alone(target.parent):
+        with _locked(target.parent):
             check()
-            _exchange(staging, target)
+            _replace_folder(staging, target)
     finally:
         shutil.rmtree(staging, ignore_errors=True)
 
 
 def recover_folder(target: Path, strangers: Callable[[Path], list[str]]) -> bool:
-    """Put back the folder that a crash has left aside; return whether there was any to put back; raises OSError.
+    """Restore the folder that a crash has left aside; return whether there was one; raises OSError.
 
     If the newer one is in place, the older one is removed. ``strangers`` returns the paths in such a folder that must
     not be removed; where there are any, nothing is touched.
     """
     if not previous_of(target).is_dir():
         return False
-    with _alone(target.parent):
+    with _locked(target.parent):
         previous = previous_of(target)
         if not previous.is_dir() or previous.is_symlink() or strangers(previous):
             return False
@@ -137,12 +137,12 @@ def recover_folder(target: Path, strangers: Callable[[Path], list[str]]) -> bool
 
 
 def previous_of(target: Path) -> Path:
-    """Return where the folder that a target was stands while it is exchanged."""
+    """Return the path of the previous folder while a target is replaced."""
     return helper(target, "previous")
 
 
 def helper(target: Path, ending: str) -> Path:
-    """Return the path of a helper beside the target, whose name is short enough wherever the target's is."""
+    """Return the path of a temporary file next to the target, whose name is valid wherever the target's is."""
     name = target.name
     if len(os.fsencode(name)) > LONGEST_STEM:
         whole = os.fsencode(name)
@@ -158,8 +158,8 @@ def require_possible(target: Path, inside: str = "") -> None:
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
-    """Keep other processes from exchanging anything in a folder, where the system has locks on folders."""
+def _locked(folder: Path) -> Iterator[None]:
+    """Lock a folder against other processes, where the system has locks on folders."""
     if sys.platform == "win32":
         yield
         return
@@ -175,8 +175,8 @@ def _alone(folder: Path) -> Iterator[None]:
         os.close(handle)
 
 
-def _exchange(staging: Path, target: Path) -> None:
-    """Put the staged folder in the target's place; the old contents stay until the new ones are there."""
+def _replace_folder(staging: Path, target: Path) -> None:
+    """Replace the target by the staged folder; the old contents stay until the new ones are there."""
     previous = previous_of(target)
     replaces = os.path.lexists(target)
     if replaces:
@@ -189,7 +189,7 @@ def _exchange(staging: Path, target: Path) -> None:
         raise
     _sync_names(target.parent)
     if replaces:
-        # The new contents are in place; what is left over of the old ones is no reason to fail.
+        # The new contents are in place: leftovers of the old ones are no reason to fail.
         with suppress(OSError):
             _discard(previous, target)
 
@@ -205,15 +205,15 @@ def _rename(old: Path, new: Path) -> None:
 
 
 def _discard(previous: Path, target: Path) -> None:
-    """Remove an old folder, renamed to something worthless first, so that no half of it counts."""
+    """Remove an old folder, renamed first, so that no half of it counts."""
     rubbish = helper(target, f"partial-{secrets.token_hex(4)}")
     _rename(previous, rubbish)
     shutil.rmtree(rubbish, ignore_errors=True)
 
 
 def _sweep_folders(target: Path, ours: Callable[[str], bool]) -> None:
-    """Remove folders that earlier runs, killed more than an hour ago, left half written beside the target."""
-    for path in _left_over(target):
+    """Remove partial folders next to the target that runs killed more than an hour ago have left."""
+    for path in _find_partial(target):
         with suppress(OSError):
             if path.is_dir() and not path.is_symlink():
                 entries = list(path.rglob("*"))
@@ -225,8 +225,8 @@ def _sweep_folders(target: Path, ours: Callable[[str], bool]) -> None:
                     shutil.rmtree(path, ignore_errors=True)
 
 
-def _left_over(target: Path) -> list[Path]:
-    """Return what lies beside the target under names of its halves."""
+def _find_partial(target: Path) -> list[Path]:
+    """Return partial files and folders next to the target."""
     pattern = re.compile(re.escape(helper(target, "partial-").name) + "[0-9a-f]{8}")
     with suppress(OSError):
         return [path for path in target.parent.iterdir() if pattern.fullmatch(path.name)]
@@ -234,7 +234,7 @@ def _left_over(target: Path) -> list[Path]:
 
 
 def _sync(folder: Path) -> None:
-    """Make sure that the files of a folder, those in folders within it too, and their names are on the disk."""
+    """Flush the files of a folder, its subfolders and their names to disk."""
     for path in folder.iterdir():
         if path.is_dir():
             _sync(path)
@@ -245,7 +245,7 @@ def _sync(folder: Path) -> None:
 
 
 def _sync_names(folder: Path) -> None:
-    """Make sure that the names in a folder are on the disk, where the system can do that."""
+    """Flush the names in a folder to disk, where the system can."""
     if sys.platform == "win32":
         return
     # Some network file systems refuse this.

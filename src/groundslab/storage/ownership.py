@@ -1,4 +1,4 @@
-"""Which files groundslab wrote, by their content: no others are ever replaced or removed."""
+"""Recognizes files written by groundslab by their content: no others are ever replaced or removed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LONGEST_HEADER, LARGEST_CASE = 1_000_000, 10_000_000
 
 
 def is_figure(path: Path) -> bool:
-    """Return whether a file is a figure (PDF, SVG or PNG) that groundslab drew, and that nobody has added to."""
+    """Return whether a file is a figure (PDF, SVG or PNG) that groundslab wrote, unchanged since."""
     start = _bytes(path, 0, LOOK)
     if start.startswith(b"\x89PNG\r\n\x1a\n"):
         return b"tEXtSoftware\x00groundslab " in start
@@ -45,10 +45,10 @@ def kind_fits(path: Path) -> bool:
 
 
 def strangers(folder: Path, names: Collection[str]) -> list[str]:
-    """Return the paths in a folder, and in folders within it, that groundslab did not write there.
+    """Return the paths in a folder and its subfolders that groundslab did not write.
 
-    What it wrote are files (no links) under these names, whose content is of the kind that belongs to the name; what
-    file managers leave counts as nobody's.
+    It wrote files (no links) under these names with the content that belongs to the name; files of file managers do
+    not count.
     """
     folders = {above.as_posix() for name in names for above in PurePosixPath(name).parents}
     return sorted(_strangers(folder, "", names, folders))

@@ -12,10 +12,11 @@ from groundslab.case.casefile import LARGEST, load, loads, starter, to_toml
 from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import combinations_of
 from groundslab.model.ground import Layered, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
+from groundslab.model.varying_ground import Void
 from helpers.paths import EXAMPLES
 
 
@@ -202,7 +203,7 @@ def test_file_as_path_or_text(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "where", "mend"),
+    ("text", "where", "hint"),
     [
         ("[plate\n", "case.toml, line 1, column 7", "Expected ']'"),
         ('title = "a"\nplate = \n', "case.toml, line 2, column 9", "Invalid value"),
@@ -226,7 +227,7 @@ def test_syntax_errors(text: str, where: str, hint: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "got"),
+    ("text", "found"),
     [
         ("x = " + "[" * 100_000, "lists or tables nested too deeply"),
         ("x = " + "9" * 10_000, "a value that cannot be read"),

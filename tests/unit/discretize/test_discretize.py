@@ -24,11 +24,11 @@ from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.fem.system import build_system, stiffness
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Beyond, Contact, Mesh
-from groundslab.model.varying_ground import GapPoint
+from groundslab.model.varying_ground import GapPoint, Void
 
 LX, LY = 6.0, 4.0
 ELEMENTS = ["mitc9", "q9", "heterosis"]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab.geometry.plan import GROUND, NOTHING, Plan, Ring, circle, rectangle, sections, segment
-from groundslab.geometry.validity import issues
+from groundslab.geometry.validity import find_issues
 
 SQUARE = rectangle(0, 10, 0, 8)
 
@@ -76,7 +76,7 @@ GOOD = [
 @pytest.mark.parametrize("plan", GOOD)
 def test_good_plans_have_no_faults(plan: Plan) -> None:
     """Shared edges, zones over the edge and points on arcs are nothing to complain about."""
-    assert issues(plan) == []
+    assert find_issues(plan) == []
 
 
 BAD = {
@@ -125,13 +125,13 @@ BAD = {
 def test_every_fault_is_named(name: str) -> None:
     """Each fault says which part of the plan it is, and where."""
     plan, where, found = BAD[name]
-    assert [issue for issue in issues(plan) if issue.location == where and found in issue.found], issues(plan)
+    assert [issue for issue in find_issues(plan) if issue.location == where and found in issue.found], find_issues(plan)
 
 
 def test_all_faults_come_at_once() -> None:
     """Two openings with a fault each are both reported."""
     plan = Plan(SQUARE, (rectangle(11, 12, 0, 1), rectangle(0, 1, 1, 2)))
-    assert {issue.location for issue in issues(plan)} == {"plate.openings[1]", "plate.openings[2]"}
+    assert {issue.location for issue in find_issues(plan)} == {"plate.openings[1]", "plate.openings[2]"}
 
 
 @pytest.mark.parametrize("radius", [1e-3, 0.3, 5.0])

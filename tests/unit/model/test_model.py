@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import re
 import runpy
 from collections.abc import Iterator
 from copy import deepcopy
@@ -11,13 +12,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+import groundslab
 from groundslab.errors import InputError
-from groundslab.model.consistency import MOST_ELEMENTS
+from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad, Void
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model, docs_table, json_schema
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
+from groundslab.model.varying_ground import Void
 from groundslab.schema.base import Section, key_of, meaning_of, nested
 from groundslab.schema.fields import FROM_FILE, FieldType
 from helpers.paths import ROOT
@@ -287,7 +290,7 @@ ONE_FAULT = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("data", "where", "got", "expected"), ONE_FAULT)
+@pytest.mark.parametrize(("data", "where", "found", "expected"), ONE_FAULT)
 def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
     """Each rule, broken alone, gives exactly one fault with the exact place, what is there, and what should be."""
     (issue,) = issues(data)
@@ -315,7 +318,7 @@ def test_missing_section(section: str, expected: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("data", "where", "mend"),
+    ("data", "where", "fix"),
     [
         (case(plate__thicknes="1 m"), "plate.thicknes", 'did you mean "thickness"?'),
         (case(plate__e="1 Pa"), "plate.e", 'did you mean "E"?'),
@@ -567,3 +570,19 @@ def test_docs_are_up_to_date() -> None:
     assert len(contents) == 4
     for path, text in contents.items():
         assert path.read_text(encoding="utf-8") == text, path
+
+
+def sections(part: type[Section]) -> Iterator[type[Section]]:
+    """Yield the subclasses of a section that belong to the model."""
+    for each in part.__subclasses__():
+        if each.__module__.startswith("groundslab.model.") and not each.__name__.startswith("_"):
+            yield each
+        yield from sections(each)
+
+
+@pytest.mark.parametrize("part", sorted(set(sections(Section)), key=lambda each: each.__name__))
+def test_everything_in_an_input_file_is_public_and_documented(part: type[Section]) -> None:
+    """Each section of the model can be imported from groundslab, and its docstring lists its fields."""
+    assert getattr(groundslab, part.__name__) is part
+    documented = re.findall(r"^(\w+) : .+\n    \S", part.__doc__ or "", re.MULTILINE)
+    assert documented == list(part.model_fields)

@@ -255,7 +255,7 @@ ONE_FAULT = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("data", "where", "got", "expected"), ONE_FAULT)
+@pytest.mark.parametrize(("data", "where", "found", "expected"), ONE_FAULT)
 def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
     """Each rule, broken alone, gives exactly one fault with the exact place, what is there, and what should be."""
     (issue,) = issues(data)
@@ -321,7 +321,7 @@ def test_supports_may_cross_and_lie_on_edges() -> None:
 
 
 @pytest.mark.parametrize(
-    ("data", "mend"),
+    ("data", "fix"),
     [
         (cases(loads=[{**UNIFORM, "case": "Live"}]), 'did you mean "live"?'),
         (mixed({"daed": 1}), 'did you mean "dead"?'),

@@ -14,7 +14,7 @@ from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, Sel
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate, Zone
 from groundslab.model.settings import Mesh
-from groundslab.model.shapes import Circle, Polygon, Rectangle, box_of
+from groundslab.model.shapes import Circle, Polygon, Rectangle
 
 L = Polygon(points=[(0, 0), (30, 0), (30, 10), (12, 10), (12, 20), (0, 20)])
 HOLE = Rectangle(x=(4, 6), y=(12, 15))
@@ -32,9 +32,9 @@ def test_bounds_follow_arcs_exactly() -> None:
         (-2, 4, -1, 5)
     )
     half_round = Polygon(points=[(0, 0), (2, 0)], bulges=[0.0, 1.0])
-    assert box_of(half_round.ring()) == pytest.approx((0, 2, 0, 1))
+    assert half_round.ring().bounds == pytest.approx((0, 2, 0, 1))
     flat = Polygon(points=[(0, 0), (2, 0), (2, 1), (0, 1)], bulges=[0, math.tan(math.pi / 8)])
-    assert box_of(flat.ring())[1] == pytest.approx(2 + math.sqrt(0.5) - 0.5)
+    assert flat.ring().bounds[1] == pytest.approx(2 + math.sqrt(0.5) - 0.5)
 
 
 @pytest.mark.parametrize(

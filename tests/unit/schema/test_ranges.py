@@ -14,7 +14,7 @@ from groundslab.model.model import Model
 from groundslab.schema.base import Section, key_of, most_of, nested
 from groundslab.schema.fields import LARGEST_WHOLE, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError
-from groundslab.schema.ranges import Range, of_quantity
+from groundslab.schema.ranges import Range, quantity_range
 from groundslab.units import DIMENSIONS
 
 
@@ -76,7 +76,7 @@ def test_range_of_a_dimension(
     dimension: str, own: Range, fine: tuple[float, ...], too_small: float, too_large: float
 ) -> None:
     """A key's own limits stand within those of its dimension; what research asks for lies inside."""
-    limits = of_quantity(own, dimension)
+    limits = quantity_range(own, dimension)
     assert all(limits.holds(value) for value in fine)
     assert not limits.holds(too_small)
     assert not limits.holds(too_large)

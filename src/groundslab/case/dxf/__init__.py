@@ -1,20 +1,20 @@
 """Drawings: outline, openings, zones, columns and loads from the layers of a DXF file."""
 
 from groundslab.case.dxf.case_template import to_case
+from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark, ReportLine
-from groundslab.case.dxf.layers import Layers
 from groundslab.case.dxf.reader import read
 from groundslab.case.dxf.report import report_text
-from groundslab.geometry.bulges import Curve
+from groundslab.geometry.plan import Ring
 
 __all__ = [
     "AreaMark",
-    "Curve",
     "Drawing",
     "Layers",
     "LineMark",
     "PointMark",
     "ReportLine",
+    "Ring",
     "read",
     "report_text",
     "to_case",

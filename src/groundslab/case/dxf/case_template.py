@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from groundslab import units
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
-from groundslab.case.dxf.words import quote
-from groundslab.geometry.bulges import Curve, Point, Region, edges_of
+from groundslab.geometry.bulges import Point, Region, get_edges
+from groundslab.geometry.plan import Ring, bounding_box
+from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
     from shapely import STRtree
@@ -61,16 +62,16 @@ class Footprint:
     def lines(self) -> list[str]:
         """Return the lines of the case."""
         # sums and differences of coordinates, freed of what rounding has left
-        x, y, width_x, width_y = (_metres(float(f"{value:.12g}")) for value in (*self.centre, *self.widths))
+        x, y, width_x, width_y = (_length_text(float(f"{value:.12g}")) for value in (*self.centre, *self.widths))
         size = [f"diameter = {width_x}"] if self.round else [f"width_x = {width_x}", f"width_y = {width_y}"]
         return ["[[columns]]", f"name = {quote(self.name)}", f"x = {x}", f"y = {y}", *size]
 
 
-def footprint_of(curve: Curve, name: str) -> Footprint | None:
+def footprint_of(curve: Ring, name: str) -> Footprint | None:
     """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
     xs, ys = zip(*curve.points, strict=True)
     if all(curve.bulges):
-        circles = [edge.circle() for edge in edges_of(curve)]
+        circles = [edge.circle() for edge in get_edges(curve)]
         (centre, radius), *others = circles
         turn = sum(4 * math.atan(bulge) for bulge in curve.bulges)
         alike = all(math.dist(c, centre) + abs(r - radius) <= SAME * radius for c, r in others)
@@ -109,32 +110,24 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     for number, zone in enumerate(drawing.zones, 1):
         shape = ["[plate.zones.shape]", 'kind = "polygon"', *_curve_lines(zone)]
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
-    columns: list[Footprint] = []
-    plate = _Plate(drawing)
-    for number, column in enumerate(drawing.columns, 1):
-        footprint = footprint_of(column, f"C{number}") if isinstance(column, Curve) else None
-        if footprint is not None and plate.holds(footprint.centre):
-            columns.append(footprint)
-            text += ["", *footprint.lines()]
-            continue
-        if footprint is not None:
-            why = "it does not stand on the plate"
-        elif isinstance(column, Curve):
-            why = "a column is a rectangle along x and y, or a circle"
-        else:
-            why = "a point says nothing of its size"
-        text += ["", f"# Column {number} of the drawing, for information only: {why}."]
-        lines = _curve_lines(column) if isinstance(column, Curve) else [f"point = {_pair(column)}"]
-        text += [f"#   {line}" for line in lines]
+    columns, lines = _column_lines(drawing)
+    text += lines
     text += ["", *_GROUND]
-    under = _tree(columns)
+    under = _column_tree(columns)
     for mark in drawing.point_loads:
-        text += _load("point", mark, _value("P", mark.value, "force", "50 kN"), _where(mark, columns, under))
+        text += _load_lines(
+            "point", mark, _value_line("P", mark.value, "force", "50 kN"), _place_point(mark, columns, under)
+        )
     for line in drawing.line_loads:
-        text += _load("line", line, _value("q", line.value, "force per length", "20 kN/m"), _line(line))
+        text += _load_lines(
+            "line", line, _value_line("q", line.value, "force per length", "20 kN/m"), _place_line(line)
+        )
     for area in drawing.area_loads:
-        shapes = [*_shape("[loads.shape]", area.curve), *(row for hole in area.holes for row in _hole(hole))]
-        text += _load("area", area, _value("q", area.value, "pressure", "10 kPa"), shapes)
+        shapes = [
+            *_shape_lines("[loads.shape]", area.curve),
+            *(row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)),
+        ]
+        text += _load_lines("area", area, _value_line("q", area.value, "pressure", "10 kPa"), shapes)
     values = [load.value for load in drawing.point_loads]
     values += [load.value for load in drawing.line_loads] + [load.value for load in drawing.area_loads]
     if all(value is None for value in values):
@@ -142,57 +135,74 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     return "\n".join(text) + "\n"
 
 
-def _load(kind: str, mark: PointMark | LineMark | AreaMark, value: str, where: list[str]) -> list[str]:
+def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
+    """Return the columns that a case can hold, and the lines of all columns, those of the others as comments."""
+    columns: list[Footprint] = []
+    text: list[str] = []
+    plate = _Plate(drawing)
+    for number, column in enumerate(drawing.columns, 1):
+        footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
+        if footprint is not None and plate.holds(footprint.centre):
+            columns.append(footprint)
+            text += ["", *footprint.lines()]
+            continue
+        if footprint is not None:
+            why = "it does not stand on the plate"
+        elif isinstance(column, Ring):
+            why = "a column is a rectangle along x and y, or a circle"
+        else:
+            why = "a point says nothing of its size"
+        text += ["", f"# Column {number} of the drawing, for information only: {why}."]
+        lines = _curve_lines(column) if isinstance(column, Ring) else [f"point = {_point_text(column)}"]
+        text += [f"#   {line}" for line in lines]
+    return columns, text
+
+
+def _load_lines(kind: str, mark: PointMark | LineMark | AreaMark, value: str, where: list[str]) -> list[str]:
     """Return the lines of a load; one without a value is there to be filled in."""
     name = [f"name = {quote(mark.text)}"] if mark.text else []
     lines = ["[[loads]]", f'kind = "{kind}"', *name, value, *where]
     return ["", *(lines if mark.value is not None else (f"# {line}" for line in lines))]
 
 
-def _value(key: str, value: float | None, dimension: str, example: str) -> str:
+def _value_line(key: str, value: float | None, dimension: str, example: str) -> str:
     """Return the line of a value, or of one to be filled in."""
     return f'{key} = "{units.write(value, dimension)}"' if value is not None else f'{key} = "{example}"  # fill in'
 
 
-def _line(load: LineMark) -> list[str]:
+def _place_line(load: LineMark) -> list[str]:
     """Return the lines that say where a line load stands: a circle, or points and bulges."""
     if load.closed and all(load.bulges):
-        circle = _round(Curve(load.points, load.bulges))
+        circle = _circle_lines(Ring(load.points, load.bulges))
         if circle is not None:
             return ["[loads.shape]", *circle]
     points = (*load.points, load.points[0]) if load.closed else load.points
     return _point_lines(points, load.bulges)
 
 
-def _hole(curve: Curve) -> list[str]:
-    """Return the lines of a hole in an area."""
-    return _shape("[[loads.holes]]", curve)
-
-
-def _shape(head: str, curve: Curve) -> list[str]:
+def _shape_lines(head: str, curve: Ring) -> list[str]:
     """Return the lines of a shape below its head."""
-    return [head, *(_round(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
+    return [head, *(_circle_lines(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
 
 
-def _round(curve: Curve) -> list[str] | None:
+def _circle_lines(curve: Ring) -> list[str] | None:
     """Return the lines of a circle, None if a curve is none."""
     found = footprint_of(curve, "") if all(curve.bulges) else None
     if found is None or not found.round:
         return None
     x, y, radius = (float(f"{value:.12g}") for value in (*found.centre, found.widths[0] / 2))
-    return ['kind = "circle"', f"centre = {_pair((x, y))}", f"radius = {_metres(radius)}"]
+    return ['kind = "circle"', f"centre = {_point_text((x, y))}", f"radius = {_length_text(radius)}"]
 
 
 class _Plate:
     """The outline and the openings, to ask again and again what stands on the plate."""
 
     def __init__(self, drawing: Drawing) -> None:
-        from shapely import STRtree, box
+        from shapely import STRtree
 
-        self._outline = Region(edges_of(drawing.outline))
-        self._openings = [Region(edges_of(opening)) for opening in drawing.openings]
-        boxes = [list(zip(*opening.boxes, strict=True)) for opening in self._openings]
-        self._tree = STRtree([box(*map(min, each[:2]), *map(max, each[2:])) for each in boxes])
+        self._outline = Region(get_edges(drawing.outline))
+        self._openings = [Region(get_edges(opening)) for opening in drawing.openings]
+        self._tree = STRtree([bounding_box(opening.segments()) for opening in drawing.openings])
 
     def holds(self, place: Point) -> bool:
         """Return whether a place lies inside the outline and in no opening."""
@@ -202,7 +212,7 @@ class _Plate:
         return self._outline.holds(place) and not any(self._openings[k].holds(place) for k in near)
 
 
-def _tree(columns: list[Footprint]) -> STRtree:
+def _column_tree(columns: list[Footprint]) -> STRtree:
     """Return a tree of the boxes around columns."""
     from shapely import STRtree, box
 
@@ -215,10 +225,10 @@ def _tree(columns: list[Footprint]) -> STRtree:
     )
 
 
-def _where(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:
+def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:
     """Return the lines that say where a load acts: on the column that it lies on, or at its own place.
 
-    A load beside the column's centre keeps its moments about it. Where the force is not known yet, nor are these, and
+    A load beside the column's center keeps its moments about it. Where the force is not known yet, nor are these, and
     the load keeps its place.
     """
     from shapely import Point as Place
@@ -231,30 +241,30 @@ def _where(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str
         if mark.value is not None or not beside:
             force = mark.value or 0.0
             moments = [
-                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m beside the centre of the column'
+                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m beside the center of the column'
                 for name, arm in beside.items()
             ]
             return [*moments, f"column = {quote(own.name)}"]
-    return [f"x = {_metres(mark.x)}", f"y = {_metres(mark.y)}"]
+    return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
 
 
-def _curve_lines(curve: Curve) -> list[str]:
+def _curve_lines(curve: Ring) -> list[str]:
     """Return the lines of a closed curve; bulges only if it has arcs."""
     return _point_lines(curve.points, curve.bulges)
 
 
 def _point_lines(points: Sequence[Point], bulges: Sequence[float]) -> list[str]:
     """Return the lines of points and of bulges, these only if there are arcs."""
-    lines = ["points = [", *(f"  {_pair(point)}," for point in points), "]"]
+    lines = ["points = [", *(f"  {_point_text(point)}," for point in points), "]"]
     if any(bulges):
         lines.append(f"bulges = [{', '.join(repr(bulge or 0.0) for bulge in bulges)}]")
     return lines
 
 
-def _pair(point: Point) -> str:
-    return f"[{_metres(point[0])}, {_metres(point[1])}]"
+def _point_text(point: Point) -> str:
+    return f"[{_length_text(point[0])}, {_length_text(point[1])}]"
 
 
-def _metres(value: float) -> str:
+def _length_text(value: float) -> str:
     """Return a coordinate with all its digits; what rounding left of zero is zero."""
     return f'"{repr(value if abs(value) > NOTHING else 0.0).removesuffix(".0")} m"'

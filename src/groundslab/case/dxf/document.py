@@ -1,24 +1,27 @@
-"""The file: opening it, and the unit of its coordinates."""
+"""The DXF file: opening it, its unit of length, and what each of its layers holds."""
 
 from __future__ import annotations
 
+import difflib
 import math
 import os
 import re
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab import units
-from groundslab.case.dxf.drawing import ReportLine
-from groundslab.case.dxf.sheet import Sheet
-from groundslab.case.dxf.words import named
+from groundslab.case.dxf.drawing import ReadContext, ReportLine, Source
 from groundslab.errors import InputError, Issue
+from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
+    from ezdxf.entities import DXFEntity
 
-#: Units by the number that stands in a drawing's header: name and size in metres.
+#: Units by the number that stands in a drawing's header: name and size in meters.
 UNITS: dict[int, tuple[str, Fraction]] = {
     1: ("in", Fraction("0.0254")), 2: ("ft", Fraction("0.3048")), 3: ("mi", Fraction("1609.344")),
     4: ("mm", Fraction(1, 1000)), 5: ("cm", Fraction(1, 100)), 6: ("m", Fraction(1)), 7: ("km", Fraction(1000)),
@@ -67,8 +70,8 @@ def open_drawing(path: str) -> Document:
     return document
 
 
-def take_unit(document: Document, given: str | None, sheet: Sheet) -> None:
-    """Give the sheet its unit: the one that was given, else the drawing's own."""
+def set_unit(document: Document, given: str | None, context: ReadContext) -> None:
+    """Give the context its unit: the one that was given, else the drawing's own."""
     code = document.header.get("$INSUNITS", 0)
     own = UNITS.get(code)
     if given is not None:
@@ -76,15 +79,103 @@ def take_unit(document: Document, given: str | None, sheet: Sheet) -> None:
             scale = Fraction(repr(units.parse(f"1 {given}", "length")))
         except units.QuantityError as error:
             expected = 'the name of a length, such as "mm"'
-            sheet.issues.append(Issue("the drawing's unit", named(given), expected, error.reason))
+            context.issues.append(Issue("the drawing's unit", describe(given), expected, error.reason))
             return
-        sheet.unit, sheet.scale = given, scale
+        context.unit, context.scale = given, scale
         if own is not None and not math.isclose(own[1], scale, rel_tol=1e-5):
-            why = f"the drawing says that its unit is {own[0]}; it was read in {given}, as asked for"
-            sheet.report.append(ReportLine("", "HEADER", "", False, why))
+            why = f"the drawing says that its unit is {own[0]}; it was read in {given} as given"
+            context.report.append(ReportLine("", "HEADER", "", False, why))
     elif own is not None:
-        sheet.unit, sheet.scale = own
+        context.unit, context.scale = own
     else:
         found = f"unit number {code}" if code else "no unit"
         hint = 'say the unit, such as "mm", or set INSUNITS in the drawing'
-        sheet.issues.append(Issue(f"{sheet.path}, header, $INSUNITS", found, "a unit of length", hint))
+        context.issues.append(Issue(f"{context.path}, header, $INSUNITS", found, "a unit of length", hint))
+
+
+@dataclass(frozen=True, slots=True)
+class Layers:
+    """Which layer holds what; capitals do not matter, and an empty name stands for no layer."""
+
+    outline: str = "OUTLINE"
+    openings: str = "OPENINGS"
+    zones: str = "ZONES"
+    columns: str = "COLUMNS"
+    point_loads: str = "LOADS"
+    line_loads: str = "LOAD_LINE"
+    area_loads: str = "LOAD_AREA"
+
+
+#: Loads whose layers may go on behind their name with a value, as in "LOAD_LINE 25 kN_m".
+WITH_VALUE = ("line_loads", "area_loads")
+
+
+class Roles:
+    """What layers hold, by their names in lower case; a name may go on with a value where its role allows one."""
+
+    def __init__(self, named: Mapping[str, str]) -> None:
+        self.named = named
+
+    def of(self, layer: str) -> str | None:
+        """Return what a layer holds, None if it is not read."""
+        name = layer.lower()
+        return self.named.get(name) or self.named.get(self._start(name))
+
+    def suffix(self, layer: str) -> str:
+        """Return what follows the known name in the name of a layer."""
+        start = self._start(layer.lower())
+        return layer[len(start) :].strip(" _-=") if start else ""
+
+    def _start(self, layer: str) -> str:
+        """Return the known name with which that of a layer begins and may go on, empty if there is none."""
+        starts = (name for name, role in self.named.items() if role in WITH_VALUE and layer.startswith(name))
+        return max((name for name in starts if not layer[len(name) :][:1].isalpha()), key=len, default="")
+
+
+def assign_roles(layers: Layers, context: ReadContext) -> Roles:
+    """Return what each layer holds."""
+    roles: dict[str, str] = {}
+    for role in (each.name for each in fields(layers)):
+        name: str = getattr(layers, role)
+        if name and name.lower() in roles:
+            expected = "a layer of its own"
+            context.issues.append(
+                Issue(f"layer for {role}", f"{describe(name)}, as for {roles[name.lower()]}", expected)
+            )
+        elif name:
+            roles[name.lower()] = role
+    if not layers.outline:
+        context.issues.append(Issue("layer for outline", "no name", "the name of a layer"))
+    return Roles(roles)
+
+
+def check_layers(
+    document: Document,
+    layers: Layers,
+    roles: Roles,
+    entities: dict[str, list[tuple[Source, DXFEntity]]],
+    context: ReadContext,
+) -> None:
+    """Report layers that are hidden or empty; the outline's, or one given by name, must not be empty."""
+    known = [layer.dxf.name for layer in document.layers]
+    usual = Layers()
+    for key, role in roles.named.items():
+        name: str = getattr(layers, role)
+        if document.layers.has_entry(name):
+            layer = document.layers.get(name)
+            hidden = [word for word, so in (("frozen", layer.is_frozen()), ("off", layer.is_off())) if so]
+            if hidden:
+                why = f"the layer is {' and '.join(hidden)}; it was read all the same"
+                context.report_entity(Source(layer.dxf.name, "LAYER", layer.dxf.handle or ""), True, why)
+        if entities[role] or (role in WITH_VALUE and key == getattr(usual, role).lower()):
+            continue
+        if role == "outline" or key != getattr(usual, role).lower():
+            shown = ", ".join(describe(each) for each in known[:12]) + (" ..." if len(known) > 12 else "")
+            others = {each.lower(): each for each in known if each.lower() != key}
+            close = difflib.get_close_matches(key, others, 1)
+            hint = f"did you mean {describe(others[close[0]])}? " if close else ""
+            hint += f"the drawing has the layers {shown}"
+            where = f"{context.path}, layer {describe(name)}"
+            context.issues.append(Issue(where, "nothing on it", f"entities for {role.replace('_', ' ')}", hint))
+        else:
+            context.report_entity(Source(name, "LAYER", ""), False, "nothing on it")

@@ -1,10 +1,20 @@
-"""What comes out of a drawing, in metres, and what became of each of its entities."""
+"""What is read from a drawing, and the state while it is read: unit, issues, report, work done."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import TYPE_CHECKING, NoReturn
 
-from groundslab.geometry.bulges import Curve, Point
+from groundslab.errors import InputError, Issue
+from groundslab.geometry.bulges import Point
+from groundslab.geometry.plan import Ring
+from groundslab.schema.wording import describe
+
+if TYPE_CHECKING:
+    from ezdxf.math import Vec3
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +46,8 @@ class LineMark:
 class AreaMark:
     """An area load: its edge, the edges of its holes, value [Pa] or None, what is written beside it."""
 
-    curve: Curve
-    holes: tuple[Curve, ...]
+    curve: Ring
+    holes: tuple[Ring, ...]
     value: float | None
     text: str
 
@@ -55,15 +65,107 @@ class ReportLine:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What was taken from a drawing, in metres; ``scale`` is the size of its ``unit`` in metres."""
+    """What was taken from a drawing, in meters; ``scale`` is the size of its ``unit`` in meters."""
 
-    outline: Curve
-    openings: tuple[Curve, ...]
-    zones: tuple[Curve, ...]
-    columns: tuple[Curve | Point, ...]
+    outline: Ring
+    openings: tuple[Ring, ...]
+    zones: tuple[Ring, ...]
+    columns: tuple[Ring | Point, ...]
     point_loads: tuple[PointMark, ...]
     line_loads: tuple[LineMark, ...]
     area_loads: tuple[AreaMark, ...]
     report: tuple[ReportLine, ...]
     unit: str
     scale: float
+
+
+CLOSE = 1e-6  # ends so near, as a part of the drawing's size, are one point
+MOST_ENTITIES = 50_000  # entities on the layers that are read
+MOST_ISSUES = 100  # that are listed
+MOST_EDGES = 50_000  # of all curves
+MOST_PAIRS = 250_000  # of edges that are compared
+MOST_BESIDE = 2_000_000  # edges that are looked at to see what lies inside what
+FARTHEST = 1e9  # m
+DOUBLE = "it lies on top of what was taken already"
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where something comes from: layer and name as drawn, handle (of the outermost block reference)."""
+
+    layer: str
+    entity: str
+    handle: str
+
+
+@dataclass(slots=True)
+class ReadContext:
+    """What is known and found while a drawing is read."""
+
+    path: str
+    unit: str = "units"
+    scale: Fraction = Fraction(1, 1000)
+    issues: list[Issue] = field(default_factory=list)
+    report: list[ReportLine] = field(default_factory=list)
+    more: int = 0  # issues beyond the first MOST_ISSUES
+    spent: Counter[str] = field(default_factory=Counter)  # work done so far, by what it was
+
+    def to_meters(self, value: float) -> float:
+        """Return a length of the drawing in meters, rounded once if it can be."""
+        return value * self.scale.numerator / self.scale.denominator
+
+    def point(self, vector: Vec3) -> Point:
+        """Return a point of the drawing in meters."""
+        return self.to_meters(vector.x), self.to_meters(vector.y)
+
+    def format_length(self, length: float) -> str:
+        """Return a length in the drawing's unit, as it is seen there."""
+        return f"{float(length / self.scale):.6g} {self.unit}"
+
+    def format_point(self, point: Point) -> str:
+        """Return a place as it is seen in the drawing."""
+        x, y = (f"{round(float(value / self.scale), 10) + 0.0:.10g}" for value in point)
+        return f"({x}, {y}) {self.unit}"
+
+    def report_entity(self, source: Source, taken: bool, why: str) -> None:
+        """Add a line to the report."""
+        self.report.append(ReportLine(source.layer, source.entity, source.handle, taken, why))
+
+    def issue(self, sources: Sequence[Source], point: Point | None, found: str, expected: str, hint: str = "") -> None:
+        """Add an issue with file, layer, entities and place."""
+        names = " and ".join(dict.fromkeys(f"{source.entity} {source.handle}".strip() for source in sources[:3]))
+        where = f"{self.path}, layer {describe(sources[0].layer)}, {names}"
+        if len(sources) > 3:
+            where += f" and {len(sources) - 3} more"
+        self.add(Issue(f"{where} at {self.format_point(point)}" if point else where, found, expected, hint))
+
+    def add(self, issue: Issue) -> None:
+        """Add an issue; of very many only the first are kept."""
+        if len(self.issues) < MOST_ISSUES:
+            self.issues.append(issue)
+        else:
+            self.more += 1
+
+    def count_work(self, count: int, limit: int, what: str, hint: str = "") -> None:
+        """Count work before it is done; raises InputError where a drawing wants more of one kind than the limit."""
+        self.spent[what] += count
+        if self.spent[what] > limit:
+            abort(self, f"more than {limit:,} {what}", "fewer", hint or "leave only what is needed on these layers")
+
+    def count_pairs(self, count: int) -> None:
+        """Count pairs of edges that are about to be compared."""
+        self.count_work(count, MOST_PAIRS, "pairs of edges near each other", "draw curves with fewer edges")
+
+    def count_edges(self, count: int) -> None:
+        """Count edges beside points, of which is about to be seen what lies inside them."""
+        self.count_work(count, MOST_BESIDE, "edges beside points", "draw fewer curves, or curves with fewer edges")
+
+    def to_error(self) -> InputError:
+        """Return the error with all issues."""
+        more = [Issue(self.path, f"{self.more:,} more issues", "none")] if self.more else []
+        return InputError([*self.issues, *more])
+
+
+def abort(context: ReadContext, found: str, expected: str, hint: str = "") -> NoReturn:
+    """Raise the error that ends the reading at once."""
+    raise InputError([*context.issues, Issue(context.path, found, expected, hint)])

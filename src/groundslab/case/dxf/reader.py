@@ -6,19 +6,16 @@ from collections import defaultdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab.case.dxf.blocks import Blocks, walk
-from groundslab.case.dxf.chains import Found, close
-from groundslab.case.dxf.classify import choose, spots_of, tell_taken
-from groundslab.case.dxf.document import open_drawing, take_unit
-from groundslab.case.dxf.drawing import Drawing
-from groundslab.case.dxf.labels import DIMENSION, Label, label_of
-from groundslab.case.dxf.layers import WITH_VALUE, Layers, Roles, look_at, roles_of
-from groundslab.case.dxf.marks import marks_of
-from groundslab.case.dxf.pieces import Piece, piece_of, spot_of
-from groundslab.case.dxf.sheet import CLOSE, LARGEST, MOST_EDGES, Sheet, Source, stop
-from groundslab.case.dxf.spread import areas_of, lines_of
+from groundslab.case.dxf.chaining import ClosedCurve, join_lines
+from groundslab.case.dxf.classify import find_outline, read_column_points, report_taken
+from groundslab.case.dxf.distributed_loads import read_area_loads, read_line_loads
+from groundslab.case.dxf.document import WITH_VALUE, Layers, Roles, assign_roles, check_layers, open_drawing, set_unit
+from groundslab.case.dxf.drawing import CLOSE, MOST_EDGES, MOST_ENTITIES, Drawing, ReadContext, Source, abort
+from groundslab.case.dxf.entities import BlockCounts, DrawnLine, iterate_entities, read_line, read_position
+from groundslab.case.dxf.labelling import DIMENSION, Label, read_label
+from groundslab.case.dxf.point_loads import read_point_loads
 from groundslab.geometry.bulges import Point
-from groundslab.geometry.intersections import first_meeting
+from groundslab.geometry.intersections import find_self_meeting
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -35,28 +32,30 @@ def read(path: str | Path, layers: Layers | None = None, unit: str | None = None
 
     ``unit`` (such as "mm") is needed if the drawing does not say its own, and wins over it.
     """
-    sheet, layers = Sheet(str(path)), layers or Layers()
-    document = open_drawing(sheet.path)
-    take_unit(document, unit, sheet)
-    roles = roles_of(layers, sheet)
-    entities = _entities(document, roles, sheet)
-    look_at(document, layers, roles, entities, sheet)
-    texts = {role: _texts(entities[role], DIMENSION[role], sheet) for role in WITH_VALUE}
-    lines, points = _lines(entities, sheet)
+    context, layers = ReadContext(str(path)), layers or Layers()
+    document = open_drawing(context.path)
+    set_unit(document, unit, context)
+    roles = assign_roles(layers, context)
+    entities = _entities(document, roles, context)
+    check_layers(document, layers, roles, entities, context)
+    texts = {role: _texts(entities[role], DIMENSION[role], context) for role in WITH_VALUE}
+    lines, points = _lines(entities, context)
     tolerance = _tolerance(lines, points)
-    found = {role: close(lines[role], tolerance, sheet) for role in (*CURVES, "area_loads")}
-    _check(found, tolerance, sheet)
-    outline, inner = choose(found["outline"], entities["outline"], bool(found["openings"]), tolerance, sheet)
+    found = {role: join_lines(lines[role], tolerance, context) for role in (*CURVES, "area_loads")}
+    _check_crossings(found, tolerance, context)
+    outline, inner = find_outline(found["outline"], entities["outline"], bool(found["openings"]), tolerance, context)
     openings = [*inner, *found["openings"]]
     for name, curves in (("opening", openings), ("zone", found["zones"]), ("column", found["columns"])):
         for number, each in enumerate(curves, 1):
-            tell_taken(each, f"{name} {number}", sheet)
-    columns = [each.curve for each in found["columns"]] + spots_of(points, len(found["columns"]), tolerance, sheet)
-    marks = marks_of(entities["point_loads"], tolerance, sheet)
-    line_loads = lines_of(lines["line_loads"], texts["line_loads"], roles, tolerance, sheet)
-    area_loads = areas_of(found["area_loads"], texts["area_loads"], roles, sheet)
-    if sheet.issues or outline is None:
-        raise sheet.refused()
+            report_taken(each, f"{name} {number}", context)
+    columns = [each.curve for each in found["columns"]] + read_column_points(
+        points, len(found["columns"]), tolerance, context
+    )
+    marks = read_point_loads(entities["point_loads"], tolerance, context)
+    line_loads = read_line_loads(lines["line_loads"], texts["line_loads"], roles, tolerance, context)
+    area_loads = read_area_loads(found["area_loads"], texts["area_loads"], roles, context)
+    if context.issues or outline is None:
+        raise context.to_error()
     return Drawing(
         outline=outline,
         openings=tuple(each.curve for each in openings),
@@ -65,63 +64,70 @@ def read(path: str | Path, layers: Layers | None = None, unit: str | None = None
         point_loads=tuple(marks),
         line_loads=tuple(line_loads),
         area_loads=tuple(area_loads),
-        report=tuple(sheet.report),
-        unit=sheet.unit,
-        scale=float(sheet.scale),
+        report=tuple(context.report),
+        unit=context.unit,
+        scale=float(context.scale),
     )
 
 
-def _entities(document: Document, roles: Roles, sheet: Sheet) -> dict[str, list[tuple[Source, DXFEntity]]]:
-    """Return what lies on the layers asked for, by what it stands for."""
+def _entities(document: Document, roles: Roles, context: ReadContext) -> dict[str, list[tuple[Source, DXFEntity]]]:
+    """Return what lies on the layers that are read, by what it stands for."""
     entities: dict[str, list[tuple[Source, DXFEntity]]] = defaultdict(list)
-    blocks = Blocks(document, roles, sheet)
-    for role, source, entity in walk(document.modelspace(), roles, blocks, sheet):
+    blocks = BlockCounts(document, roles, context)
+    for role, source, entity in iterate_entities(document.modelspace(), roles, blocks, context):
         entities[role].append((source, entity))
-        if sum(map(len, entities.values())) > LARGEST:
-            stop(sheet, f"more than {LARGEST:,} entities on these layers", "fewer", "leave only what is needed there")
+        if sum(map(len, entities.values())) > MOST_ENTITIES:
+            abort(
+                context,
+                f"more than {MOST_ENTITIES:,} entities on these layers",
+                "fewer",
+                "leave only what is needed there",
+            )
     return entities
 
 
 def _lines(
-    entities: dict[str, list[tuple[Source, DXFEntity]]], sheet: Sheet
-) -> tuple[dict[str, list[tuple[Source, Piece]]], list[tuple[Source, Point]]]:
+    entities: dict[str, list[tuple[Source, DXFEntity]]], context: ReadContext
+) -> tuple[dict[str, list[tuple[Source, DrawnLine]]], list[tuple[Source, Point]]]:
     """Return the lines on the layers of curves, and the points that are columns; what is neither is reported."""
-    lines: dict[str, list[tuple[Source, Piece]]] = defaultdict(list)
+    lines: dict[str, list[tuple[Source, DrawnLine]]] = defaultdict(list)
     points: list[tuple[Source, Point]] = []
     for role in (*CURVES, *WITH_VALUE):
         for source, entity in entities[role]:
             if role in WITH_VALUE and entity.dxftype() in WRITTEN:
                 continue
-            spot = spot_of(entity, sheet) if role == "columns" and entity.dxftype() == "POINT" else None
+            spot = read_position(entity, context) if role == "columns" and entity.dxftype() == "POINT" else None
             if spot is not None:
                 points.append((source, spot))
                 continue
-            piece = piece_of(entity, sheet)
-            if isinstance(piece, Piece):
-                sheet.spend(len(piece.bulges), MOST_EDGES, "edges of curves", "draw curves with fewer edges")
+            piece = read_line(entity, context)
+            if isinstance(piece, DrawnLine):
+                context.count_work(len(piece.bulges), MOST_EDGES, "edges of curves", "draw curves with fewer edges")
                 lines[role].append((source, piece))
             else:
-                sheet.tell(source, False, piece)
+                context.report_entity(source, False, piece)
     return lines, points
 
 
-def _texts(entities: list[tuple[Source, DXFEntity]], dimension: str, sheet: Sheet) -> list[Label]:
+def _texts(entities: list[tuple[Source, DXFEntity]], dimension: str, context: ReadContext) -> list[Label]:
     """Return what is written on the layers of loads."""
-    found = [label_of(source, entity, sheet, dimension) for source, entity in entities]
+    found = [read_label(source, entity, context, dimension) for source, entity in entities]
     return [label for label in found if label is not None]
 
 
-def _tolerance(lines: dict[str, list[tuple[Source, Piece]]], points: list[tuple[Source, Point]]) -> float:
+def _tolerance(lines: dict[str, list[tuple[Source, DrawnLine]]], points: list[tuple[Source, Point]]) -> float:
     """Return how near ends are one point [m], by the size of what is drawn."""
     every = [point for each in lines.values() for _, piece in each for point in piece.points]
     every += [point for _, point in points]
     return CLOSE * max((max(values) - min(values) for values in zip(*every, strict=True)), default=0.0) or CLOSE
 
 
-def _check(found: dict[str, list[Found]], tolerance: float, sheet: Sheet) -> None:
-    """Add a fault for each curve that crosses or touches itself."""
+def _check_crossings(found: dict[str, list[ClosedCurve]], tolerance: float, context: ReadContext) -> None:
+    """Add an issue for each curve that crosses or touches itself."""
     for each in (each for curves in found.values() for each in curves):
-        meeting = first_meeting(each.edges(), tolerance, sheet.near)
+        meeting = find_self_meeting(each.edges(), tolerance, context.count_pairs)
         if meeting is not None:
-            hint = "mend the curve so that it neither crosses nor touches itself"
-            sheet.issue(each.sources, meeting, "a curve that crosses or touches itself", "a simple closed curve", hint)
+            hint = "change the curve so that it neither crosses nor touches itself"
+            context.issue(
+                each.sources, meeting, "a curve that crosses or touches itself", "a simple closed curve", hint
+            )

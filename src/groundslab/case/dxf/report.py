@@ -6,10 +6,9 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from groundslab import units
+from groundslab.case.dxf.distributed_loads import length
 from groundslab.case.dxf.drawing import Drawing
-from groundslab.case.dxf.spread import length
-from groundslab.case.dxf.words import safe
-from groundslab.geometry.bulges import Curve, Point, edges_of
+from groundslab.schema.wording import escape
 
 
 def report_text(drawing: Drawing) -> str:
@@ -19,14 +18,15 @@ def report_text(drawing: Drawing) -> str:
     counts: dict[str, Counter[bool]] = {}
     for line in lines:
         counts.setdefault(line.layer, Counter())[line.taken] += 1
-    width, depth = (max(values) - min(values) for values in zip(*_reach(drawing.outline), strict=True))
+    outline = drawing.outline
+    x0, x1, y0, y1 = outline.bounds
     loads = sum(mark.value or 0.0 for mark in drawing.point_loads)
     text = [
         f"unit: {drawing.unit} ({drawing.scale:.6g} m)",
-        f"outline: {width:.6g} m x {depth:.6g} m, {drawing.outline.area:.6g} m^2, {len(drawing.outline.points)} edges",
+        f"outline: {x1 - x0:.6g} m x {y1 - y0:.6g} m, {outline.area:.6g} m^2, {len(outline.points)} edges",
         f"openings: {len(drawing.openings)}, zones: {len(drawing.zones)}, columns: {len(drawing.columns)}, "
         f"point loads: {len(drawing.point_loads)} (sum {units.show(loads, 'force')})",
-        *_spread(drawing),
+        *_distributed_totals(drawing),
         "",
         *_table(
             ("layer", "taken", "ignored"),
@@ -34,7 +34,7 @@ def report_text(drawing: Drawing) -> str:
         ),
     ]
     if notes:
-        text += ["", *(f"{f'layer {safe(note.layer)}' if note.layer else 'header'}: {note.why}" for note in notes)]
+        text += ["", *(f"{f'layer {escape(note.layer)}' if note.layer else 'header'}: {note.why}" for note in notes)]
     for heading, taken in (("ignored", False), ("taken", True)):
         rows = [(line.layer, line.entity, line.handle, line.why) for line in lines if line.taken is taken]
         if rows:
@@ -42,7 +42,7 @@ def report_text(drawing: Drawing) -> str:
     return "\n".join(text) + "\n"
 
 
-def _spread(drawing: Drawing) -> Iterator[str]:
+def _distributed_totals(drawing: Drawing) -> Iterator[str]:
     """Yield the counts of line and area loads with what they come to, if there are any."""
     lines = [(line.value, length(line)) for line in drawing.line_loads]
     areas = [(area.value, area.curve.area - sum(hole.area for hole in area.holes)) for area in drawing.area_loads]
@@ -54,20 +54,9 @@ def _spread(drawing: Drawing) -> Iterator[str]:
             yield f"{what}: {len(loads)} (sum {units.show(total, 'force')}{without})"
 
 
-def _reach(curve: Curve) -> list[Point]:
-    """Return points that reach as far as a curve does, arcs included."""
-    points = list(curve.points)
-    for edge in edges_of(curve):
-        if edge.bulge:
-            (x, y), r = edge.circle()
-            far = [(x + r, y), (x - r, y), (x, y + r), (x, y - r)]
-            points += [point for point in far if edge.side(point) * edge.bulge < 0]
-    return points
-
-
 def _table(heading: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
     """Return the lines of a table, its columns as wide as they need be."""
-    cells = [heading, *((*map(safe, row[:-1]), row[-1]) for row in rows)]
+    cells = [heading, *((*map(escape, row[:-1]), row[-1]) for row in rows)]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     return [
         "  " + "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)).rstrip() for row in cells

@@ -11,6 +11,7 @@ import numpy as np
 from groundslab.design.tables.thickness import of_elements
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
+from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.clipping import line_on_plate
 from groundslab.model.loads.load_types import (
     AreaLoad,
@@ -29,9 +30,6 @@ if TYPE_CHECKING:
     from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
-#: Arcs are replaced by chords at most this far off, relative to the plate.
-CHORD = 1e-6
-
 
 def of_column(model: Model, name: str) -> dict[str, float]:
     """Return the sum of the point loads that name a column [N], by load case."""
@@ -44,7 +42,7 @@ def of_column(model: Model, name: str) -> dict[str, float]:
 
 def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
-    mesh, chord = Mesh(plate.nodes, plate.elements), CHORD * max(model.plate.sides)
+    mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.plate.sides)
     elements = load_vectors.near(mesh, part)
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
@@ -97,7 +95,7 @@ def _on_line(load: LineLoad, plate: Plate, part: Polygon, chord: float) -> float
 def _may_meet(load: PointLoad, model: Model, part: Polygon) -> bool:
     """Return whether a load that names a column may stand on a part of the plate, by the column's place."""
     named = [each for each in model.columns if each.name == load.column]
-    return not named or bool(named[0].drawn(CHORD * max(model.plate.sides)).intersects(part))
+    return not named or bool(named[0].drawn(FLAT * max(model.plate.sides)).intersects(part))
 
 
 def _on_footprint(load: PointLoad, part: Polygon, chord: float) -> float:

@@ -1,7 +1,7 @@
-"""Loads cut off at the edge of the plate: what of them acts, and how much does not.
+"""Loads clipped at the edge of the plate.
 
-Areas and lines may reach over the plate's edge or over openings, as engineers draw them; only what lies on the plate
-acts, and the rest is reported.
+Areas and lines may extend beyond the plate's edge or over openings; only what lies on the plate acts, and the rest is
+reported.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.bulges import Edge
-from groundslab.geometry.intersections import crossings
-from groundslab.geometry.plan import Segment, loaded_polygon
+from groundslab.geometry.intersections import find_crossings
+from groundslab.geometry.plan import Segment, bounding_box, loaded_polygon
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_of
 from groundslab.model.plate import Plate
 from groundslab.schema.issues import RelativeIssue
@@ -48,7 +48,7 @@ Pressure = Callable[[Array], Array]
 
 @dataclass(frozen=True, slots=True)
 class Clipped:
-    """What of a load lies off the plate and does not act."""
+    """The part of a load off the plate, which does not act."""
 
     number: int  # of the load, from 1
     name: str
@@ -58,7 +58,7 @@ class Clipped:
     drawn: float  # force of all that is drawn [N]
 
     def words(self) -> str:
-        """Return it as a remark."""
+        """Return a remark for the report."""
         name = f" {quote(self.name)}" if self.name else ""
         return (
             f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies off the plate; "
@@ -67,7 +67,7 @@ class Clipped:
 
 
 @dataclass(frozen=True, slots=True)
-class Region:
+class PlateRegion:
     """A plate in plan: its edges, its area, and the same grown by what counts as rounding."""
 
     edges: tuple[Segment, ...]
@@ -91,7 +91,7 @@ class LinePiece:
 
 
 @lru_cache(maxsize=4)
-def region_of(plate: Plate) -> Region:
+def get_plate_region(plate: Plate) -> PlateRegion:
     """Return the region of a plate."""
     import shapely
 
@@ -102,20 +102,20 @@ def region_of(plate: Plate) -> Region:
     near = (STRAIGHT if all(ring.straight for ring in rings) else CURVED) * max(plate.sides)
     grown = area.buffer(near, join_style="mitre")
     shapely.prepare(grown)
-    return Region(edges, area, grown, near, shapely.STRtree([_box([edge]) for edge in edges]))
+    return PlateRegion(edges, area, grown, near, shapely.STRtree([bounding_box([edge]) for edge in edges]))
 
 
 def clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
-    """Return what of each load lies off the plate, those left out of which all does act."""
-    return tuple(_clipped(plate, _drawn(loads)))
+    """Return the parts of loads that lie off the plate."""
+    return tuple(_find_clipped(plate, _distributed_shapes(loads)))
 
 
-def loads_reach_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
-    """Find areas and lines of which nothing lies on the plate, and such as are far too large."""
+def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
+    """Find areas and lines that lie off the plate entirely, or reach too far off it."""
     import shapely
 
     expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
-    drawn = _drawn(loads)
+    drawn = _distributed_shapes(loads)
     if not drawn:
         return
     (x0, x1, y0, y1), far = plate.bounds, FAR * max(plate.sides)
@@ -123,14 +123,14 @@ def loads_reach_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Rela
     near = (reach[:, :2] >= (x0 - far, y0 - far)).all(axis=1) & (reach[:, 2:] <= (x1 + far, y1 + far)).all(axis=1)
     for k in np.flatnonzero(~near):
         yield RelativeIssue(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
-    for found in _clipped(plate, [drawn[int(k)] for k in np.flatnonzero(near)]):
+    for found in _find_clipped(plate, [drawn[int(k)] for k in np.flatnonzero(near)]):
         if found.share >= 1 - NO_PART:
             yield RelativeIssue(("loads", found.number - 1), "a load off the plate", expected)
 
 
 def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:
     """Return the parts of a line load that lie on the plate."""
-    region, edges = region_of(plate), load.segments()
+    region, edges = get_plate_region(plate), load.segments()
     ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
     end = load.q if load.q_end is None else load.q_end
 
@@ -138,28 +138,32 @@ def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:
         return load.q + (end - load.q) * way / float(ways[-1])
 
     return [
-        LinePiece(_part(edge, low, high), (q(start + low * edge.length), q(start + high * edge.length)))
+        LinePiece(_cut_segment(edge, low, high), (q(start + low * edge.length), q(start + high * edge.length)))
         for edge, start in zip(edges, ways.tolist(), strict=False)
-        for low, high in _parts_on(region, edge)
+        for low, high in _parts_on_plate(region, edge)
     ]
 
 
-def _drawn(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, BaseGeometry]]:
+def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, BaseGeometry]]:
     """Return areas and lines of loads, each with its position and what it covers; for arcs a box around them."""
     return [
-        (n, load, load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else _box(load.segments()))
+        (
+            n,
+            load,
+            load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else bounding_box(load.segments()),
+        )
         for n, load in enumerate(loads)
         if isinstance(load, PatchLoad | AreaLoad | LineLoad)
     ]
 
 
-def _clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+def _find_clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
     """Yield what lies off the plate."""
     import shapely
 
     if not drawn:
         return
-    region = region_of(plate)
+    region = get_plate_region(plate)
     for k in np.flatnonzero(~shapely.covers(region.grown, [shape for _, _, shape in drawn])):
         position, load, shape = drawn[int(k)]
         found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
@@ -168,7 +172,7 @@ def _clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) ->
             yield Clipped(position + 1, load.name, load.case, share, force, total)
 
 
-def _off_area(region: Region, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:
+def _off_area(region: PlateRegion, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:
     """Return the share of an area that lies off the plate, the force there and in all [N]."""
     off, pressure = drawn.difference(region.area), pressure_of(load)
     return off.area / drawn.area, integral(off, pressure), integral(drawn, pressure)
@@ -203,17 +207,17 @@ def integral(area: BaseGeometry, pressure: Pressure) -> float:
     return force
 
 
-def _parts_on(region: Region, edge: Segment) -> list[tuple[float, float]]:
+def _parts_on_plate(region: PlateRegion, edge: Segment) -> list[tuple[float, float]]:
     """Return the parts of an edge, from 0 to 1, that lie on the plate."""
     from shapely import LineString, Point
 
-    if region.grown.covers(LineString(_around(edge))):
+    if region.grown.covers(LineString(_enclosing_line(edge))):
         return [(0.0, 1.0)]
     cuts = {0.0, 1.0}
-    for k in region.tree.query(_box([edge])):
-        for place in crossings(_edge(edge), _edge(region.edges[k])):
+    for k in region.tree.query(bounding_box([edge])):
+        for place in find_crossings(_to_edge(edge), _to_edge(region.edges[k])):
             if max(side.distance(np.array([place]))[0] for side in (edge, region.edges[k])) <= region.near:
-                cuts.add(min(max(_way(edge, place), 0.0), 1.0))
+                cuts.add(min(max(_parameter_at(edge, place), 0.0), 1.0))
     parts: list[tuple[float, float]] = []
     for low, high in itertools.pairwise(sorted(cuts)):
         if high - low > NO_PART and region.grown.covers(Point(edge.at(np.array([(low + high) / 2]))[0])):
@@ -222,7 +226,7 @@ def _parts_on(region: Region, edge: Segment) -> list[tuple[float, float]]:
     return parts
 
 
-def _around(edge: Segment) -> Array:
+def _enclosing_line(edge: Segment) -> Array:
     """Return the corners (p, 2) of lines that an edge does not leave to the outside: tangents of an arc."""
     if edge.straight:
         return np.array([edge.start, edge.end])
@@ -232,7 +236,7 @@ def _around(edge: Segment) -> Array:
     return np.vstack([edge.start, corners, edge.end])
 
 
-def _way(edge: Segment, place: tuple[float, float]) -> float:
+def _parameter_at(edge: Segment, place: tuple[float, float]) -> float:
     """Return after which part of an edge a place on it comes; about 0 or 1, not round the circle, near its ends."""
     near = 1e-9 * edge.length
     if math.dist(place, edge.start) <= near or math.dist(place, edge.end) <= near:
@@ -240,7 +244,7 @@ def _way(edge: Segment, place: tuple[float, float]) -> float:
     return edge.part(place)
 
 
-def _part(edge: Segment, low: float, high: float) -> Segment:
+def _cut_segment(edge: Segment, low: float, high: float) -> Segment:
     """Return a part of an edge."""
     start, end = map(tuple, edge.at(np.array([low, high])).tolist())
     if edge.straight:
@@ -248,19 +252,6 @@ def _part(edge: Segment, low: float, high: float) -> Segment:
     return replace(edge, start=start, end=end, angle=edge.angle + low * edge.sweep, sweep=(high - low) * edge.sweep)
 
 
-def _edge(edge: Segment) -> Edge:
+def _to_edge(edge: Segment) -> Edge:
     """Return an edge as points and a bulge."""
     return Edge(edge.start, edge.end, 0.0 if edge.straight else math.tan(edge.sweep / 4))
-
-
-def _box(edges: Sequence[Segment]) -> BaseGeometry:
-    """Return a box that holds edges, of an arc its whole circle."""
-    from shapely import box
-
-    ends = [end for edge in edges for end in (edge.start, edge.end)]
-    for edge in edges:
-        if not edge.straight:
-            (x, y), r = edge.centre, edge.radius
-            ends += [(x - r, y - r), (x + r, y + r)]
-    (left, low), (right, high) = (tuple(map(pick, zip(*ends, strict=True))) for pick in (min, max))
-    return box(left, low, right, high)

@@ -1,19 +1,15 @@
-"""Load cases and their factored combinations as the input file says them."""
+"""Load cases and their factored combinations."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
-from groundslab.errors import InputError
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, Factors, ListOf, Number, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, suggestion
-
-if TYPE_CHECKING:
-    pass
 
 Kind = Literal["permanent", "variable"]
 LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
@@ -22,7 +18,7 @@ SHARE = Range(at_least=0, at_most=1)
 PARTIAL = Range(at_least=0, at_most=100)
 
 
-def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIssue]:
+def _check_psi(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIssue]:
     if action == "variable" and psi_2 > psi_1:
         hint = "the quasi-permanent value is exceeded more often than the frequent one (EN 1990, 4.1.3)"
         yield RelativeIssue(("psi_2",), repr(psi_2), f"at most psi_1, {psi_1!r}", hint)
@@ -31,7 +27,7 @@ def _shares_fall(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIs
 class LoadCase(Section):
     """Loads that always act together."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_shares_fall,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_psi,)
 
     name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
     action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
@@ -43,7 +39,7 @@ class LoadCase(Section):
     ] = ""
 
 
-def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
+def _check_factors(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
     if not any(value for _, value in factors):
         yield RelativeIssue(("factors",), "no factor that is not 0", "a factor for at least one case")
 
@@ -51,7 +47,7 @@ def _some_factor(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIss
 class Combination(Section):
     """Load cases that act together, each with a factor."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_some_factor,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_factors,)
 
     name: Annotated[str, Text("name of the combination")]
     limit_state: Annotated[LimitState, Choice(LimitState, "limit state that it is for")] = "ultimate"
@@ -60,7 +56,7 @@ class Combination(Section):
     ]
 
 
-def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[RelativeIssue]:
+def _check_partial_factors(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[RelativeIssue]:
     for name, (most, least) in (("permanent", permanent), ("variable", variable)):
         if least > most:
             yield RelativeIssue((name,), f"[{most!r}, {least!r}]", "the unfavourable factor first, the larger one")
@@ -70,9 +66,9 @@ def _factors_fall(permanent: tuple[float, float], variable: tuple[float, float])
 
 
 class Combine(Section):
-    """Which combinations are made from the cases by themselves, by EN 1990."""
+    """Automatic combinations of the load cases by EN 1990."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_factors_fall,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors,)
 
     sets: Annotated[
         tuple[LimitState, ...],
@@ -98,8 +94,10 @@ class Combine(Section):
     ] = (1.5, 0.0)
 
 
-def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
-    """Find parts of a list that belong to no case although there are cases, or to one that is not there."""
+def check_case_names(
+    part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]
+) -> Iterator[RelativeIssue]:
+    """Find items of a list without a case although there are cases, or with an unknown one."""
     names = [case.name for case in cases]
     known = set(names)
     for position, name in enumerate(named):
@@ -111,8 +109,8 @@ def known_cases(part: str, key: str, named: list[str | None], cases: tuple[LoadC
             yield RelativeIssue((part, position, key), found, expected, suggestion(name, names))
 
 
-def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
-    """Find factors of cases that are not there, and combinations of nothing."""
+def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
+    """Find factors of unknown cases, and combinations without any cases."""
     names = [case.name for case in cases]
     if combinations and not names:
         yield RelativeIssue(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
@@ -125,39 +123,6 @@ def known_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
                 yield RelativeIssue(place, "a case that is not there", one_of(names), suggestion(name, names))
 
 
-def combine_makes(
-    combine: Combine | None, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...]
-) -> Iterator[RelativeIssue]:
-    """Find automatic combinations that cannot be made, are too many or none, or have the name of another one."""
-    if combine is None:
-        return
-    if not cases:
-        yield RelativeIssue(("combine",), "automatic combinations", "[[cases]] to combine")
-        return
-    named_well = [bool(case.name) and case.name == " ".join(case.name.split()) and "+" not in case.name.split()
-                  for case in cases]  # fmt: skip
-    for position, case in enumerate(cases):
-        if case.name and not named_well[position]:
-            hint = "without outer or double blanks and without a + standing alone"
-            yield RelativeIssue(
-                ("cases", position, "name"), describe(case.name), "a name that can stand in a sum", hint
-            )
-    if not all(named_well) or len({case.name for case in cases}) < len(cases):
-        return
-    try:
-        made = {each.name for each in make_combinations(combine, cases)}
-    except InputError as error:
-        for issue in error.issues:
-            yield RelativeIssue(("combine",), issue.found, issue.expected, issue.hint)
-        return
-    if not made:
-        yield RelativeIssue(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
-    for position, combination in enumerate(combinations):
-        if combination.name in made:
-            found = f"{describe(combination.name)}, which combine makes as well"
-            yield RelativeIssue(("combinations", position, "name"), found, "a name of its own")
-
-
 def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
     """Return whether any combination given or made is for the ultimate limit state."""
     return any(each.limit_state == "ultimate" for each in combinations) or (
@@ -165,31 +130,13 @@ def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None)
     )
 
 
-def design_has_loads(
+def check_design_combinations(
     reinforcement: object, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...], combine: Combine | None
 ) -> Iterator[RelativeIssue]:
-    """Find a design that is asked for without ultimate combinations to design for."""
+    """Find reinforcement without an ultimate combination to design for."""
     if reinforcement is None or has_ultimate(combinations, combine):
         return
     add = '[[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
     cased = "" if cases else "[[cases]], the case of each load, and then "
     hint = f"add {cased}{add}; loads that hold partial factors already take part with the factor 1"
     yield RelativeIssue(("reinforcement",), "no ultimate combination of loads", "at least one to design for", hint)
-
-
-def make_combinations(combine: Combine, cases: tuple[LoadCase, ...]) -> tuple[Combination, ...]:
-    """Return the combinations that EN 1990 makes of the cases."""
-    from groundslab.model.loads.en1990 import Action, combinations
-    from groundslab.model.loads.en1990 import Factors as Partial
-
-    actions = [
-        Action(case.name, case.action, case.psi_0, case.psi_1, case.psi_2, case.group)
-        if case.action == "variable"
-        else Action(case.name, case.action)
-        for case in cases
-    ]
-    partial = Partial(combine.permanent, combine.variable)
-    return tuple(
-        Combination(name=each.name, limit_state=each.limit_state, factors=each.factors)
-        for each in combinations(actions, combine.sets, partial)
-    )

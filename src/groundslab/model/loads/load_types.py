@@ -1,4 +1,4 @@
-"""What acts on the plate as the input file says it: loads, settlements, voids; and whether it lies on the plate."""
+"""Types of loads: pressures, line and point loads, self-weight, temperature, imposed settlements."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ import math
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
+import numpy as np
 from pydantic import Discriminator, Tag
 
-from groundslab.model.columns import Column, footprint, one_footprint
+from groundslab.arrays import Array
+from groundslab.geometry.plan import LARGEST_BULGE, Segment, loaded_polygon, segment
+from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import Check, Section, Table, kind_of
@@ -20,108 +23,91 @@ from groundslab.schema.ranges import Range
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-    from groundslab.arrays import Array
-    from groundslab.geometry.plan import Ring, Segment
 
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
-LARGEST_BULGE = 100.0  # of an arc, as of the edges of outlines; a whole circle is a shape
 
-LoadName = Annotated[str, Text("name of the load, for people")]
-CaseName = Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")]
-Slope = Annotated[
-    tuple[float, float],
-    ListOf(
-        Quantity("pressure per length", "q_x, q_y", ""), "q_x, q_y", "growth of the pressure along x and along y", 2
-    ),
-]
-Bend = Annotated[
-    tuple[float, float, float],
-    ListOf(
-        Quantity("pressure per area", "q_xx, q_xy, q_yy", ""),
-        "q_xx, q_xy, q_yy",
-        "second derivatives of the pressure",
-        3,
-    ),
-]
-About = Annotated[
-    tuple[float, float],
-    ListOf(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
-]
 NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
 
-def _box(x: tuple[float, float], y: tuple[float, float]) -> BaseGeometry:
-    from shapely import box
+class _Load(Section):
+    """What all loads have."""
 
-    return box(x[0], y[0], x[1], y[1])
+    kind: str
+    name: Annotated[str, Text("name of the load, for people")] = ""
+    case: Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")] = ""
 
 
-class UniformLoad(Section):
+class _Pressure(_Load):
+    """A pressure, constant or up to quadratic in x and y."""
+
+    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    slope: Annotated[
+        tuple[float, float],
+        ListOf(
+            Quantity("pressure per length", "q_x, q_y", ""), "q_x, q_y", "growth of the pressure along x and along y", 2
+        ),
+    ] = NO_SLOPE
+    bend: Annotated[
+        tuple[float, float, float],
+        ListOf(
+            Quantity("pressure per area", "q_xx, q_xy, q_yy", ""),
+            "q_xx, q_xy, q_yy",
+            "second derivatives of the pressure",
+            3,
+        ),
+    ] = NO_BEND
+    about: Annotated[
+        tuple[float, float],
+        ListOf(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
+    ] = ORIGIN
+
+
+class UniformLoad(_Pressure):
     """A pressure on the whole plate."""
 
     kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
-    name: LoadName = ""
-    case: CaseName = ""
-    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
-    slope: Slope = NO_SLOPE
-    bend: Bend = NO_BEND
-    about: About = ORIGIN
 
 
-class PatchLoad(Section):
+class PatchLoad(_Pressure):
     """A pressure on a rectangle."""
 
     kind: Annotated[Literal["patch"], Table("pressure on a rectangle")] = "patch"
-    name: LoadName = ""
-    case: CaseName = ""
-    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
-    slope: Slope = NO_SLOPE
-    bend: Bend = NO_BEND
-    about: About = ORIGIN
     x: AcrossX
     y: AcrossY
 
     def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
         """Return the rectangle."""
-        return _box(self.x, self.y)
+        from shapely import box
+
+        return box(self.x[0], self.y[0], self.x[1], self.y[1])
 
 
-def _holes_in_shape(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
-    from groundslab.geometry.plan import loaded_polygon
-
+def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
     if not holes:
         return
     around = loaded_polygon(shape.ring())
     for position, hole in enumerate(holes):
         if not around.intersects(loaded_polygon(hole.ring())):
             yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
-    if not any(True for _ in _loaded(shape, holes)):
+    if not any(True for _ in _loaded_parts(shape, holes)):
         yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
 
 
-def _loaded(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
+def _loaded_parts(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
     """Return the polygons of a shape without its holes."""
     from shapely import get_parts, union_all
-
-    from groundslab.geometry.plan import loaded_polygon
 
     cut = union_all([loaded_polygon(hole.ring()) for hole in holes])
     left = loaded_polygon(shape.ring()).difference(cut)
     return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
 
 
-class AreaLoad(Section):
+class AreaLoad(_Pressure):
     """A pressure on a part of the plate of any shape."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_holes_in_shape,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_holes,)
 
     kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
-    name: LoadName = ""
-    case: CaseName = ""
-    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
-    slope: Slope = NO_SLOPE
-    bend: Bend = NO_BEND
-    about: About = ORIGIN
     shape: Annotated[Shape, Table("where; what lies off the plate does not act, and is reported")]
     holes: Annotated[tuple[Shape, ...], Table("parts of the shape that are not loaded, as in a ring")] = ()
 
@@ -129,10 +115,10 @@ class AreaLoad(Section):
         """Return the loaded area, its arcs as chords that enclose the same area."""
         from shapely import union_all
 
-        return union_all(_loaded(self.shape, self.holes))
+        return union_all(_loaded_parts(self.shape, self.holes))
 
 
-def _points_or_shape(
+def _check_points_or_shape(
     points: tuple[tuple[float, float], ...] | None,
     bulges: tuple[float, ...],
     shape: AnyShape | None,
@@ -149,7 +135,7 @@ def _points_or_shape(
             )
 
 
-def _no_standstill(
+def _check_line_length(
     points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]
 ) -> Iterator[RelativeIssue]:
     if points is None:
@@ -166,14 +152,12 @@ def _no_standstill(
             )
 
 
-class LineLoad(Section):
+class LineLoad(_Load):
     """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_points_or_shape, _no_standstill)
+    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_line_length)
 
     kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
-    name: LoadName = ""
-    case: CaseName = ""
     q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
     q_end: Annotated[
         float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
@@ -198,8 +182,6 @@ class LineLoad(Section):
 
     def segments(self) -> tuple[Segment, ...]:
         """Return the straight pieces and arcs that the load stands on, one after the other."""
-        from groundslab.geometry.plan import segment
-
         if self.shape is not None:
             return self.shape.ring().segments()
         assert self.points is not None
@@ -213,8 +195,6 @@ class LineLoad(Section):
 
     def flat(self, chord: float) -> Array:
         """Return places (p, 2) along the line from its start to its end, arcs as chords at most so far off [m]."""
-        import numpy as np
-
         edges = self.segments()
         parts = [edge.at(np.arange(n) / n) for edge in edges for n in (edge.chords(chord),)]
         return np.concatenate([*parts, [edges[-1].end]])
@@ -226,18 +206,16 @@ class LineLoad(Section):
         return LineString(self.flat(chord))
 
 
-class SelfWeight(Section):
-    """The plate's own weight."""
+class SelfWeight(_Load):
+    """The self-weight of the plate."""
 
-    kind: Annotated[Literal["self weight"], Table("the plate's own weight, by its thickness in each zone")] = (
+    kind: Annotated[Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone")] = (
         "self weight"
     )
-    name: LoadName = ""
-    case: CaseName = ""
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
 
 
-def _one_place(
+def _check_position(
     x: float | None,
     y: float | None,
     width_x: float | None,
@@ -256,14 +234,12 @@ def _one_place(
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
 
 
-class PointLoad(Section):
+class PointLoad(_Load):
     """A force and moments at a point, on a footprint or on a column."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_place, one_footprint)
+    checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint)
 
     kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"
-    name: LoadName = ""
-    case: CaseName = ""
     P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone")]
     M_x: Annotated[
         float,
@@ -314,31 +290,25 @@ class PointLoad(Section):
         return self.replace(column="", **place)
 
 
-class TemperatureLoad(Section):
+class TemperatureLoad(_Load):
     """A difference of temperature between the faces of the plate."""
 
     kind: Annotated[Literal["temperature"], Table("difference of temperature over the thickness")] = "temperature"
-    name: LoadName = ""
-    case: CaseName = ""
     difference: Annotated[
         float, Quantity("temperature difference", "dT", "bottom less top: positive if the bottom is warmer")
     ]
 
 
-class SettlementLoad(Section):
+class SettlementLoad(_Load):
     """A settlement that is forced on a support."""
 
     kind: Annotated[Literal["settlement"], Table("settlement forced on a support")] = "settlement"
-    name: LoadName = ""
-    case: CaseName = ""
     support: Annotated[str, Text("name of the support, one of [[supports]]")]
     w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive")]
 
 
 def pressure_of(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
     """Return the pressure [Pa] of a load as a function of places (..., 2) [m]."""
-    import numpy as np
-
     if load.slope == NO_SLOPE and load.bend == NO_BEND:
         return lambda places: np.full(places.shape[:-1], load.q)
     slope, about = np.array(load.slope), np.array(load.about)
@@ -365,48 +335,3 @@ Load = Annotated[
     | Annotated[SettlementLoad, Tag("settlement")],
     Discriminator(kind_of),
 ]
-
-
-def _one_extent(
-    x: tuple[float, float] | None, y: tuple[float, float] | None, shape: AnyShape | None
-) -> Iterator[RelativeIssue]:
-    if shape is None:
-        for name, value in (("x", x), ("y", y)):
-            if value is None:
-                yield RelativeIssue((name,), "nothing", "x and y, or a shape")
-    elif x is not None or y is not None:
-        yield RelativeIssue(("shape",), "a shape beside x or y", "one of them")
-
-
-class Void(Section):
-    """A part of the plan where the ground lies deeper, or is missing."""
-
-    checks: ClassVar[tuple[Check, ...]] = (_one_extent,)
-
-    depth: Annotated[
-        float | None,
-        Quantity("length", "d", "initial gap there; without it a cavity, whose bottom is never reached", POSITIVE),
-    ] = None
-    x: Annotated[
-        tuple[float, float] | None,
-        ListOf(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
-    ] = None
-    y: Annotated[
-        tuple[float, float] | None,
-        ListOf(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
-    ] = None
-    shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
-
-    def ring(self) -> Ring:
-        """Return the curve around it."""
-        if self.shape is not None:
-            return self.shape.ring()
-        from groundslab.geometry.plan import rectangle
-
-        assert self.x is not None
-        assert self.y is not None
-        return rectangle(*self.x, *self.y)
-
-    def drawn(self, chord: float) -> BaseGeometry:
-        """Return the area, arcs as chords at most so far off [m]."""
-        return self.ring().polygon(chord)

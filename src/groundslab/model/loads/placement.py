@@ -1,4 +1,4 @@
-"""Whether loads, columns, supports and voids lie on the plate."""
+"""Checks that point loads, columns, outputs and voids lie on the plate."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from groundslab.model.columns import Column
-from groundslab.model.loads.load_types import AnyLoad, PointLoad, Void
+from groundslab.model.loads.load_types import AnyLoad, PointLoad
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import CHORD
+from groundslab.model.varying_ground import Void
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -22,15 +23,15 @@ ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer s
 
 
 class Placed(Protocol):
-    """What has a place in plan."""
+    """Anything with a position in plan."""
 
     def drawn(self, chord: float) -> BaseGeometry:
         """Return it, arcs as chords at most so far off [m]."""
         ...
 
 
-class Covered:
-    """What of the plan a plate covers, found once for all that may lie on it."""
+class PlateArea:
+    """The area that a plate covers, computed once for all checks."""
 
     def __init__(self, plate: Plate) -> None:
         self.plate = plate
@@ -69,12 +70,12 @@ class Covered:
         return reach
 
 
-def on_plate(plate: Plate | Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+def on_plate(plate: Plate | PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
-    covered = plate if isinstance(plate, Covered) else Covered(plate)
+    covered = plate if isinstance(plate, PlateArea) else PlateArea(plate)
     x0, x1, y0, y1 = covered.bounds
     near, plate = covered.near, covered.plate
-    hint = "the centre of the plate is the origin" if plate.outline is None else "places are those of the outline"
+    hint = "the center of the plate is the origin" if plate.outline is None else "places are those of the outline"
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
         value = getattr(part, axis, None)
@@ -92,8 +93,8 @@ def _has_footprint(part: Placed) -> bool:
     return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
 
 
-def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
-    """Find a part that does not lie on the plate, be it within the rectangle around it."""
+def _on_shape(covered: PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+    """Find a part off the plate, also within the rectangle around it."""
     expected = "a place on the plate, not in an opening nor beside the outline"
     (x0, x1, y0, y1), far = covered.bounds, covered.size
     # arcs drawn roughly: chords so short would be too many for what is so large
@@ -112,20 +113,20 @@ def _on_shape(covered: Covered, part: Placed, place: tuple[str | int, ...]) -> I
         yield RelativeIssue(place, found, expected, hint)
 
 
-def loads_on_plate(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
+def check_point_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
     """Find point loads that do not lie on the plate; those on columns lie where these do.
 
     A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
     edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
     """
-    covered = Covered(plate)
+    covered = PlateArea(plate)
     for position, load in enumerate(loads):
         if isinstance(load, PointLoad) and not load.column:
             yield from on_plate(covered, load, ("loads", position))
 
 
-def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
-    """Find loads on columns that are not there."""
+def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
+    """Find loads on unknown columns."""
     names = [column.name for column in columns]
     known = set(names)
     for position, load in enumerate(loads):
@@ -135,8 +136,8 @@ def loads_have_a_column(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...])
             yield RelativeIssue(place, describe(load.column), expected, suggestion(load.column, names))
 
 
-def voids_on_plate(plate: Plate, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
+def check_voids(plate: Plate, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
     """Find voids that do not lie under the plate."""
-    covered = Covered(plate)
+    covered = PlateArea(plate)
     for position, void in enumerate(voids):
         yield from on_plate(covered, void, ("contact", "voids", position))

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.fem.mesh import Mesh, interpolated, whereabouts
 from groundslab.fem.shape_functions import q9
-from groundslab.views.plots import symbols
+from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.views.plots.contours import bar, triangulation
 from groundslab.views.plots.heads import head_of, room_above, write_above
 from groundslab.views.plots.panels import NOT_CERTIFIED, View, scales_of, view_of
@@ -165,7 +165,7 @@ def _space(
         sides = np.concatenate([view.nodes[ring], -factor * surface.settlement[ring][..., None]], axis=2)
         axes.add_collection3d(Line3DCollection(sides, colors=INK, linewidths=0.15, alpha=0.5, zorder=3, clip_on=False))
     entries = _border(axes, surface, factor)
-    chord = symbols.CHORD * max(model.plate.sides)
+    chord = DRAWN_CHORD * max(model.plate.sides)
     for ring_ in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
         flat = ring_.flat(chord)
         x, y = np.vstack([flat, flat[:1]]).T

@@ -12,6 +12,7 @@ from groundslab.design.envelope import envelope
 from groundslab.design.section_cuts import SectionCut, along
 from groundslab.design.tables.quantities import listed
 from groundslab.errors import InputError, Issue
+from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.results.fields import POINT_FIELDS
 from groundslab.views.plots import symbols
 from groundslab.views.plots.amounts import DOWNWARDS, Amount
@@ -124,7 +125,7 @@ def _key(paper: Paper, wish: Wish, cut: Cut, top: float) -> float:
     paper.text(MARGIN, top + 8.2, f"from {at(cut.start)} to {at(cut.end)}", fontsize=SMALL, color=GREY)
     axes = paper.axes(PAGE_WIDTH - MARGIN - 3 - KEY_WIDTH, top, KEY_WIDTH, KEY_HEIGHT)
     axes.set_axis_off()
-    chord = symbols.CHORD * max(model.plate.sides)
+    chord = DRAWN_CHORD * max(model.plate.sides)
     for ring in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
         symbols.ghost(axes, ring, chord)
     (x0, y0), (x1, y1) = cut.start, cut.end

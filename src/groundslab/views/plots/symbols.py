@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.views.plots.style import FAINT, GREY, GROUND, INK, LOAD, SUPPORT
 
 if TYPE_CHECKING:
@@ -26,9 +27,6 @@ if TYPE_CHECKING:
 
     Entries = dict[str, Any]
 
-#: Arcs are drawn as chords that are this far off, relative to the plate's longer side.
-CHORD = 2e-4
-
 
 def white_edge(width: float) -> list[Any]:
     """Return the effect that sets lines and letters off from the colours around them."""
@@ -41,7 +39,7 @@ def plate(axes: Axes, model: Model) -> Entries:
     """Draw the outline, the openings crossed out, and the zones."""
     import shapely
 
-    chord = CHORD * max(model.plate.sides)
+    chord = DRAWN_CHORD * max(model.plate.sides)
     outline = model.plate.ring().polygon(chord)
     _ring(axes, np.asarray(outline.exterior.coords), edgecolor=INK, linewidth=1.2, zorder=4)
     entries: Entries = {}
@@ -87,7 +85,7 @@ def voids(axes: Axes, model: Model) -> Entries:
     """Outline the parts where the ground lies deeper or is missing."""
     entries: Entries = {}
     for void in model.contact.voids:
-        around = np.asarray(void.drawn(CHORD * max(model.plate.sides)).exterior.coords)
+        around = np.asarray(void.drawn(DRAWN_CHORD * max(model.plate.sides)).exterior.coords)
         drawn = _ring(axes, around, edgecolor=GROUND, linewidth=0.9, zorder=3.2)
         drawn.set_linestyle((0, (1.5, 1.5)))
         entries["void in the ground"] = drawn
@@ -97,7 +95,7 @@ def voids(axes: Axes, model: Model) -> Entries:
 def loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
     """Outline the loaded areas, draw line loads and mark point loads beside columns, those that take part."""
     entries: Entries = {}
-    chord = CHORD * max(model.plate.sides)
+    chord = DRAWN_CHORD * max(model.plate.sides)
     for load in model.loads:
         if not takes_part(load):
             continue
@@ -136,7 +134,7 @@ def columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> 
     entries: Entries = {}
     loaded = {load.column for load in model.loads if load.kind == "point" and load.column and takes_part(load)}
     for column in model.columns:
-        around = np.array(column.ring().flat(CHORD * max(model.plate.sides)))
+        around = np.array(column.ring().flat(DRAWN_CHORD * max(model.plate.sides)))
         brings = column.name in loaded
         drawn = _ring(axes, around, edgecolor=INK, facecolor=LOAD if brings else "white", linewidth=0.6, zorder=5)
         entries["column with load" if brings else "column"] = drawn
@@ -167,7 +165,7 @@ def _held(axes: Axes, places: Array) -> Any:
 
 def _held_edges(model: Model) -> list[Array]:
     """Return the parts (k, 2) of the outline that are held: all of it, or what lies on a side that is held."""
-    flat = model.plate.ring().flat(CHORD * max(model.plate.sides))
+    flat = model.plate.ring().flat(DRAWN_CHORD * max(model.plate.sides))
     closed = np.vstack([flat, flat[:1]])
     if model.plate.support != "free":
         return [closed]

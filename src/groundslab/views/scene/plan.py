@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.loads.load_types import SettlementLoad
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.geometry.plan import Place, Ring
-    from groundslab.model.loads.load_types import AnyLoad, Void
+    from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
     from groundslab.model.supports import AnySupport
+    from groundslab.model.varying_ground import Void
 
-#: Arcs become chords that are at most this far off, relative to the plate's longer side.
-CHORD = 2e-4
 #: Digits after the point of a length in metres.
 DIGITS = 9
 
@@ -28,7 +28,7 @@ def plan_of(model: Model) -> Data:
     """Return what stands in plan [m]: each thing with the path by which faults call it, which counts from 1."""
     plate = model.plate
     x0, x1, y0, y1 = plate.bounds
-    chord = CHORD * max(plate.sides)
+    chord = DRAWN_CHORD * max(plate.sides)
 
     def ring(curve: Ring) -> list[list[float]]:
         return _rounded(curve.flat(chord))

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from groundslab.workbench.editing import toml_writer
+from groundslab.schema import toml_writer
 from groundslab.workbench.editing.toml_positions import Value
 from groundslab.workbench.editing.toml_values import equal_values
 

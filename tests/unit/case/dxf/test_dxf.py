@@ -21,11 +21,12 @@ from hypothesis import strategies as st
 
 from groundslab import units
 from groundslab.case import casefile, dxf
+from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing
-from groundslab.case.dxf.labels import value_in
-from groundslab.case.dxf.layers import Layers
+from groundslab.case.dxf.labelling import find_quantity
 from groundslab.errors import InputError
-from groundslab.geometry.bulges import Curve, edges_of, from_line
+from groundslab.geometry.bulges import distance_to_line, get_edges
+from groundslab.geometry.plan import Ring
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, UniformLoad
 from groundslab.model.shapes import Circle, Polygon
 
@@ -86,7 +87,7 @@ def said(drawing: Drawing, entity: str) -> list[tuple[bool, str]]:
     return [(line.taken, line.why) for line in drawing.report if line.entity == entity]
 
 
-def same(one: Curve, points: Any, bulges: Any = None, tolerance: float = 1e-9) -> None:
+def same(one: Ring, points: Any, bulges: Any = None, tolerance: float = 1e-9) -> None:
     """Assert that a curve is the given one, wherever it begins."""
     points = [tuple(map(float, point)) for point in points]
     bulges = [0.0] * len(points) if bulges is None else bulges
@@ -104,7 +105,7 @@ class TestOutline:
     def test_rectangle(self, drawn: Any) -> None:
         """A closed polyline is taken as it stands, and the report says so."""
         drawing = drawn(outline)
-        assert drawing.outline == Curve(tuple((float(x), float(y)) for x, y in SQUARE), (0.0,) * 4)
+        assert drawing.outline == Ring(tuple((float(x), float(y)) for x, y in SQUARE), (0.0,) * 4)
         assert drawing.outline.area == 12
         assert said(drawing, "LWPOLYLINE") == [(True, "the outline")]
         assert (drawing.unit, drawing.scale) == ("m", 1.0)
@@ -191,8 +192,8 @@ class TestOutline:
             exact.extend(tool.points(tool.params(999)))
 
         exact: list[Any] = []
-        edges = edges_of(drawn(draw).outline)
-        assert all(min(from_line((p.x, p.y), e.a, e.b) for e in edges) <= 1e-3 for p in exact)
+        edges = get_edges(drawn(draw).outline)
+        assert all(min(distance_to_line((p.x, p.y), e.a, e.b) for e in edges) <= 1e-3 for p in exact)
 
     def test_doubles_count_once(self, drawn: Any) -> None:
         """The same curve begun elsewhere and run backwards, and a line on its edge, are reported and left."""
@@ -637,7 +638,7 @@ class TestLoads:
     )  # fmt: skip
     def test_words(self, text: str, value: float | None) -> None:
         """A value may stand behind a name."""
-        assert value_in(text) == value
+        assert find_quantity(text) == value
 
     @pytest.mark.parametrize(
         "text",
@@ -876,8 +877,8 @@ def test_moving_the_drawing_moves_the_result(turn: float, x: float, y: float, mi
         after = dxf.read(save(draw, Path(folder)))
     assert after.outline.area == pytest.approx(before.outline.area, rel=1e-9)
     column, its_column = before.columns[0], after.columns[0]
-    assert isinstance(column, Curve)
-    assert isinstance(its_column, Curve)
+    assert isinstance(column, Ring)
+    assert isinstance(its_column, Ring)
     openings = zip(before.openings, after.openings, strict=True)
     curves = [(before.outline, after.outline), *openings, (column, its_column)]
     for one, other in curves:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from groundslab.case import dxf
-from groundslab.case.dxf import document, reader, sheet
+from groundslab.case.dxf import document, drawing, reader
 from groundslab.errors import InputError
 from helpers import bombs
 
@@ -74,10 +74,10 @@ def test_what_is_compared_grows_with_the_number_of_circles(layer: str, tmp_path:
     """Four times as many circles beside each other make about four times as many comparisons, not sixteen."""
     counts = []
     for number in (400, 1600):
-        counted = sheet.Sheet(str(tmp_path / "plan.dxf"))
+        counted = drawing.ReadContext(str(tmp_path / "plan.dxf"))
         (tmp_path / "plan.dxf").write_text(bombs.circles(number, layer))
         with pytest.MonkeyPatch.context() as patched:
-            patched.setattr(reader, "Sheet", {str(tmp_path / "plan.dxf"): counted}.__getitem__)
+            patched.setattr(reader, "ReadContext", {str(tmp_path / "plan.dxf"): counted}.__getitem__)
             dxf.read(tmp_path / "plan.dxf")
         counts.append(sum(counted.spent.values()))
         assert counts[-1] < 20 * number
@@ -88,22 +88,22 @@ def test_what_is_compared_grows_with_the_number_of_circles(layer: str, tmp_path:
 def test_pairs_of_texts_and_loads_grow_with_their_number(height: float, tmp_path: Path) -> None:
     """However large the texts are, only pairs with the nearest loads are looked at: some dozens for each text."""
     for number in (400, 1600):
-        counted = sheet.Sheet(str(tmp_path / "plan.dxf"))
+        counted = drawing.ReadContext(str(tmp_path / "plan.dxf"))
         (tmp_path / "plan.dxf").write_text(bombs.loads(number, height))
         with pytest.MonkeyPatch.context() as patched:
-            patched.setattr(reader, "Sheet", {str(tmp_path / "plan.dxf"): counted}.__getitem__)
+            patched.setattr(reader, "ReadContext", {str(tmp_path / "plan.dxf"): counted}.__getitem__)
             try:
-                drawing = dxf.read(tmp_path / "plan.dxf")
+                found = dxf.read(tmp_path / "plan.dxf")
             except InputError:
                 assert height == 50.0  # where each text stands over many loads, some get none
             else:
-                assert [load.value for load in drawing.point_loads] == [10e3] * number
+                assert [load.value for load in found.point_loads] == [10e3] * number
         assert counted.spent["pairs of texts and loads near each other"] < 150 * number
 
 
 def test_many_entities(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """More entities than the limit on the layers that are read are refused; on other layers they do not count."""
-    monkeypatch.setattr("groundslab.case.dxf.blocks.LARGEST", 100)
+    monkeypatch.setattr("groundslab.case.dxf.entities.MOST_ENTITIES", 100)
     (tmp_path / "plan.dxf").write_text(bombs.circles(101, "OTHER"))
     dxf.read(tmp_path / "plan.dxf")
     (tmp_path / "plan.dxf").write_text(bombs.circles(101, "OPENINGS"))
@@ -113,7 +113,7 @@ def test_many_entities(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_comb_of_overlapping_boxes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Edges whose boxes all overlap would be compared each with each; the pairs are counted first."""
-    monkeypatch.setattr(sheet, "MOST_PAIRS", 10_000)
+    monkeypatch.setattr(drawing, "MOST_PAIRS", 10_000)
     (tmp_path / "plan.dxf").write_text(bombs.comb(400))
     with pytest.raises(InputError, match="more than 10,000 pairs of edges near each other"):
         dxf.read(tmp_path / "plan.dxf")

@@ -9,24 +9,39 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from groundslab.errors import InputError
-from groundslab.model.loads.en1990 import MOST_COMBINATIONS, Action, Factors, combinations
+from groundslab.model.consistency import check_load_cases
+from groundslab.model.loads.en1990 import MOST_COMBINATIONS, check_combine, make_combinations
+from groundslab.model.loads.load_cases import Combination, Combine, LoadCase
 
 SETS = ("ultimate", "characteristic", "frequent", "quasi-permanent")
-G = Action("G", "permanent")
+
+
+def action(
+    name: str, kind: str, psi_0: float = 1.0, psi_1: float = 1.0, psi_2: float = 1.0, group: str = ""
+) -> LoadCase:
+    """Return a load case; all psi are 1 by default."""
+    return LoadCase(name=name, action=kind, psi_0=psi_0, psi_1=psi_1, psi_2=psi_2, group=group)
+
+
+G = action("G", "permanent")
 #: Offices and wind, with the psi of EN 1990, Table A1.1.
-Q = Action("Q", "variable", 0.7, 0.5, 0.3)
-W = Action("W", "variable", 0.6, 0.2, 0.0)
+Q = action("Q", "variable", 0.7, 0.5, 0.3)
+W = action("W", "variable", 0.6, 0.2, 0.0)
 
 
-def sums(actions, *sets: str, factors: Factors | None = None) -> list[str]:
-    """Return the descriptions of the combinations."""
-    return [each.description for each in combinations(actions, sets, factors)]
+def combinations(cases: list[LoadCase], sets: object, factors: dict[str, tuple[float, float]] | None = None) -> tuple:
+    """Return the combinations of some limit states."""
+    return make_combinations(Combine(sets=tuple(sets), **(factors or {})), cases)
 
 
-def parsed(description: str) -> tuple[tuple[str, float], ...]:
-    """Return names and factors from a description."""
-    terms = [term.split(" ", 1) for term in description.split(" + ")]
-    return tuple((name, float(factor)) for factor, name in terms)
+def description(combination: Combination) -> str:
+    """Return a combination as a sum, such as "1.35 G + 1.5 Q"."""
+    return " + ".join(f"{factor:.10g} {name}" for name, factor in combination.factors)
+
+
+def sums(cases: list[LoadCase], *sets: str, factors: dict[str, tuple[float, float]] | None = None) -> list[str]:
+    """Return the combinations as sums."""
+    return [description(each) for each in combinations(cases, sets, factors)]
 
 
 def test_ultimate_by_hand() -> None:
@@ -59,8 +74,10 @@ def test_serviceability_by_hand() -> None:
 
 
 def test_names_and_limit_states() -> None:
-    """Combinations are numbered within their limit state, limit states come in the order asked for, each once."""
-    found = combinations([G, Q], ["quasi-permanent", "ultimate", "quasi-permanent"])
+    """Combinations are numbered within their limit state, limit states come in the given order, each once."""
+    with pytest.raises(InputError, match="each value at most once"):
+        combinations([G, Q], ["quasi-permanent", "ultimate", "quasi-permanent"])
+    found = combinations([G, Q], ["quasi-permanent", "ultimate"])
     assert [each.name for each in found] == [
         "quasi-permanent 1",
         "quasi-permanent 2",
@@ -71,7 +88,7 @@ def test_names_and_limit_states() -> None:
 
 def test_permanent_actions_come_from_one_source() -> None:
     """Several permanent actions are all unfavourable or all favourable, never mixed."""
-    found = sums([G, Action("walls", "permanent"), Q], "ultimate")
+    found = sums([G, action("walls", "permanent"), Q], "ultimate")
     assert found == [
         "1.35 G + 1.35 walls + 1.5 Q",
         "1.35 G + 1.35 walls",
@@ -82,9 +99,9 @@ def test_permanent_actions_come_from_one_source() -> None:
 
 def test_other_partial_factors() -> None:
     """Given factors take the place of the recommended ones, also where a favourable permanent action is left out."""
-    found = sums([G, Q], "ultimate", factors=Factors(permanent=(1.1, 0.9), variable=(1.3, 0.0)))
+    found = sums([G, Q], "ultimate", factors={"permanent": (1.1, 0.9), "variable": (1.3, 0.0)})
     assert found == ["1.1 G + 1.3 Q", "1.1 G", "0.9 G + 1.3 Q", "0.9 G"]
-    assert sums([G, Q], "ultimate", factors=Factors(permanent=(1.35, 0.0))) == [
+    assert sums([G, Q], "ultimate", factors={"permanent": (1.35, 0.0)}) == [
         "1.35 G + 1.5 Q",
         "1.35 G",
         "1.5 Q",
@@ -93,7 +110,7 @@ def test_other_partial_factors() -> None:
 
 def test_winds_of_one_group_by_hand() -> None:
     """Wind from the left and from the right never blow at once, whether leading or accompanying."""
-    left, right = (Action(f"wind {side}", "variable", 0.6, 0.2, 0.0, group="wind") for side in ("left", "right"))
+    left, right = (action(f"wind {side}", "variable", 0.6, 0.2, 0.0, group="wind") for side in ("left", "right"))
     assert sums([G, Q, left, right], "characteristic") == [
         "1 G + 1 Q + 0.6 wind left",
         "1 G + 1 Q + 0.6 wind right",
@@ -108,7 +125,7 @@ def test_winds_of_one_group_by_hand() -> None:
 
 def test_same_sums_come_once() -> None:
     """With psi_0 = 1 it does not matter which action leads."""
-    found = sums([G, Action("A", "variable"), Action("B", "variable")], "characteristic")
+    found = sums([G, action("A", "variable"), action("B", "variable")], "characteristic")
     assert found == ["1 G + 1 A + 1 B", "1 G + 1 A", "1 G + 1 B", "1 G"]
 
 
@@ -116,18 +133,18 @@ PSI = st.sampled_from([0.0, 0.2, 0.3, 0.5, 0.6, 0.7, 1.0])
 
 
 @st.composite
-def lists_of_actions(draw) -> list[Action]:
+def lists_of_actions(draw) -> list[LoadCase]:
     """Draw up to two permanent and four variable actions, in any order, some of them in groups."""
-    actions = [Action(f"dead +{n}", "permanent") for n in range(draw(st.integers(0, 2)))]
+    actions = [action(f"dead +{n}", "permanent") for n in range(draw(st.integers(0, 2)))]
     for n in range(draw(st.integers(0, 4))):
         psi_2, psi_1 = sorted([draw(PSI), draw(PSI)])
-        actions.append(Action(f"live {n}", "variable", draw(PSI), psi_1, psi_2, draw(st.sampled_from(["", "a", "b"]))))
+        actions.append(action(f"live {n}", "variable", draw(PSI), psi_1, psi_2, draw(st.sampled_from(["", "a", "b"]))))
     return draw(st.permutations(actions))
 
 
-def by_brute_force(actions: list[Action], limit_state: str) -> set[frozenset[tuple[str, float]]]:
+def by_brute_force(actions: list[LoadCase], limit_state: str) -> set[frozenset[tuple[str, float]]]:
     """Return all combinations by trying every role (leads, accompanies, absent) of every variable action."""
-    variable = [action for action in actions if action.kind == "variable"]
+    variable = [action for action in actions if action.action == "variable"]
     found = set()
     for roles in itertools.product(["leads", "joins", "absent"], repeat=len(variable)):
         present = [action for action, role in zip(variable, roles, strict=True) if role != "absent"]
@@ -137,7 +154,7 @@ def by_brute_force(actions: list[Action], limit_state: str) -> set[frozenset[tup
         if len(groups) > len(set(groups)) or leads != (1 if needs_leader else 0):
             continue
         for gamma_g, gamma_q in [(1.35, 1.5), (1.0, 1.5)] if limit_state == "ultimate" else [(1.0, 1.0)]:
-            sum_ = {action.name: gamma_g for action in actions if action.kind == "permanent"}
+            sum_ = {action.name: gamma_g for action in actions if action.action == "permanent"}
             for action, role in zip(variable, roles, strict=True):
                 psi = {
                     ("ultimate", "leads"): 1.0,
@@ -157,12 +174,11 @@ def by_brute_force(actions: list[Action], limit_state: str) -> set[frozenset[tup
 
 @settings(max_examples=100, deadline=None, derandomize=True)
 @given(lists_of_actions(), st.sampled_from(SETS))
-def test_all_combinations_and_no_others(actions: list[Action], limit_state: str) -> None:
-    """Each combination comes exactly once, in the order of the actions, and its description says what it is."""
+def test_all_combinations_and_no_others(actions: list[LoadCase], limit_state: str) -> None:
+    """Each combination comes exactly once, in the order of the actions."""
     found = combinations(actions, [limit_state])
     order = [action.name for action in actions]
     for each in found:
-        assert parsed(each.description) == each.factors
         names = [name for name, _ in each.factors]
         assert names == sorted(names, key=order.index)
     assert len({each.name for each in found}) == len(found)
@@ -173,7 +189,7 @@ def test_all_combinations_and_no_others(actions: list[Action], limit_state: str)
 
 def test_too_many_are_refused() -> None:
     """Six variable actions give 2 (1 + 6 * 32) = 386 ultimate combinations, seven 898; sixty are refused at once."""
-    many = [Action(f"Q{n}", "variable", 0.7, 0.5, 0.3) for n in range(60)]
+    many = [action(f"Q{n}", "variable", 0.7, 0.5, 0.3) for n in range(60)]
     assert len(combinations([G, *many[:6]], ["ultimate"])) == 386 <= MOST_COMBINATIONS
     for count in (7, 60):
         with pytest.raises(InputError, match=f"got {count} variable actions, .* by hand"):
@@ -184,41 +200,57 @@ def test_too_many_are_refused() -> None:
 
 def test_many_that_exclude_each_other_are_allowed() -> None:
     """Sixty places of a crane are one choice: 2 (1 + 60) combinations."""
-    places = [Action(f"crane at {n}", "variable", 0.7, 0.5, 0.3, group="crane") for n in range(60)]
+    places = [action(f"crane at {n}", "variable", 0.7, 0.5, 0.3, group="crane") for n in range(60)]
     assert len(combinations([G, *places], ["ultimate"])) == 122
 
 
 @pytest.mark.parametrize(
-    ("action", "message"),
+    ("values", "message"),
     [
-        (Action("", "variable"), "action\\[1\\].name: got ''"),
-        (Action("Q + W", "variable"), "a \\+ standing alone"),
-        (Action(" Q", "variable"), "blanks"),
-        (Action("G", "variable"), "no other action has"),
-        (Action("Q", "snow"), "one of permanent, variable"),
-        (Action("Q", "variable", 1.2), "psi_0: got 1.2"),
-        (Action("Q", "variable", float("nan")), "psi_0: got nan"),
-        (Action("Q", "variable", 0.7, 0.3, 0.5), "psi_2 not larger than psi_1"),
+        (("Q", "snow"), r'action: got "snow", expected "permanent" or "variable"'),
+        (("Q", "variable", 1.2), "psi_0: got 1.2"),
+        (("Q", "variable", float("nan")), "psi_0: got nan"),
+        (("Q", "variable", 0.7, 0.3, 0.5), "psi_2: got 0.5, expected at most psi_1"),
     ],
 )
-def test_faulty_actions(action: Action, message: str) -> None:
+def test_faulty_actions(values: tuple, message: str) -> None:
     """What cannot be combined is refused and named."""
     with pytest.raises(InputError, match=message):
-        combinations([G, action], ["ultimate"])
+        action(*values)
 
 
 @pytest.mark.parametrize(
-    "factors",
-    [Factors(permanent=(1.0, 1.35)), Factors(variable=(1.5, 0.5)), Factors(permanent=(1.35, -1.0))],
+    ("name", "expected"),
+    [
+        ("", "a name"),
+        ("Q + W", "a name that can stand in a sum"),
+        (" Q", "a name that can stand in a sum"),
+        ("G", "a name of its own"),
+    ],
 )
-def test_faulty_factors(factors: Factors) -> None:
+def test_faulty_names(name: str, expected: str) -> None:
+    """Load cases without a name of their own, or with one that cannot stand in a sum, are not combined."""
+    cases = (G, action(name, "variable"))
+    found = [*check_combine(Combine(sets=("ultimate",)), cases, ()), *check_load_cases((), cases)]
+    assert [(issue.place, issue.expected) for issue in found] == [(("cases", 1, "name"), expected)]
+
+
+@pytest.mark.parametrize(
+    ("factors", "message"),
+    [
+        ({"permanent": (1.0, 1.35)}, "the unfavourable factor first"),
+        ({"variable": (1.5, 0.5)}, "favourable are left out"),
+        ({"permanent": (1.35, -1.0)}, "a number at least 0"),
+    ],
+)
+def test_faulty_factors(factors: dict[str, tuple[float, float]], message: str) -> None:
     """Swapped or negative factors are refused, and factors for favourable variable actions."""
-    with pytest.raises(InputError, match="factors"):
+    with pytest.raises(InputError, match=message):
         combinations([G, Q], ["ultimate"], factors)
 
 
 def test_all_faults_come_at_once() -> None:
-    """An unknown limit state is named together with the other faults."""
+    """An unknown limit state is named together with the other issues."""
     with pytest.raises(InputError) as error:
-        combinations([G, G], ["ultimate", "final"], Factors(variable=(1.5, 0.5)))
-    assert len(error.value.issues) == 3
+        combinations([G, Q], ["ultimate", "final"], {"permanent": (1.0, 1.35), "variable": (1.5, -0.5)})
+    assert [issue.location for issue in error.value.issues] == ["Combine.sets[2]", "Combine.variable[2]"]

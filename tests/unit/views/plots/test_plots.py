@@ -22,13 +22,13 @@ from groundslab.fem import vlasov
 from groundslab.model.columns import Column
 from groundslab.model.ground import InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.loads.load_cases import Combination
-from groundslab.model.loads.load_types import LineLoad, PointLoad, Void
+from groundslab.model.loads.load_types import LineLoad, PointLoad
 from groundslab.model.outputs import Output, OutputLine
 from groundslab.model.plate import Edges, Plate, Zone
 from groundslab.model.settings import Contact
 from groundslab.model.shapes import Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
-from groundslab.model.varying_ground import Borehole
+from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import RANGED_FIELDS
 from groundslab.results.results import Combined, Results, alone

@@ -119,8 +119,8 @@ def test_tables_are_added_where_they_belong() -> None:
     text = edited(RAFT, "add", ["columns"], column)
     assert changes(RAFT, text) == block
     assert text.index('name = "Z"') == text.index("[[cases]]") - len('name = "Z"\nx = "1 m"\n\n')
-    text = edited(casefile.STARTER, "add", ["columns"], column)
-    assert sorted(changes(casefile.STARTER, text)) == sorted(block)
+    text = edited(casefile.starter(), "add", ["columns"], column)
+    assert sorted(changes(casefile.starter(), text)) == sorted(block)
     assert text.index("[contact]") < text.index('name = "Z"') < text.index("# Columns on the plate")
     nested = edited(RAFT, "add", ["plate", "openings"], {"kind": "circle", "radius": "1 m"})
     assert nested.index("radius") < nested.index("[[plate.zones]]")
@@ -134,20 +134,20 @@ def test_tables_are_added_where_they_belong() -> None:
 
 def test_tables_on_the_way_are_made() -> None:
     """Setting a key of a section that is not there makes the section; a short table in a table stands on one line."""
-    text = edited(casefile.STARTER, "set", ["mesh", "size"], "0.2 m")
-    assert [line for line in changes(casefile.STARTER, text) if line != "+"] == ["+[mesh]", '+size = "0.2 m"']
-    text = edited(casefile.STARTER, "set", ["plate", "edges", "left"], "hinged")
-    assert changes(casefile.STARTER, text) == ['+edges = {left = "hinged"}']
+    text = edited(casefile.starter(), "set", ["mesh", "size"], "0.2 m")
+    assert [line for line in changes(casefile.starter(), text) if line != "+"] == ["+[mesh]", '+size = "0.2 m"']
+    text = edited(casefile.starter(), "set", ["plate", "edges", "left"], "hinged")
+    assert changes(casefile.starter(), text) == ['+edges = {left = "hinged"}']
     text = edited(text, "set", ["plate", "edges", "top"], "soft")
-    assert changes(casefile.STARTER, text) == ['+edges = {left = "hinged", top = "soft"}']
+    assert changes(casefile.starter(), text) == ['+edges = {left = "hinged", top = "soft"}']
     voids = edited(RAFT, "add", ["contact", "voids"], {"depth": "5 mm"})
     assert [line for line in changes(RAFT, voids) if line != "+"] == ["+[[contact.voids]]", '+depth = "5 mm"']
 
 
 def test_what_is_removed_takes_its_own_comments_only() -> None:
     """A removed load takes the comments within it; the heading of the list and what follows stay."""
-    text = edited(casefile.STARTER, "remove", ["loads", 1])
-    lost = changes(casefile.STARTER, text)
+    text = edited(casefile.starter(), "remove", ["loads", 1])
+    lost = changes(casefile.starter(), text)
     assert all(line.startswith("-") for line in lost)
     noted = [line for line in lost if "#" in line]
     assert noted == ['-kind = "patch"                 # on a rectangle', '-# case = "imposed"']
@@ -167,13 +167,13 @@ def test_what_is_removed_takes_its_own_comments_only() -> None:
 
 def test_ground_of_another_kind() -> None:
     """A table that is replaced keeps its header and comments; lists of tables within it go."""
-    text = edited(casefile.STARTER, "set", ["ground"], {"kind": "winkler", "k": "20 MPa/m"})
+    text = edited(casefile.starter(), "set", ["ground"], {"kind": "winkler", "k": "20 MPa/m"})
     assert tomllib.loads(text)["ground"] == {"kind": "winkler", "k": "20 MPa/m"}
     assert "# The ground under the plate." in text
     assert '# gamma = "iterate"' in text
     assert "# Other kinds of ground" in text
-    back = edited(text, "set", ["ground"], tomllib.loads(casefile.STARTER)["ground"])
-    assert casefile.loads(back) == casefile.loads(casefile.STARTER)
+    back = edited(text, "set", ["ground"], tomllib.loads(casefile.starter())["ground"])
+    assert casefile.loads(back) == casefile.loads(casefile.starter())
 
 
 @pytest.mark.parametrize(

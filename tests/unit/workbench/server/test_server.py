@@ -429,7 +429,7 @@ def test_a_full_disk(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) 
 def test_a_new_document(bench: Bench, case: Path, tmp_path: Path) -> None:
     """A new one starts with the commented case; it has no file until it is saved under a name."""
     state = bench.post("/api/new")
-    assert (state["text"], state["file"], state["dirty"]) == (casefile.STARTER, None, False)
+    assert (state["text"], state["file"], state["dirty"]) == (casefile.starter(), None, False)
     assert bench.post("/api/save", status=422)["error"]["location"] == "file"
     bench.set(["title"], "mine")
     assert len(list((tmp_path / "state" / "unsaved").glob("*.unsaved"))) == 1

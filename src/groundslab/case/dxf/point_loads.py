@@ -7,41 +7,50 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab import units
-from groundslab.case.dxf.beside import Mark, give_texts, value_of, words_of
-from groundslab.case.dxf.drawing import PointMark
-from groundslab.case.dxf.labels import LONGEST, Label, label_of, value_in
-from groundslab.case.dxf.nodes import Nodes
-from groundslab.case.dxf.pieces import spot_of
-from groundslab.case.dxf.sheet import DOUBLE, FARTHEST, Sheet, Source
-from groundslab.case.dxf.words import named
+from groundslab.case.dxf.chaining import PointIndex
+from groundslab.case.dxf.drawing import DOUBLE, FARTHEST, PointMark, ReadContext, Source
+from groundslab.case.dxf.entities import read_position
+from groundslab.case.dxf.labelling import (
+    LONGEST,
+    Label,
+    PendingLoad,
+    assign_texts,
+    choose_value,
+    find_quantity,
+    join_texts,
+    read_label,
+)
+from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
     from ezdxf.entities import DXFEntity, Insert
 
 
-def marks_of(entities: list[tuple[Source, DXFEntity]], tolerance: float, sheet: Sheet) -> list[PointMark]:
+def read_point_loads(
+    entities: list[tuple[Source, DXFEntity]], tolerance: float, context: ReadContext
+) -> list[PointMark]:
     """Return the point loads with the values that stand beside them or in their attributes."""
     from ezdxf.entities import Insert
     from shapely import points
 
-    marks: list[Mark] = []
+    marks: list[PendingLoad] = []
     texts: list[Label] = []
-    nodes = Nodes(tolerance)
+    nodes = PointIndex(tolerance)
     for source, entity in entities:
         try:
-            text = label_of(source, entity, sheet)
-            spot = spot_of(entity, sheet)
+            text = read_label(source, entity, context)
+            spot = read_position(entity, context)
         except Exception as error:  # of any kind, as what is damaged may be anything
-            sheet.issue([source], None, f"a damaged entity ({error})", "a point load or a text")
+            context.issue([source], None, f"a damaged entity ({error})", "a point load or a text")
             continue
         if text is not None:
             texts.append(text)
         elif spot is None:
-            sheet.tell(source, False, "a point load is a POINT, a CIRCLE or a block")
+            context.report_entity(source, False, "a point load is a POINT, a CIRCLE or a block")
         else:
-            radius = sheet.metres(abs(entity.dxf.radius)) if entity.dxftype() == "CIRCLE" else 0.0
+            radius = context.to_meters(abs(entity.dxf.radius)) if entity.dxftype() == "CIRCLE" else 0.0
             radius = radius if radius < FARTHEST else 0.0
-            mark = Mark(source, spot, None, radius)
+            mark = PendingLoad(source, spot, None, radius)
             if isinstance(entity, Insert):
                 _read_attributes(entity, mark)
             number = nodes.number(spot)
@@ -49,27 +58,27 @@ def marks_of(entities: list[tuple[Source, DXFEntity]], tolerance: float, sheet: 
                 marks.append(mark)
             else:
                 _merge(marks[number], mark)
-                sheet.tell(source, False, DOUBLE)
+                context.report_entity(source, False, DOUBLE)
     for mark, shape in zip(marks, points(np.reshape([mark.point for mark in marks], (-1, 2))), strict=True):
         mark.shape = shape.buffer(mark.size) if mark.size else shape
-    give_texts(marks, texts, "point_loads", sheet)
-    return [_point_mark(mark, sheet) for mark in marks]
+    assign_texts(marks, texts, "point_loads", context)
+    return [_point_mark(mark, context) for mark in marks]
 
 
-def _read_attributes(insert: Insert, mark: Mark) -> None:
+def _read_attributes(insert: Insert, mark: PendingLoad) -> None:
     """Give a mark what the attributes of its block say."""
     for attribute in insert.attribs:
         words = attribute.plain_text().strip()[:LONGEST]
-        value = value_in(words)
+        value = find_quantity(words)
         if isinstance(value, float):
             mark.values.append(value)
         elif isinstance(value, str):
-            mark.unclear.append(f"{attribute.dxf.tag} = {named(words)}")
+            mark.unclear.append(f"{attribute.dxf.tag} = {describe(words)}")
         if words:
             mark.texts.append(words)
 
 
-def _merge(mark: Mark, double: Mark) -> None:
+def _merge(mark: PendingLoad, double: PendingLoad) -> None:
     """Add what a mark at the same place knows."""
     mark.size = max(mark.size, double.size)
     mark.values += [value for value in double.values if value not in mark.values]
@@ -77,9 +86,9 @@ def _merge(mark: Mark, double: Mark) -> None:
     mark.unclear += double.unclear
 
 
-def _point_mark(mark: Mark, sheet: Sheet) -> PointMark:
+def _point_mark(mark: PendingLoad, context: ReadContext) -> PointMark:
     """Return a point load for the result."""
-    value = value_of(mark, "point_loads", sheet)
+    value = choose_value(mark, "point_loads", context)
     why = "point load, no value" if value is None else f"point load of {units.show(value, 'force')}"
-    sheet.tell(mark.source, True, why)
-    return PointMark(*mark.point, value, words_of(mark))
+    context.report_entity(mark.source, True, why)
+    return PointMark(*mark.point, value, join_texts(mark))

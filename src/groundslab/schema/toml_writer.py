@@ -1,4 +1,4 @@
-"""Values, pairs and tables as TOML text."""
+"""TOML text of values, key-value pairs and tables."""
 
 from __future__ import annotations
 

@@ -1,0 +1,227 @@
+"""Texts in a drawing, the quantities in them, and which load each belongs to."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab import units
+from groundslab.case.dxf.drawing import FARTHEST, ReadContext, Source
+from groundslab.geometry.bulges import Point
+from groundslab.schema.wording import describe
+
+if TYPE_CHECKING:
+    from ezdxf.entities import DXFEntity
+    from shapely.geometry.base import BaseGeometry
+
+
+_STARTS = re.compile(r"(?:^|(?<=[\s=:]))(?=[+-]?\.?[0-9])", re.MULTILINE)
+_FIRM = re.compile(r"^(?:|.*[=:])\s*(?=[+-]?\.?[0-9])", re.MULTILINE)
+_WITH_UNIT = re.compile(rf"{units.NUMBER}\s*[A-Za-z]+")
+_WITH_UNITS = re.compile(rf"{units.NUMBER}\s*[A-Za-z]+(?:\s?/\s?[A-Za-z]+(?:\^?2|²)?)?")
+#: What a load is given in, by what its layer holds.
+DIMENSION = {"point_loads": "force", "line_loads": "force per length", "area_loads": "pressure"}
+LONGEST = 200  # letters of a text, of which no more is read
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """Something written: its words, the value in it or why it is none, and the line that it stands on."""
+
+    source: Source
+    words: str
+    value: float | str | None
+    start: Point
+    end: Point
+    height: float
+
+
+def find_quantity(words: str, dimension: str = "force") -> float | str | None:
+    """Return the force in a text, or what is wrong with it, or None if the text is only a name.
+
+    What begins with a number, or has one after = or :, is meant to be a value; so is any force in it. The same of a
+    force per length or a pressure, if that is the dimension; then any of the three is meant to be a value.
+    """
+    meant = _WITH_UNIT if dimension == "force" else _WITH_UNITS
+    found = meant.findall(words)
+    values = [each for each in found if isinstance(_quantity(each, dimension), float)]
+    if len(values) > 1:
+        return f"more than one {dimension}"
+    firm = _FIRM.search(words)
+    if firm:
+        return _quantity(words[firm.end() :].split("\n")[0], dimension)
+    read = [_quantity(words[start.end() :].split("\n")[0], dimension) for start in _STARTS.finditer(words)]
+    numbers = [each for each in read if isinstance(each, float)]
+    if numbers:
+        return numbers[0]
+    if any(isinstance(_quantity(each, other), float) for each in found for other in {dimension, *_others(dimension)}):
+        return "it is not a name, a number and a unit" if values else f"it is no {dimension}"
+    return None
+
+
+def find_layer_quantity(words: str, dimension: str) -> float | str | None:
+    """Return the value in what stands behind the name of a layer; "kN_m" is kN/m, as no layer may hold a slash."""
+    words = words.replace("_", " ")[:LONGEST]
+    value = find_quantity(words, dimension)
+    if isinstance(value, float):
+        return value
+    divided = find_quantity(re.sub(r"(?<=[A-Za-z])[ -]+(?=m\^?2?\b)", "/", words), dimension)
+    return divided if isinstance(divided, float) else value
+
+
+def _others(dimension: str) -> set[str]:
+    """Return what else a value may be meant to be; beside points forces alone are."""
+    return set() if dimension == "force" else set(DIMENSION.values())
+
+
+def _quantity(words: str, dimension: str) -> float | str:
+    """Return a quantity of a dimension, or why the words are none."""
+    try:
+        return units.parse(words, dimension)
+    except units.QuantityError as error:
+        return error.reason
+
+
+def read_label(source: Source, entity: DXFEntity, context: ReadContext, dimension: str = "force") -> Label | None:
+    """Return what a TEXT, ATTRIB or MTEXT says and where, None for anything else."""
+    from ezdxf.entities import MText, Text
+    from ezdxf.math import Vec3
+
+    if isinstance(entity, Text):
+        alignment, at, _ = entity.get_placement()
+        words, height, angle = entity.plain_text(), entity.dxf.height, entity.dxf.rotation
+        shift = {"RIGHT": 1.0, "CENTER": 0.5, "MIDDLE": 0.5}.get(alignment.name.rpartition("_")[2], 0.0)
+        place = entity.ocs().to_wcs(at)
+        along = entity.ocs().to_wcs(Vec3.from_deg_angle(angle))
+    elif isinstance(entity, MText):
+        words, height, place = entity.plain_text(), entity.dxf.char_height, entity.dxf.insert
+        shift = (entity.dxf.attachment_point - 1) % 3 / 2
+        along = Vec3.from_deg_angle(entity.get_rotation())
+    else:
+        return None
+    words = words if len(words) <= LONGEST else words[: LONGEST - 3] + "..."
+    width = 0.7 * height * max(map(len, words.splitlines()), default=0)
+    height = min(abs(height), FARTHEST)
+    start = place - along * (shift * width)
+    words = "\n".join(" ".join(line.split()) for line in words.splitlines()).strip()
+    spots = context.point(start), context.point(start + along * width)
+    return Label(source, words, find_quantity(words, dimension), *spots, context.to_meters(height))
+
+
+NEAR = 10  # heights of a text between it and the load that it belongs to
+NEAREST = 8  # loads of which one may be that of a text
+MOST_BESIDE = 20_000_000  # pairs of texts and loads that are looked at
+HALVINGS = 12  # of the distance within which loads are sought first
+AT_ONCE = 256  # texts
+
+
+def find_nearest_loads(
+    texts: Sequence[Label], shapes: Sequence[BaseGeometry | None], context: ReadContext
+) -> Iterator[tuple[float, int, int]]:
+    """Yield distance [m], text and shape of the few shapes that are nearest to each text and near enough to be its."""
+    import shapely
+
+    if not texts or not shapes:
+        return
+    lines = shapely.linestrings([(text.start, text.end) for text in texts])
+    reach = NEAR * np.array([text.height for text in texts])
+    every = np.array(shapes, dtype=object)
+    tree = shapely.STRtree(every)
+    left = np.arange(len(texts))
+    for halvings in range(HALVINGS, -1, -1):
+        # in twice the distance at a time: of many shapes within reach only the nearest are ever met
+        within = reach * 0.5**halvings
+        again = []
+        for first in range(0, len(left), AT_ONCE):
+            some = left[first : first + AT_ONCE]
+            t, s = tree.query(lines[some], predicate="dwithin", distance=within[some])
+            context.count_work(len(t), MOST_BESIDE, "pairs of texts and loads near each other", "write smaller texts")
+            count = np.bincount(t, minlength=len(some))
+            done = (count >= NEAREST) | (halvings == 0)
+            again.append(some[~done])
+            keep = done[t]
+            t, s = some[t[keep]], s[keep]
+            yield from _keep_nearest(shapely.distance(lines[t], every[s]), t, s)
+        left = np.concatenate(again)
+        if not len(left):
+            return
+
+
+def _keep_nearest(gap: np.ndarray, text: np.ndarray, shape: np.ndarray) -> Iterator[tuple[float, int, int]]:
+    """Yield the first few of each text, the smallest distances first."""
+    order = np.lexsort((shape, gap, text))
+    gap, text, shape = gap[order], text[order], shape[order]
+    starts = np.flatnonzero(np.diff(text, prepend=-1))
+    rank = np.arange(len(text)) - np.repeat(starts, np.diff(np.append(starts, len(text))))
+    few = rank < NEAREST
+    yield from zip(gap[few].tolist(), text[few].tolist(), shape[few].tolist(), strict=True)
+
+
+@dataclass(slots=True)
+class PendingLoad:
+    """A load while its value is sought."""
+
+    source: Source
+    point: Point
+    shape: BaseGeometry | None  # what texts stand beside
+    size: float = 0.0  # of loads in which a text stands, it is that of the smallest
+    values: list[float] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
+    unclear: list[str] = field(default_factory=list)
+
+
+def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str, context: ReadContext) -> None:
+    """Give each text to the nearest mark; the nearest pairs first, and one value to a mark."""
+    what = role.replace("_", " ").removesuffix("s")
+    pairs = (
+        (gap, marks[m].size, t, m) for gap, t, m in find_nearest_loads(texts, [mark.shape for mark in marks], context)
+    )
+    given: set[int] = set()
+    near: set[int] = set()
+    for _, _, t, m in sorted(pairs):
+        text, mark = texts[t], marks[m]
+        near.add(t)
+        if t in given or (isinstance(text.value, float) and mark.values):
+            continue
+        given.add(t)
+        mark.texts.append(text.words)
+        if isinstance(text.value, float):
+            mark.values.append(text.value)
+        where = f"{mark.source.entity} {mark.source.handle}".strip()
+        context.report_entity(text.source, True, f"{describe(text.words)}, beside {where}")
+    expected = units.expectation(DIMENSION[role])
+    for t, text in enumerate(texts):
+        if isinstance(text.value, str):
+            context.issue([text.source], text.start, describe(text.words), expected, text.value)
+        elif t in given:
+            continue
+        elif text.value is None:
+            context.report_entity(text.source, False, f"{describe(text.words)}, which stands beside no {what}")
+        elif t in near:
+            hint = "write the sum, or move the text nearer to its own load"
+            context.issue(
+                [text.source], text.start, f"{describe(text.words)}, a second value", "one value a load", hint
+            )
+        else:
+            hint = f"draw the load, at most {NEAR} heights of the text away, or move the text to another layer"
+            context.issue([text.source], text.start, describe(text.words), f"a {what} beside the value", hint)
+
+
+def choose_value(mark: PendingLoad, role: str, context: ReadContext) -> float | None:
+    """Return the value of a load, None if it has none; several, or one that cannot be read, are issues."""
+    dimension = DIMENSION[role]
+    if len(mark.values) > 1:
+        shown = " and ".join(units.show(value, dimension) for value in mark.values)
+        context.issue([mark.source], mark.point, shown, "one value a load", "write the sum")
+    if mark.unclear and not mark.values:
+        context.issue([mark.source], mark.point, ", ".join(mark.unclear), units.expectation(dimension), "add the unit")
+    return mark.values[0] if mark.values else None
+
+
+def join_texts(mark: PendingLoad) -> str:
+    """Return what is written beside a load."""
+    return " ".join(" ".join(mark.texts).split())
