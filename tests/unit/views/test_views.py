@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -17,8 +18,9 @@ import pytest
 from rich.console import Console
 
 from groundslab.errors import GroundslabError, InputError
-from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
 from groundslab.results.results import SupportResult
+from groundslab.units import UNITS, format_number
 from groundslab.views.files import npz, vtk
 from groundslab.views.summary import combinations, progress, single, terminal
 from helpers import synthetic
@@ -122,10 +124,10 @@ class TestSummary:
     def test_units_of_display_agree_with_si(self) -> None:
         """Every factor from SI to the unit of display is the one that pint finds."""
         registry = pint.UnitRegistry()
-        units = [single._unit(name) for name in PLATE_FIELDS]
-        units += [single.MODULUS, single.STIFFNESS, single.SHEAR_STIFFNESS, single.FORCE]
-        for unit in units:
-            shown, si = (text.replace("kNm", "kN m").replace(" ", " * ") for text in (unit.shown, unit.si))
+        assert {about.unit for about in (PLATE_FIELDS | POINT_FIELDS).values()} <= UNITS.keys()
+        for unit in UNITS.values():
+            texts = (re.sub(r"(m|cm)2", r"\1**2", text.replace("kNm", "kN m")) for text in (unit.name, unit.si))
+            shown, si = (text.replace(" ", " * ").replace("%", "percent") for text in texts)
             assert registry.Quantity(1.0, si).to(shown).magnitude == pytest.approx(unit.scale), unit
 
 
@@ -224,7 +226,7 @@ class TestTable:
     )
     def test_numbers_have_five_digits(self, value: float, text: str) -> None:
         """Five significant digits, an exponent only where needed."""
-        assert terminal.number(value) == text
+        assert format_number(value) == text
 
     def test_progress_names_the_step(self) -> None:
         """The line of progress changes with each step and says where the iteration is."""
@@ -342,7 +344,7 @@ class TestVtu:
         assert [block.type for block in mesh.cells] == ["quad9"]
         assert np.array_equal(mesh.cells[0].data, results.plate.elements)
         for name, field in PLATE_FIELDS.items():
-            array = mesh.point_data[vtk.array_name(name)]
+            array = mesh.point_data[PLATE_FIELDS[name].name]
             assert np.allclose(array, getattr(results.plate, name) * field.scale, rtol=1e-15, atol=0)
         assert np.array_equal(mesh.point_data["in contact"], results.plate.in_contact)
         assert "settlement w [mm]" in mesh.point_data

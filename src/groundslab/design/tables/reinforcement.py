@@ -10,11 +10,12 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.design_moments import DesignMoments, wood_armer
 from groundslab.design.envelope import Envelope, envelope
 from groundslab.design.reinforcement import Axes, Concrete, SlabReinforcement, Steel, minimum, required, slab
-from groundslab.design.tables.quantities import LAYERS, extreme, place, solved
+from groundslab.design.tables.quantities import solved
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tables.thickness import of_nodes, of_sections, section_of_nodes
 from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
+from groundslab.results.fields import LAYERS, extreme_node, place_of
 from groundslab.results.results import Combined, PlateResult, Results
 
 #: From m2/m to cm2/m.
@@ -125,8 +126,8 @@ def _largest(designs: dict[str, DesignMoments], layer: str) -> tuple[Array, Enve
 
 def _peak(plate: PlateResult, nodes: Integers, sizes: Array, by: Envelope) -> _Peak:
     """Return the largest of design moments (n,) on some nodes."""
-    node = nodes[extreme(plate.nodes[nodes], sizes[nodes], 1)]
-    return float(sizes[node]), place(plate.nodes, int(node)), by.names[by.greatest_by[node]]
+    node = nodes[extreme_node(plate.nodes[nodes], sizes[nodes], 1)]
+    return float(sizes[node]), place_of(plate.nodes, int(node)), by.names[by.greatest_by[node]]
 
 
 def _need(layer: str, section: int, t: float, steel: Reinforcement, moments: list[_Peak], shares: list[float]) -> Need:

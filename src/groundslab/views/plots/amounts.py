@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from groundslab.design.tables.quantities import AMOUNTS
 from groundslab.errors import InputError, Issue
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.schema.wording import listed, quote, suggestion
 from groundslab.views.plots.style import symbol
 
@@ -53,13 +52,13 @@ class Amount:
 
 
 def _amount(name: str) -> Amount:
-    about = AMOUNTS[name]
+    about = RANGED_FIELDS[name]
     sign, meaning = MADE[name] if name in MADE else (symbol(PLATE_FIELDS[name].symbol), PLATE_FIELDS[name].meaning)
     return Amount(name, sign, about.unit, about.scale, meaning)
 
 
 #: A force along the edge is no field over the plate; plans of the pressure tell its largest.
-KNOWN = {name: _amount(name) for name in AMOUNTS if name != LINE_FORCE}
+KNOWN = {name: _amount(name) for name in RANGED_FIELDS if name != LINE_FORCE}
 #: Symbols serve as names too.
 SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from groundslab.design.envelope import envelope
-from groundslab.design.tables.quantities import extreme, nodal, place
+from groundslab.design.tables.quantities import nodal
 from groundslab.results.contact_zone import contact_function, contact_share, has_line_force
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
 from groundslab.views.plots.amounts import NOT_ABOVE, NOT_BELOW, Amount
 from groundslab.views.plots.scale import Scale, scale_of
 from groundslab.views.plots.symbols import in_combination
@@ -74,8 +74,7 @@ def _line_force(amount: Amount, several: Sequence[Results]) -> tuple[float, tupl
     for plate in (results.plate for results in several):
         on_edge = np.flatnonzero(plate.edge_length > 0)
         nodes, values = plate.nodes[on_edge], plate.line_force[on_edge] * PLATE_FIELDS[LINE_FORCE].scale
-        node = extreme(nodes, values, 1)
-        found.append((float(values[node]), place(nodes, node)))
+        found.append(extreme(nodes, values, 1))
     return max(found)
 
 
@@ -131,10 +130,10 @@ def extremes_of(view: View) -> list[Extreme]:
     nodes, values = view.nodes, view.values
     size = np.abs(values).max()
     for word, sign in (("largest", 1), ("smallest", -1)):
-        node = extreme(nodes, values, sign)
+        node = extreme_node(nodes, values, sign)
         if abs(values[node]) > 1e-9 * size:
             whose = "" if view.governs is None else view.governs[0][view.governs[1][node]]
-            found.append(Extreme(word, float(values[node]), place(nodes, node), whose))
+            found.append(Extreme(word, float(values[node]), place_of(nodes, node), whose))
     if len(found) == 2 and found[0].value - found[1].value <= 1e-9 * size:
         del found[1]
     return found

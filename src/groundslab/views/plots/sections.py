@@ -10,8 +10,9 @@ import numpy as np
 
 from groundslab.design.envelope import envelope
 from groundslab.design.section_cuts import SectionCut, along
-from groundslab.design.tables.quantities import LISTED, listed
+from groundslab.design.tables.quantities import listed
 from groundslab.errors import InputError, Issue
+from groundslab.results.fields import POINT_FIELDS
 from groundslab.views.plots import symbols
 from groundslab.views.plots.amounts import DOWNWARDS, Amount
 from groundslab.views.plots.heads import Words, write_above
@@ -58,7 +59,7 @@ def curves_of(wish: Wish) -> list[Curves]:
         except InputError as error:
             missed += [replace(issue, location=f"line {cut.name}".rstrip()) for issue in error.issues]
             continue
-        values = [dict(zip(LISTED, listed(section.values), strict=True)) for section in sections]
+        values = [dict(zip(POINT_FIELDS, listed(section.values), strict=True)) for section in sections]
         names = tuple(each.name for each in wish.drawn)
         rows = {amount.name: np.stack([each[amount.name] for each in values]) for amount in wish.amounts}
         band = bool(wish.envelope) or len(names) > len(CYCLE)

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from groundslab.units import format_number
 from groundslab.views.report import svg
 from groundslab.views.report.table_layout import MOST_ROWS, Cell, Grid, Head
-from groundslab.views.summary.terminal import number
 
 if TYPE_CHECKING:
     from markupsafe import Markup
@@ -34,7 +34,7 @@ def history(found: Sequence[Entry]) -> Grid:
             Cell(entry.combination.name),
             Cell(str(step.unknowns), "number"),
             Cell(str(step.increment), "number"),
-            Cell("-" if step.gamma is None else number(step.gamma), "number"),
+            Cell("-" if step.gamma is None else format_number(step.gamma), "number"),
             Cell(str(step.iteration), "number"),
             Cell(str(step.in_contact), "number"),
             Cell(str(step.changed), "number"),

@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.units import show
+from groundslab.units import UNITS, Unit, format_number, show
 from groundslab.views.report import svg
-from groundslab.views.summary.single import SHEAR_STIFFNESS, STIFFNESS, Unit
-from groundslab.views.summary.terminal import number
 
 if TYPE_CHECKING:
     from markupsafe import Markup
@@ -94,13 +92,13 @@ def _words(layer: Stratum, number_of: int) -> tuple[str, str]:
 def _constants(profile: Profile) -> Iterator[str]:
     """Yield gamma, k0 and k1 as lines; of layers that have their own only if they are few."""
     if profile.gamma is not None:
-        yield f"γ = {number(profile.gamma)}"
+        yield f"γ = {format_number(profile.gamma)}"
     constants: tuple[tuple[str, tuple[float, ...], Unit], ...] = (
-        ("k0", profile.k0, STIFFNESS), ("k1", profile.k1, SHEAR_STIFFNESS),
+        ("k0", profile.k0, UNITS["MPa/m"]), ("k1", profile.k1, UNITS["MPa m"]),
     )  # fmt: skip
     for name, values, unit in constants:
         if 0 < len(values) <= 3:
-            yield f"{name} = {', '.join(number(value * unit.scale) for value in values)} {unit.shown}"
+            yield f"{name} = {', '.join(format_number(value * unit.scale) for value in values)} {unit.name}"
 
 
 def _depths(strata: Sequence[Stratum]) -> list[float]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.results.results import alone
+from groundslab.units import format_number
 from groundslab.views.summary import combinations
 from groundslab.views.summary.single import Row, SummarySection, certified_words, summary
 
@@ -91,8 +91,8 @@ def _entry(entry: Entry) -> Iterator[Text]:
     yield from (Text(f"    {line}", style="bold") for line in more)
     if entry.results is not None:
         f = combinations.figures(entry.results)
-        values = [number(f.load / 1e3), number(f.settlement * 1e3), number(f.uplift * 1e3), number(f.contact * 100)]
-        line = Text("   " + "".join(f"{value:>12}" for value in (*values, f.iterations)))
+        figures = (f.load / 1e3, f.settlement * 1e3, f.uplift * 1e3, f.contact * 100)
+        line = Text("   " + "".join(f"{value:>12}" for value in (*map(format_number, figures), f.iterations)))
         if entry.refused is None:
             line.append("  ok", style="green")
         yield line
@@ -170,7 +170,7 @@ def print_history(steps: Sequence[Step], console: Console) -> None:
     table.add_column("nodes\nchanged", justify="right", no_wrap=True)
     table.add_column("", no_wrap=True)
     for step in steps:
-        gamma = "-" if step.gamma is None else number(step.gamma)
+        gamma = "-" if step.gamma is None else format_number(step.gamma)
         counts = (step.iteration, step.in_contact, step.changed)
         cells = (
             str(step.unknowns),
@@ -183,16 +183,6 @@ def print_history(steps: Sequence[Step], console: Console) -> None:
     console.print(Padding(table, (0, 0, 0, 2)))
     if any(step.finest for step in steps):
         console.print(Text("  * on the mesh that was asked for", style="dim"))
-
-
-def number(value: float) -> str:
-    """Return a number with five significant digits, without an exponent where that is readable."""
-    if value == 0:
-        return "0"
-    if not 1e-3 <= abs(value) < 1e7:
-        return f"{value:.4e}"
-    decimals = max(0, 4 - math.floor(math.log10(abs(value))))
-    return f"{value:.{decimals}f}"
 
 
 def _line(row: Row, taken: int = 0) -> Text:
@@ -230,7 +220,7 @@ def shown_row(row: Row) -> Shown:
         return Shown(row.value)
     if row.ok is not None:
         return Shown(f"{row.value:.1e}")
-    scale, unit = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.shown)
-    figure = str(row.value) if isinstance(row.value, int) else number(row.value * scale)
+    scale, unit = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.name)
+    figure = str(row.value) if isinstance(row.value, int) else format_number(row.value * scale)
     place = "" if row.place is None else "({:.3f}, {:.3f})".format(*(round(x, 3) + 0.0 for x in row.place))
     return Shown(figure, unit, place)

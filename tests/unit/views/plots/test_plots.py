@@ -16,7 +16,7 @@ import pytest
 
 import groundslab
 from groundslab.cli import main
-from groundslab.design.tables.quantities import AMOUNTS, nodal
+from groundslab.design.tables.quantities import nodal
 from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
 from groundslab.model.columns import Column
@@ -30,6 +30,7 @@ from groundslab.model.shapes import Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole
 from groundslab.results.contact_zone import contact_function
+from groundslab.results.fields import RANGED_FIELDS
 from groundslab.results.results import Combined, Results, alone
 from groundslab.views import plots
 from groundslab.views.files import results_folder
@@ -224,7 +225,7 @@ class TestPlan:
             assert (axes.get_xlabel(), axes.get_ylabel()) == ("x [m]", "y [m]")
             assert axes.get_aspect() == 1.0
             (bar,) = axes.child_axes
-            assert bar.get_ylabel() == f"{amount.symbol} [{AMOUNTS[amount.name].unit.replace('kNm', 'kN m')}]"
+            assert bar.get_ylabel() == f"{amount.symbol} [{RANGED_FIELDS[amount.name].unit.replace('kNm', 'kN m')}]"
             assert any(text.get_text().lower() == amount.meaning.lower() for text in axes.texts)
 
     def test_bars_cover_the_values_that_are_drawn(self) -> None:

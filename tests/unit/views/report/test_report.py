@@ -24,6 +24,7 @@ from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Combined, Constants, SupportResult
 from groundslab.results.soil_profile import profiles_of
+from groundslab.units import format_number
 from groundslab.views import report
 from groundslab.views.files import results_folder
 from groundslab.views.report import html as document
@@ -38,7 +39,7 @@ from groundslab.views.report.svg import Labels, element
 from groundslab.views.report.table_layout import MOST_COLUMNS, digest_of, grid_of, parts_of, pieces_of, pieces_of_words
 from groundslab.views.scene.binary import LEVELS, unpacked, values_of
 from groundslab.views.summary import single
-from groundslab.views.summary.terminal import number, shown_row
+from groundslab.views.summary.terminal import shown_row
 from helpers import synthetic
 from helpers.pages import Element, page
 
@@ -275,7 +276,7 @@ class TestNumbers:
             assert part.one("h3").text == table.title
             assert all(note in part.text for note in table.notes)
             cells = [
-                "" if value is None else number(value) if isinstance(value, float) else str(value)
+                "" if value is None else format_number(value) if isinstance(value, float) else str(value)
                 for value in table.columns[-1].values
             ]
             whole = [rows for _, rows in grids(part) if len(rows) == len(table)]
@@ -287,9 +288,9 @@ class TestNumbers:
         rows = {tuple(row[:2]): row for _, found in grids(root.one("section", id="extremes")) for row in found}
         second = plain.combinations[1].name
         assert rows["largest settlement", "w"] == [
-            "largest settlement", "w", number(56.0), "mm", "(0.000, 0.000)", second,
+            "largest settlement", "w", format_number(56.0), "mm", "(0.000, 0.000)", second,
         ]  # fmt: skip
-        assert rows["largest moment", "mx"][2:4] == [number(100.0), "kNm/m"]
+        assert rows["largest moment", "mx"][2:4] == [format_number(100.0), "kNm/m"]
 
     def test_figures_are_written_as_in_the_summary(self) -> None:
         """Value, unit and place of each extreme are the texts of the summary's rows."""
@@ -435,8 +436,8 @@ class TestSize:
             "combination",
         ]
         settlements = table["settlement w"]
-        assert rows[0][3] == number(min(settlements))
-        assert rows[0][6] == number(max(settlements))
+        assert rows[0][3] == format_number(min(settlements))
+        assert rows[0][6] == format_number(max(settlements))
         assert rows[0][8] == combined.combinations[1].name
         assert len(list(found.all("details"))) > 0
         monkeypatch.setattr("groundslab.views.report.content.MOST_IN_FILE", 50)
