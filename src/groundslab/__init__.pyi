@@ -3,7 +3,6 @@ from . import study as study
 from ._version import __version__ as __version__
 from .analysis.driver import check as check
 from .analysis.driver import solve as solve
-from .analysis.driver import solve_combinations as solve_combinations
 from .case.casefile import load as load
 from .design.tables import tables_of as tables_of
 from .errors import GroundslabError as GroundslabError

@@ -13,16 +13,9 @@ from groundslab.model.loads.load_cases import Combination, LoadCase
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
-from groundslab.results.results import (
-    Certificate,
-    Combined,
-    Constants,
-    ElementResult,
-    GroundResult,
-    PlateResult,
-    Results,
-    Step,
-)
+from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.results import Combined, Results
 
 LENGTH_X, LENGTH_Y = 9.6, 7.2
 K0, K1 = 20e6, 30e6

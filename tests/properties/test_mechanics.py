@@ -286,8 +286,8 @@ def test_symmetry_on_equals_symmetry_off(
         )
         for symmetry in ("auto", "off")
     )
-    assert on.symmetry == (True, two)
-    assert off.symmetry == (False, False)
+    assert on.only.symmetry == (True, two)
+    assert off.only.symmetry == (False, False)
     # by elements, as several nodes lie at one place on the edge of a void
     one, other = on.plate, off.plate
     apart = np.linalg.norm(one.nodes[one.elements][:, :, None] - other.nodes[other.elements][:, None], axis=3)

@@ -497,7 +497,7 @@ def _schema(_: argparse.Namespace) -> int:
 
 def _not_converged(error: NotConverged) -> None:
     """Print what did not converge, and how."""
-    from groundslab.results.results import Step
+    from groundslab.results.record import Step
 
     steps = [step for step in error.history if isinstance(step, Step)]
     say(f"error: {error.what} did not converge in {len(error.history)} steps; the last of them:")

@@ -12,11 +12,12 @@ import pytest
 import groundslab as g
 from groundslab.errors import InputError
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import MOST_NAMED, Results
+from groundslab.results.mesh_results import MOST_NAMED
+from groundslab.results.results import Combined
 
 
 @cache
-def corner_loaded() -> Results:
+def corner_loaded() -> Combined:
     """Return a plate of 6 m x 4 m with a load off its middle, on two layers that reach beyond it."""
     layers = [g.SoilLayer(thickness=2, E=20e6, nu=0.3), g.SoilLayer(thickness=4, E=60e6, nu=0.3)]
     return g.solve(

@@ -23,7 +23,8 @@ from groundslab.model.loads.load_types import (
 )
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
-from groundslab.results.results import PlateResult, Results
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import Results
 
 if TYPE_CHECKING:
     from shapely import Polygon

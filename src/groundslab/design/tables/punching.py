@@ -20,7 +20,8 @@ from groundslab.model.columns import Column
 from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 from groundslab.model.supports import LineSupport
-from groundslab.results.results import Combined, PlateResult, Results
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import Combined, Results
 
 if TYPE_CHECKING:
     from shapely import Polygon

@@ -16,7 +16,8 @@ from groundslab.design.tables.thickness import of_nodes, of_sections, section_of
 from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import LAYERS, extreme_node, place_of
-from groundslab.results.results import Combined, PlateResult, Results
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import Combined, Results
 
 #: From m2/m to cm2/m.
 CM2 = 1e4

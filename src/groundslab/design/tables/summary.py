@@ -8,7 +8,7 @@ from groundslab.design.tables.quantities import nodal, ranged, solved
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
 from groundslab.model.loads.load_cases import Combination
-from groundslab.results.contact_zone import EDGE_NOTE, contact_share, has_line_force
+from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
 from groundslab.results.fields import extreme
 from groundslab.results.results import Combined, Results
 
@@ -62,7 +62,7 @@ def _figures(results: Results) -> list[Cell]:
         certificate.reaction / 1e3,
         float(plate.settlement.max() * 1e3),
         max(0.0, float(-plate.settlement.min() * 1e3)),
-        100 * contact_share(plate),
+        100 * plate.contact_share,
         float(plate.pressure.max() / 1e3),
         line_force,
         worst,

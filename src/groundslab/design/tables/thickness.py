@@ -9,7 +9,7 @@ from groundslab.discretize.nodal_loads import materials
 from groundslab.geometry.plan import sections
 from groundslab.model.model import Model
 from groundslab.model.supports import plan_of_plate
-from groundslab.results.results import PlateResult
+from groundslab.results.mesh_results import PlateResult
 
 
 def section_of_elements(model: Model, plate: PlateResult) -> Integers:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from groundslab.errors import InputError, Issue
-from groundslab.results.contact_zone import contact_share
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
 from groundslab.results.results import Combined, Results
 
@@ -263,7 +262,7 @@ _FIGURE: dict[str, Callable[[Results, Output], float | None]] = {
     "load": lambda results, _: results.certificate.load,
     "reaction": lambda results, _: results.certificate.reaction,
     "settlement difference": lambda results, _: float(np.ptp(results.plate.settlement)),
-    "in contact": lambda results, _: contact_share(results.plate),
+    "in contact": lambda results, _: results.plate.contact_share,
     "tilt": _tilt("tilt"),
     "tilt x": _tilt("tilt_x"),
     "tilt y": _tilt("tilt_y"),

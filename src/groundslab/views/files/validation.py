@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from groundslab.results.results import ElementResult, GroundResult, Increment, PlateResult, Results, SupportResult
+    from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+    from groundslab.results.results import Increment, Results, SupportResult
 
     State = Results | Increment
 

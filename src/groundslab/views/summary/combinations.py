@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.errors import NotCertified, NotConverged
-from groundslab.results.contact_zone import contact_share, goes_below_zero
+from groundslab.results.contact_zone import goes_below_zero
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import single
 from groundslab.views.summary.single import Row, SummarySection
@@ -75,7 +75,7 @@ def figures(results: Results) -> Figures:
         load=results.certificate.load,
         settlement=float(plate.settlement.max()),
         uplift=-low if goes_below_zero(plate.settlement) else 0.0,
-        contact=contact_share(plate),
+        contact=plate.contact_share,
         iterations=len(results.steps),
     )
 

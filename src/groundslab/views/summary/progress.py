@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from rich.status import Status
 
     from groundslab.model.loads.load_cases import Combination
-    from groundslab.results.results import Step
+    from groundslab.results.record import Step
 
 
 class Shown:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab._version import __version__
-from groundslab.results.contact_zone import EDGE_NOTE, contact_share, goes_below_zero, has_line_force, require_finite
+from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme
 from groundslab.results.results import alone
 from groundslab.units import UNITS, Unit
@@ -16,8 +16,10 @@ from groundslab.units import UNITS, Unit
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.results import Array, Certificate, Combined, Results, SupportResult
+    from groundslab.results.record import Certificate
+    from groundslab.results.results import Combined, Results, SupportResult
 
 #: The version of the JSON summary's layout; it grows when a key changes its name or meaning.
 FORMAT = 1
@@ -220,7 +222,7 @@ def description_of_ground(results: Results) -> SummarySection:
 
 def _borders(results: Results) -> tuple[Row, ...]:
     """Return the areas of soil zones and voids whose borders the mesh does not follow."""
-    from groundslab.results.coverage import crossed_borders
+    from groundslab.results.soil_profile import crossed_borders
 
     return tuple(
         row
@@ -275,7 +277,7 @@ def _contact(results: Results) -> SummarySection:
     plate = results.plate
     gap = _extreme("gap", "largest_gap", "largest gap", plate.nodes, plate.gap, 1)
     rows = [
-        Row("share", "plate's area in contact", contact_share(plate), UNITS["%"]),
+        Row("share", "plate's area in contact", plate.contact_share, UNITS["%"]),
         gap if gap.value else replace(gap, place=None),
         *_pressures(plate.nodes, plate.pressure, "pressure"),
     ]

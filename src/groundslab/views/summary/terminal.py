@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from rich.text import Text
 
     from groundslab.design.tables.design_checks import Design, Status
-    from groundslab.results.results import Combined, Results, Step
+    from groundslab.results.record import Step
+    from groundslab.results.results import Combined, Results
     from groundslab.views.summary.combinations import Entry, Extreme
 
 #: Widths of the columns of words and of values; unit and place follow, 78 in all.

@@ -22,7 +22,8 @@ from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import Combined, Constants, SupportResult
+from groundslab.results.record import Constants
+from groundslab.results.results import Combined, SupportResult
 from groundslab.results.soil_profile import profiles_of
 from groundslab.units import format_number
 from groundslab.views import report
