@@ -231,7 +231,7 @@ def written(results: Results) -> float:
 
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        results_folder.write(results, Path(folder) / "results")
+        results_folder.save_results(results, Path(folder) / "results")
         return time.perf_counter() - start
 
 

@@ -57,5 +57,7 @@ from .model.varying_ground import SoilZone as SoilZone
 from .results.results import Combined as Combined
 from .results.results import Results as Results
 from .study.evaluation.study import open_study as open_study
+from .views.files.results_folder import load_results as load_results
+from .views.files.results_folder import save_results as save_results
 from .views.plots import plot as plot
 from .views.report.html import write_report as write_report

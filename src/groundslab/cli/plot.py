@@ -67,7 +67,7 @@ def draw(options: argparse.Namespace) -> str:
     lines = [_coordinates(text) for text in options.line] if options.line else None
     if options.out is not None:
         check(options.out)
-    combined = results_folder.load(options.folder)
+    combined = results_folder.load_results(options.folder)
     wish = wish_of(combined, options.fields, options.kind, options.combination, options.envelope, lines)
     what = "-".join(amount.name for amount in wish.amounts) if options.fields and wish.kind == "plan" else wish.kind
     file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")

@@ -10,10 +10,12 @@ import pytest
 from groundslab import InputError, Model, Results, solve
 from groundslab.design.tables import tables_of
 from groundslab.fem.shape_functions import areas
+from groundslab.results.results import alone
 from groundslab.results.soil_profile import crossed_borders
 from groundslab.study.definition.outputs import Output, figure_of
 from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.summary import single
+from groundslab.views.summary.json_summary import to_json
 
 CAVITY = {"x": (1.0, 2.0), "y": (-1.0, 1.0)}
 SHEAR = {"kind": "pasternak", "k0": 2e7, "k1": 1e7}
@@ -139,7 +141,7 @@ def test_what_a_grid_cannot_follow_is_said() -> None:
     assert found.drawn == pytest.approx(2.0)
     # of 13 x 9 elements those in columns 9 and 10 of 8.67 to 10.83 and rows 2.25 to 6.75, by the larger part
     assert found.meshed == pytest.approx(2 * 5 * width * height)
-    document = single.to_json(results)
+    document = to_json(alone(results))
     assert document["plate"]["contact.voids[1].meshed"]["value"] == pytest.approx(found.meshed)
     assert document["plate"]["notes"] == [single.CROSSED]
     area = float(results.plate.area.sum() - results.plate.contact_area.sum())

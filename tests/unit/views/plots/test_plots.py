@@ -873,7 +873,7 @@ class TestCommand:
     @pytest.fixture
     def folder(self, tmp_path: Path) -> Path:
         """Return a folder of results of several combinations."""
-        return results_folder.write(synthetic.combined(), tmp_path / "raft-results")
+        return results_folder.save_results(synthetic.combined(), tmp_path / "raft-results")
 
     def test_writes_a_pdf_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """The file is named after the folder and what it shows, and told on standard error."""
