@@ -70,7 +70,7 @@ def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
 def _reinforcement(combined: Combined) -> dict[str, Array | Integers]:
     """Return the required areas [cm2/m] and flags at the plate's nodes."""
     assert combined.model.reinforcement is not None
-    found = reinforcement.needs(combined.model, combined.model.reinforcement, reinforcement.ultimate(combined))
+    found = reinforcement.needs(combined.model.reinforcement, reinforcement.ultimate(combined))
     if not found:
         return {}
     areas = {layer: reinforcement.most(found, layer)[0] for layer in LAYERS}

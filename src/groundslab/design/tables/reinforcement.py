@@ -12,8 +12,6 @@ from groundslab.design.envelope import Envelope, envelope
 from groundslab.design.reinforcement import Axes, Concrete, SlabReinforcement, Steel, minimum, required, slab
 from groundslab.design.tables.quantities import solved
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.tables.thickness import of_nodes, of_sections, section_of_nodes
-from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import LAYERS, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
@@ -28,11 +26,11 @@ def ultimate(combined: Combined) -> list[Results]:
     return [results for results in solved(combined) if results.limit_state == "ultimate"]
 
 
-def needs(model: Model, steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
+def needs(steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
     """Return what the plate's nodes need in each combination, by its name."""
     if not results:
         return {}
-    t = of_nodes(model, results[0].plate)
+    t, _ = results[0].elements.at_nodes(results[0].plate)
     axes = Axes(*steel.bottom, *steel.top)
     concrete, bars = materials(steel)
     return {each.combination: slab(_design(each.plate), t, axes, concrete, bars) for each in results}
@@ -95,11 +93,11 @@ def governing(combined: Combined, steel: Reinforcement) -> list[Need]:
     with them.
     """
     results = ultimate(combined)
-    found = needs(combined.model, steel, results)
+    found = needs(steel, results)
     if not found:
         return []
-    model, plate = combined.model, results[0].plate
-    section, t, linked = section_of_nodes(model, plate), of_sections(model), links(found)
+    plate, linked = results[0].plate, links(found)
+    thickness, section = results[0].elements.at_nodes(plate)
     designs = {each.combination: _design(each.plate) for each in results}
     largest = {layer: _largest(designs, layer) for layer in LAYERS}
     rows = []
@@ -109,7 +107,7 @@ def governing(combined: Combined, steel: Reinforcement) -> list[Need]:
             nodes = np.flatnonzero(section == number)
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             moments = [_peak(plate, nodes, *largest[each]) for each in (layer, _OTHER[layer])]
-            rows.append(_need(layer, int(number), float(t[number]), steel, moments, shares))
+            rows.append(_need(layer, int(number), float(thickness[nodes[0]]), steel, moments, shares))
     return rows
 
 

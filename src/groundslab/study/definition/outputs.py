@@ -172,10 +172,8 @@ def _figure(output: Output, results: Results) -> float | None:
 
 def field_of(results: Results, name: str) -> Array:
     """Return a field of FIELDS at the plate's nodes (n,), in SI units."""
-    from groundslab.design.tables.thickness import of_nodes
-
     fields = {each: getattr(results.plate, each) for each in PLATE_FIELDS}
-    thickness = of_nodes(results.model, results.plate) if name in _OF_THICKNESS else np.zeros(0)
+    thickness = results.elements.at_nodes(results.plate)[0] if name in _OF_THICKNESS else np.zeros(0)
     return _made(results, name, fields, thickness)
 
 
