@@ -201,6 +201,12 @@ class PlateResult:
         ------
         InputError
             If x and y do not fit together, or if a point does not lie on the plate; it names the points.
+
+        Examples
+        --------
+        >>> element = results.plate.element_at(0.5, 0.5)
+        >>> print(f"{1e3 * results.elements.thickness[element]:.0f} mm")
+        300 mm
         """
         points = _points(x, y)
         found: Integers = _located(Mesh(self.nodes, self.elements), points, "the plate")[0]
@@ -297,6 +303,11 @@ class GroundResult:
         InputError
             If there is no such surface, if x and y do not fit together, or if a point lies outside the mesh; it names
             the points.
+
+        Examples
+        --------
+        >>> print(f"{1e3 * results.ground.value_at(0.0, 0.0):.2f} mm")
+        3.00 mm
         """
         if surface not in range(len(self.settlement)):
             expected = f"a whole number from 0 to {len(self.settlement) - 1}"
