@@ -44,7 +44,7 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "--line",
         action="append",
         metavar="X1,Y1,X2,Y2",
-        help="section line in metres, may be repeated (default: those that the case names)",
+        help="section line in meters, may be repeated (default: those that the case names)",
     )
     plot.add_argument(
         "--out",
@@ -86,5 +86,5 @@ def _coordinates(text: str) -> list[float]:
     except ValueError:
         values = []
     if len(values) != 4:
-        raise InputError([Issue("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
+        raise InputError([Issue("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in meters")])
     return values

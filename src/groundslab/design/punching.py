@@ -41,7 +41,7 @@ NEAREST_EDGES = 3
 
 @dataclass(frozen=True, slots=True)
 class RectangularColumn:
-    """A column's footprint: a rectangle along x and y around its centre [m]."""
+    """A column's footprint: a rectangle along x and y around its center [m]."""
 
     x: float
     y: float
@@ -58,7 +58,7 @@ class RectangularColumn:
 
 @dataclass(frozen=True, slots=True)
 class RoundColumn:
-    """A column's footprint: a circle around its centre [m]."""
+    """A column's footprint: a circle around its center [m]."""
 
     x: float
     y: float
@@ -149,7 +149,7 @@ def perimeter(
 
     It runs around the column, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
     straight out to one or several near edges at a right angle, if that is shorter (Figure 6.15). Lengths of the free
-    edge itself do not count, nor what lies between the tangents from the column's centre to an opening within
+    edge itself do not count, nor what lies between the tangents from the column's center to an opening within
     `opening_reach` [m] (Figure 6.14; an opening longer along the ray than across it is not widened as there).
     """
     plan = outline(plate)
@@ -241,14 +241,14 @@ def _effective(plan: Polygon | MultiPolygon, footprint: Polygon, legs: Array, re
     """Return the length [m] of legs without the part between the tangents to openings within reach of the column."""
     from shapely import MultiPoint, get_coordinates, get_parts, linestrings, multilinestrings, union_all
 
-    centre = get_coordinates(footprint.centroid)[0]
+    center = get_coordinates(footprint.centroid)[0]
     openings = [hole for part in get_parts(plan) for hole in part.interiors if hole.distance(footprint) < reach]
     x0, y0, x1, y1 = plan.bounds
     shadows = []
     for opening in openings:
-        ray = get_coordinates(opening) - centre
+        ray = get_coordinates(opening) - center
         ray *= 1e3 * np.hypot(x1 - x0, y1 - y0) / np.linalg.norm(ray, axis=1, keepdims=True)
-        shadows.append(MultiPoint(np.vstack([centre, centre + ray])).convex_hull)
+        shadows.append(MultiPoint(np.vstack([center, center + ray])).convex_hull)
     return float(multilinestrings(linestrings(legs)).difference(union_all(shadows)).length)
 
 

@@ -154,9 +154,9 @@ def strip(
     s = np.linspace(0, np.linalg.norm(final - origin), count)
     axis = (final - origin) / s[-1]
     across = np.array([-axis[1], axis[0]])
-    centres = origin + s[:, None] * axis
+    centers = origin + s[:, None] * axis
     rows, kept = [], []
-    points = _Cut.of(plate, np.stack([centres - width / 2 * across, centres + width / 2 * across], axis=1))
+    points = _Cut.of(plate, np.stack([centers - width / 2 * across, centers + width / 2 * across], axis=1))
     gauss_leg, edge_leg = (points.line.leg[piece] for piece in (points.gauss[0], points.edges[0]))
     m_n, m_t, m_nt, q_n = points.forces(points.gauss)
     at_edges = points.forces(points.edges)[0]
@@ -171,7 +171,7 @@ def strip(
         designed = [float(ds @ field[on]) / ds.sum() for field in wood]
         rows.append([ds.sum(), *totals, *means, everywhere.max(), everywhere.min(), *designed])
         kept.append(station)
-    x, y = centres[kept].T
+    x, y = centers[kept].T
     return StripResult(s[kept], x, y, *np.array(rows).T)
 
 

@@ -1,4 +1,4 @@
-"""The certificate of a result: equilibrium and complementarity, computed anew from the solution."""
+"""The certificate of a result: equilibrium and complementarity, computed from the solution alone."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def plate_forces(s: System, U: Array) -> Array:
 def ground_forces(s: System, U: Array, column: Column) -> Array:
     """Return the forces (n, 1 + S) that the ground's deformation puts on the plate's w and on each surface.
 
-    The first column differs from the second only where a plate's centre w hangs on its element's other nodes.
+    The first column differs from the second only where a plate's center w hangs on its element's other nodes.
     """
     problem, b = s.problem, s.blocks
     w = surface_settlement(s, U)
@@ -252,7 +252,7 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
 
 
 def _own_w(problem: Problem) -> Array:
-    """Return 0.0 at centres whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
+    """Return 0.0 at centers whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
     own = np.ones(len(problem.mesh.nodes))
     if not problem.element.centre_w:
         own[problem.mesh.elements[problem.plate_elements, 8]] = 0.0

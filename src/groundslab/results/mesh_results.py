@@ -333,7 +333,7 @@ def _points(x: ArrayLike, y: ArrayLike) -> Array:
         points: Array = np.stack(np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float)), axis=-1)
     except (TypeError, ValueError):
         found = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in (x, y))
-        raise InputError([Issue("x, y", found, "numbers in metres, in shapes that broadcast")]) from None
+        raise InputError([Issue("x, y", found, "numbers in meters, in shapes that broadcast")]) from None
     return points
 
 

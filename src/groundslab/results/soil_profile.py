@@ -89,12 +89,12 @@ def profiles_of(results: Results) -> tuple[Profile, ...]:
     model, plate = results.model, results.plate
     columns = described(model)
     gamma = results.constants.gamma
-    whole, _ = ground_under(model, Mesh(plate.nodes, plate.elements), np.arange(len(plate.elements)), {})
-    if gamma is None or not isinstance(whole, Soil):
+    mean, _ = ground_under(model, Mesh(plate.nodes, plate.elements), np.arange(len(plate.elements)), {})
+    if gamma is None or not isinstance(mean, Soil):
         known = len(columns) == 1
         k0, k1 = (results.constants.k0, results.constants.k1) if known else ((), ())
         return tuple(_without_mode(name, layers, k0, k1) for name, layers in columns)
-    decay2 = (gamma / whole.gamma_of(1.0)) ** 2
+    decay2 = (gamma / mean.gamma_of(1.0)) ** 2
     found = []
     for (name, layers), soil in zip(columns, grounds_of(model), strict=True):
         assert isinstance(soil, Soil)

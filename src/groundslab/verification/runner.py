@@ -2,7 +2,7 @@
 
 Cases are data (folder cases): models in the words of the input file, and rows that name a quantity of one of them, the
 published digits or an exact formula, and how far off it may be. A row that deviates says by how much and why, and fails
-if the deviation changes; a published number that cannot be right names its proof, which is computed anew each time.
+if the deviation changes; a published number that cannot be right names its proof, which is computed each time.
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ def test_a_plane_is_its_own_best_fit(a: float, b: float, c: float) -> None:
     np.testing.assert_allclose([found.tilt_x, found.tilt_y], [a, b], atol=1e-12)
     assert found.tilt == pytest.approx(np.hypot(a, b), abs=1e-12)
     assert abs(found.deflection) < 1e-12
-    assert found.settlement == pytest.approx(c + a * found.centre[0] + b * found.centre[1])
+    assert found.settlement == pytest.approx(c + a * found.center[0] + b * found.center[1])
     assert between(plate, POINTS).relative.max() < 1e-11
 
 
@@ -33,7 +33,7 @@ def test_a_bowl_on_a_slope() -> None:
     plate = plate_of(straight(8, 6), settlement=lambda x, y: 2e-3 * (x - 3) + 1e-3 * (x - 3) ** 2 + 4e-3 * (y - 2) ** 2)
     found = tilt(plate)
     mean = 1e-3 * 3**2 / 3 + 4e-3 * 2**2 / 3
-    assert found.centre == pytest.approx((3, 2))
+    assert found.center == pytest.approx((3, 2))
     assert (found.settlement, found.tilt_x) == pytest.approx((mean, 2e-3))
     assert found.tilt_y == pytest.approx(0, abs=1e-12)
     assert found.direction == pytest.approx(0, abs=1e-9)

@@ -105,10 +105,10 @@ def _on_footprint(load: PointLoad, part: Polygon, chord: float) -> float:
     place = load.drawn(chord)
     if place.geom_type == "Point":
         return load.P if part.covers(place) else 0.0
-    centre, inertia = load_vectors.inertia(place)
+    center, inertia = load_vectors.inertia(place)
     slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
     force = 0.0
     for piece in _pieces(part, place):
-        lever = np.array(piece.centroid.coords[0]) - centre
+        lever = np.array(piece.centroid.coords[0]) - center
         force += float((load.P / place.area + lever @ slope) * piece.area)
     return force

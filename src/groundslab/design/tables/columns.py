@@ -29,18 +29,18 @@ _PUNCHING = (
 
 
 def column_table(combined: Combined) -> Table:
-    """Return load, settlement, worst neighbour and demand of punching of each column in each combination."""
+    """Return load, settlement, worst neighbor and demand of punching of each column in each combination."""
     model, results = combined.model, solved(combined)
     own = {column.name: column_loads.of_column(model, column.name) for column in model.columns}
     steel, punched = model.reinforcement, demands(combined)
     v_Rd_max = None if steel is None else at_the_face(materials(steel)[0])
     rows = []
     for each in results:
-        neighbour = _neighbours(each.plate, model.columns)
+        neighbor = _neighbors(each.plate, model.columns)
         for column in model.columns:
             force = column_loads.under(each, own[column.name])
             row: list[Cell] = [each.combination, column.name, column.x, column.y, force / 1e3]
-            row += neighbour(column)
+            row += neighbor(column)
             if v_Rd_max is not None:
                 row += _demand(punched.found.get((each.combination, column.name)), v_Rd_max)
             rows.append(row)
@@ -82,8 +82,8 @@ def _demand(demand: Demand | None, v_Rd_max: float) -> list[Cell]:
     return [*cells, *face, v_Rd_max / 1e6]
 
 
-def _neighbours(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Column], list[Cell]]:
-    """Return the function that gives a column's settlement and its worst neighbour's figures."""
+def _neighbors(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Column], list[Cell]]:
+    """Return the function that gives a column's settlement and its worst neighbor's figures."""
     # columns at one place are one point
     names: dict[tuple[float, float], str] = {}
     for column in columns:

@@ -1,4 +1,4 @@
-"""Tables of whole combinations: what was solved, extremes of all fields, tilt."""
+"""Tables of the combinations: what was solved, extremes of all fields, tilt."""
 
 from __future__ import annotations
 

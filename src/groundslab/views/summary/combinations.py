@@ -31,7 +31,7 @@ class Entry:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """What a combination is told by in a table: load [N], settlement and uplift [m], share of contact, steps."""
+    """The figures of a combination in a table: load [N], settlement and uplift [m], share of contact, steps."""
 
     load: float
     settlement: float
@@ -89,7 +89,7 @@ def factors_text(combination: Combination) -> str:
 
 
 def description(combined: Combined) -> list[SummarySection]:
-    """Return what was analysed; of the ground only what is the same in all combinations."""
+    """Return what was analyzed; of the ground only what is the same in all combinations."""
     found = [entry.results for entry in entries(combined) if entry.results is not None]
     plate, ground, *cut = single.description(found[0])
     others = [single.description_of_ground(results).rows for results in found[1:]]

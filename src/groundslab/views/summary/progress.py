@@ -1,4 +1,4 @@
-"""What the analysis is doing, on one line of a terminal that renews itself."""
+"""The progress of the analysis on one line of a terminal."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class StatusLine:
-    """The line on the terminal: called with each step, and told which combination the steps belong to."""
+    """A line on the terminal that shows each step, and the combination that it belongs to."""
 
     def __init__(self, status: Status, count: int) -> None:
         self._status = status

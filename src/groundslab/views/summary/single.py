@@ -75,7 +75,7 @@ def summary(results: Results) -> list[SummarySection]:
 
 
 def description(results: Results) -> list[SummarySection]:
-    """Return what was analysed: plate, ground, and loads that were cut off at the plate's edge."""
+    """Return what was analyzed: plate, ground, and loads that were cut off at the plate's edge."""
     return [_plate(results), description_of_ground(results), *cut_loads(results.model)]
 
 
@@ -95,7 +95,7 @@ def certified_words(count: int) -> str:
 
 
 def _plate(results: Results) -> SummarySection:
-    """Return what was analysed: plate and mesh."""
+    """Return what was analyzed: plate and mesh."""
     from groundslab.meshing.quality import quality as quality_of
 
     plate, edges = results.model.plate, results.model.plate.edges
