@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.section_cuts import turned
+from groundslab.design.section_cuts import rotate_to_cut
 from groundslab.errors import InputError, Issue
 from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces
@@ -260,5 +260,5 @@ def _shear(plate: PlateResult, line: Perimeter) -> tuple[float, float]:
     nodes, N = interpolation(mesh, crossed, piece, s)
     q_x, q_y = (np.einsum("pa,pa->p", N, field[nodes]) for field in (plate.shear_x, plate.shear_y))
     none = np.zeros_like(q_x)
-    q_n = turned(none, none, none, q_x, q_y, crossed.along[crossed.leg[piece]])[3]
+    q_n = rotate_to_cut(none, none, none, q_x, q_y, crossed.along[crossed.leg[piece]])[3]
     return float(-(ds @ q_n)), float(-q_n.min())

@@ -204,10 +204,12 @@ class _Cut:
         nodes, N = interpolation(self.mesh, self.line, piece, s)
         names = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
         m_x, m_y, m_xy, q_x, q_y = (np.einsum("pa,pa->p", N, getattr(self.plate, name)[nodes]) for name in names)
-        return turned(m_x, m_y, m_xy, q_x, q_y, self.line.along[self.line.leg[piece]])
+        return rotate_to_cut(m_x, m_y, m_xy, q_x, q_y, self.line.along[self.line.leg[piece]])
 
 
-def turned(m_x: Array, m_y: Array, m_xy: Array, q_x: Array, q_y: Array, t: Array) -> tuple[Array, Array, Array, Array]:
+def rotate_to_cut(
+    m_x: Array, m_y: Array, m_xy: Array, q_x: Array, q_y: Array, t: Array
+) -> tuple[Array, Array, Array, Array]:
     """Return m_n, m_t, m_nt and q_n (k,) on cuts along the unit vectors t (k, 2), n to the right of t.
 
     Moments turn as a symmetric tensor, shear forces as a vector (Timoshenko and Woinowsky-Krieger 1959).

@@ -87,7 +87,7 @@ def tilt(plate: PlateResult) -> Tilt:
     )
 
 
-def between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:
+def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:
     """Return the settlement differences of all pairs of named points (x, y) [m] of the plate, such as columns."""
     names = tuple(points)
     if len(names) < 2:

@@ -103,8 +103,8 @@ def frame(model: Model, problem: Problem) -> Frame:
     """Return the mesh for the results of a model."""
     supported = support_lines(model, problem)
     depth = problem.depths.most
-    mesh, node = by_section(problem, supported, depth)
-    smooth, _ = by_section(problem, np.concatenate([supported, load_edges(model, problem)]))
+    mesh, node = split_by_section(problem, supported, depth)
+    smooth, _ = split_by_section(problem, np.concatenate([supported, load_edges(model, problem)]))
     matrices, kind = section_matrices(problem)
     edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
@@ -128,12 +128,12 @@ def frame(model: Model, problem: Problem) -> Frame:
         smooth=smooth.elements,
         images=tuple(images),
         patches=patch_recovery.around(parts.nodes, parts.elements, points),
-        plate=mirrored(mesh, problem.symmetry),
-        ground=mirrored(problem.mesh, problem.symmetry),
+        plate=mirror_to_full(mesh, problem.symmetry),
+        ground=mirror_to_full(problem.mesh, problem.symmetry),
     )
 
 
-def mirrored(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
+def mirror_to_full(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
     """Return the full mesh of a part that was computed."""
     node, element = np.arange(len(mesh.nodes)), np.arange(len(mesh.elements))
     odd, odd_elements = [np.ones(len(node))] * 2, [np.ones(len(element))] * 2
@@ -155,7 +155,7 @@ def mirrored(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
     return MirroredMesh(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
 
 
-def by_section(problem: Problem, creases: Integers, depth: Integers | None = None) -> tuple[Mesh, Integers]:
+def split_by_section(problem: Problem, creases: Integers, depth: Integers | None = None) -> tuple[Mesh, Integers]:
     """Return the mesh of the plate whose nodes stand once for each section they belong to; which node each was.
 
     Nodes along creases (k, 3) stand once for each side, so that nothing is averaged across them; so do those between

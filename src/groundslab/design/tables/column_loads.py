@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 CHORD = 1e-6
 
 
-def of_column(model: Model, name: str) -> dict[str, float]:
+def sum_of_column(model: Model, name: str) -> dict[str, float]:
     """Return the sum of the point loads that name a column [N], by load case."""
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
@@ -41,7 +41,7 @@ def of_column(model: Model, name: str) -> dict[str, float]:
     return force
 
 
-def others(results: Results, part: Polygon, column: str) -> dict[str, float]:
+def sum_of_others(results: Results, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
     model, plate = results.model, results.plate
     mesh, chord = Mesh(plate.nodes, plate.elements), CHORD * max(model.plate.sides)
@@ -63,7 +63,7 @@ def others(results: Results, part: Polygon, column: str) -> dict[str, float]:
     return force
 
 
-def under(results: Results, force: Mapping[str, float]) -> float:
+def factored_sum(results: Results, force: Mapping[str, float]) -> float:
     """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
     factors = dict(results.factors) if results.model.cases else {"": 1.0}
     return sum(factors.get(case, 0.0) * each for case, each in force.items())

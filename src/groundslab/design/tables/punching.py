@@ -10,7 +10,7 @@ from groundslab.arrays import Array, Memo
 from groundslab.design import punching
 from groundslab.design.punching import OPENING_REACH, RectangularColumn, RoundColumn
 from groundslab.design.tables import column_loads
-from groundslab.design.tables.quantities import solved
+from groundslab.design.tables.quantities import solved_results
 from groundslab.errors import InputError
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
@@ -68,12 +68,12 @@ class Demands:
 def demands(combined: Combined) -> Demands:
     """Return the demands of punching in all ultimate combinations, if bars are given; at columns that push down."""
     model, steel = combined.model, combined.model.reinforcement
-    results = [each for each in solved(combined) if each.limit_state == "ultimate"]
+    results = [each for each in solved_results(combined) if each.limit_state == "ultimate"]
     found: dict[tuple[str, str], Demand] = {}
     missing: dict[str, str] = {}
     for column in model.columns if steel is not None else ():
-        own = column_loads.of_column(model, column.name)
-        pushing = [(each, force) for each in results if (force := column_loads.under(each, own)) > 0]
+        own = column_loads.sum_of_column(model, column.name)
+        pushing = [(each, force) for each in results if (force := column_loads.factored_sum(each, own)) > 0]
         if not pushing:
             continue
         assert steel is not None
@@ -150,12 +150,12 @@ def _around(results: Results, column: Column, part: Polygon, u: float) -> Around
         LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
         for each in results.model.supports
     )
-    return Around(u, area, column_loads.others(results, part, column.name), any(map(part.intersects, supports)))
+    return Around(u, area, column_loads.sum_of_others(results, part, column.name), any(map(part.intersects, supports)))
 
 
 def _stress(results: Results, around: Around, force: float, d: float) -> Stress:
     """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand)."""
-    others = column_loads.under(results, around.others)
+    others = column_loads.factored_sum(results, around.others)
     pressure = float(around.area @ (results.plate.contact_force / results.plate.area))
     V_Ed = force + others - pressure
     return Stress(V_Ed, V_Ed / (around.u * d), around.u, pressure, others, around.supported)
