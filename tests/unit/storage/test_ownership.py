@@ -89,7 +89,7 @@ def test_commands_ask_before_they_draw(
     results: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Both plot and report refuse a place before any results are read: foreign files, folders, pipes, long names."""
-    monkeypatch.setattr(results_folder, "load", None)
+    monkeypatch.setattr(results_folder, "load_results", None)
     places = ["folder", "text", "none/x", "x" * 256]
     (tmp_path / "text").write_text("mine")
     if hasattr(os, "mkfifo"):
