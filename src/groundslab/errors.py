@@ -8,7 +8,7 @@ from typing import Any
 
 
 class GroundslabError(Exception):
-    """Base class of the exceptions of groundslab."""
+    """Base of all exceptions that groundslab raises on purpose."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,13 +18,13 @@ class Issue:
     Attributes
     ----------
     location : str
-        Path in the input, such as ``ground.layers[2].E``, positions counted from 1.
+        Where it is, such as "ground.layers[2].E".
     found : str
         What is there.
     expected : str
-        What should be there.
+        What is expected there.
     hint : str
-        How to correct it; may be empty.
+        How to correct it, where that is known.
     """
 
     location: str
@@ -39,7 +39,12 @@ class Issue:
 
 
 class InputError(GroundslabError):
-    """The input is wrong.
+    """An input cannot be used.
+
+    Parameters
+    ----------
+    issues : sequence of Issue
+        Everything that is wrong with it.
 
     Attributes
     ----------
@@ -52,7 +57,7 @@ class InputError(GroundslabError):
         super().__init__(self.issues)
 
     def __str__(self) -> str:
-        """Return all issues, one per line."""
+        """Return all issues, one a line."""
         return "\n".join(str(issue) for issue in self.issues)
 
 
@@ -75,10 +80,15 @@ class SingularMatrix(GroundslabError):
 class NotCertified(GroundslabError):
     """A result fails its certificate.
 
+    Parameters
+    ----------
+    results : CombinationResult
+        The results all the same, to be inspected, not to be used.
+
     Attributes
     ----------
-    results : Results or Combined
-        The result, for inspection only.
+    results : CombinationResult
+        The results all the same, to be inspected, not to be used.
     """
 
     ROUNDING = (
@@ -114,12 +124,12 @@ class NotCertified(GroundslabError):
 class NotConverged(GroundslabError):
     """An iteration ended without converging.
 
-    Attributes
+    Parameters
     ----------
     what : str
         Name of the iteration.
     history : sequence
-        One entry per step.
+        One entry for each step.
     last : mapping of str to array
         Arrays of the last iterate.
     """

@@ -8,6 +8,7 @@ import pickle
 import subprocess
 import sys
 import time
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -261,3 +262,21 @@ def test_registry_without_cache_folder(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(pint, "UnitRegistry", broken)
     assert units._registry.__wrapped__().Quantity(1, "ft").to("m").magnitude == pytest.approx(FOOT)
+
+
+@pytest.mark.parametrize(
+    ("value", "options", "text"),
+    [
+        (13.5, {}, "13.500"),
+        (1234567.8, {}, "1234568"),
+        (-0.0, {}, "0"),
+        (13.5, {"trim": True}, "13.5"),
+        (2e-5, {"trim": True}, "2e-05"),
+        (12345.6, {"digits": 4, "trim": True}, "12350"),
+        (12345.6, {"digits": 4, "trim": True, "fixed": (1e-4, 1e4)}, "1.235e+04"),
+        (-2.5e-9, {"digits": 4, "trim": True, "minus": "−"}, "−2.5e−09"),
+    ],
+)
+def test_numbers_as_text(value: float, options: dict[str, Any], text: str) -> None:
+    """Significant digits, zeros at the end kept or not, an exponent outside a range, the minus sign of print."""
+    assert units.format_number(value, **options) == text

@@ -20,8 +20,6 @@ from groundslab.discretize.plan_layout import coarsest
 from groundslab.errors import (
     GroundslabError,
     IllConditioned,
-    InputError,
-    Issue,
     NoEquilibrium,
     NotCertified,
     NotConverged,
@@ -33,8 +31,9 @@ from groundslab.model.consistency import estimate_elements
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
+from groundslab.results.record import Step
 from groundslab.results.recovery import increment, recover
-from groundslab.results.results import Combined, Results, Step
+from groundslab.results.results import Combined, Results
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution
 
@@ -52,20 +51,25 @@ OnCombination = Callable[[Combination], None]
 
 
 def check(model: Model) -> None:
-    """Check whether a model can be solved, without solving it.
+    """Validate a model: raise the errors that `solve` would raise before it solves anything.
 
-    The arrays of the problem are made as for solving, except those of the loads, whose places the model has checked
-    already; instead of a mesh of more than MAX_CHECKED_ELEMENTS elements a coarser one is made.
+    The arrays of a problem are made as for solving, but those of the loads, whose coordinates the model has checked
+    already; of a mesh of more than MAX_CHECKED_ELEMENTS elements a coarser one is made.
 
     Parameters
     ----------
-    model
-        The model to check.
+    model : Model
+        The model.
 
     Raises
     ------
     InputError
-        With every issue for which `solve_combinations` would reject the model before solving anything.
+        If the model describes no problem that can be solved.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> groundslab.check(model)
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
@@ -77,79 +81,64 @@ def check(model: Model) -> None:
         ground.column(ground.gamma or GAMMA_START)
 
 
-def solve(model: Model, on_step: OnStep | None = None) -> Results:
-    """Solve a model with one combination of loads.
+def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Combined:
+    """Solve every combination of a model, and return the certified results.
+
+    Meshes, matrices and factors are kept from one combination to the next.
 
     Parameters
     ----------
-    model
-        The model, with at most one combination of load cases.
-    on_step
-        Called with every step of the iteration as it ends.
+    model : Model
+        The model. Its combinations are those that it lists or that it has made by EN 1990; with neither, each load
+        case by itself.
+    on_step : callable, optional
+        Called with every `Step` of the iteration as it ends.
+    on_combination : callable, optional
+        Called with every `Combination` as it begins.
 
     Returns
     -------
     Results
-        Certified results: equilibrium and contact conditions are checked independently of the solver.
+        The results of all combinations, by name. Of a model with several combinations, one that has no equilibrium or
+        no certified result does not stop the others: `refused` says why it has none.
 
     Raises
     ------
     InputError
-        If the model cannot be solved as described, or has several combinations.
+        If the model describes no problem that can be solved.
     NoEquilibrium
-        If ground and supports cannot balance the loads.
+        If the only combination cannot be balanced by ground and supports.
     NotConverged
-        If an iteration does not converge; holds its history and last iterate.
-    SingularMatrix
-        If the stiffness matrix is not positive definite.
-    IllConditioned
-        If plate and ground differ too much in stiffness for a certified result.
+        If the only combination does not converge; holds history and last iterate.
+    IllConditioned, SingularMatrix
+        If stiffnesses of the only combination differ by too much.
     NotCertified
-        If the results do not fulfill the equations; holds the results.
+        If the only combination's results do not satisfy the equations; holds them all the same.
+
+    See Also
+    --------
+    check : Validate a model without solving it.
 
     Examples
     --------
     >>> import groundslab
-    >>> model = groundslab.load("examples/table1.toml")
     >>> results = groundslab.solve(model)
-    >>> results.plate.settlement.max()  # doctest: +SKIP
+    >>> results.certificate.holds
+    True
+    >>> print(f"{1e3 * results.plate.settlement.max():.2f} mm")
+    3.00 mm
     """
-    combinations = combinations_of(model)
-    if len(combinations) > 1:
-        hint = "solve_combinations(model) solves them all; or keep one"
-        raise InputError([Issue("combinations", f"{len(combinations)} combinations", "one", hint)])
-    outcome = next(_outcomes(model, combinations, on_step))
-    if isinstance(outcome, GroundslabError):
-        raise outcome
-    return outcome
+    found = solve_combinations(model, on_step, on_combination)
+    if len(found.combinations) == 1:
+        for refusal in found.refused.values():
+            raise refusal
+    return found
 
 
 def solve_combinations(
     model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
 ) -> Combined:
-    """Solve every combination of a model, each by itself.
-
-    Meshes, matrices and factors are reused from one combination to the next.
-
-    Parameters
-    ----------
-    model
-        The model.
-    on_step
-        Called with every step of the iteration as it ends.
-    on_combination
-        Called with each combination as it begins.
-
-    Returns
-    -------
-    Combined
-        The results of each combination; for one without equilibrium or certified results, the error instead.
-
-    Raises
-    ------
-    InputError
-        If the model cannot be solved as described.
-    """
+    """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
     combinations = combinations_of(model)
     return _combine(model, combinations, _outcomes(model, combinations, on_step), on_combination)
 

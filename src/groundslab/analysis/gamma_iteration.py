@@ -15,7 +15,7 @@ from groundslab.fem.foundation import Column
 from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import Soil
 from groundslab.results.certificate import decay_squared
-from groundslab.results.results import Step
+from groundslab.results.record import Step
 from groundslab.solvers import contact, warm_start
 from groundslab.solvers.equilibrium import require_hold
 from groundslab.solvers.solution import Solution

@@ -18,7 +18,7 @@ from groundslab.fem.problem import W
 from groundslab.fem.system import System
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
-from groundslab.results.results import Step
+from groundslab.results.record import Step
 from groundslab.solvers.conditioning import require_digits
 from groundslab.solvers.equilibrium import require_equilibrium
 from groundslab.solvers.solution import Solution

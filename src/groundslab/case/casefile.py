@@ -28,21 +28,24 @@ def load(path: str | Path) -> Model:
 
     Parameters
     ----------
-    path : str or Path
-        A TOML file with units, see ``docs/input.md``.
+    path : str or pathlib.Path
+        The case file (TOML).
 
     Returns
     -------
     Model
+        The model.
 
     Raises
     ------
     InputError
-        With all issues of the file.
+        If the file cannot be read or describes no model; it lists all issues.
 
     Examples
     --------
-    >>> model = groundslab.load("case.toml")  # doctest: +SKIP
+    >>> import groundslab
+    >>> groundslab.load(folder / "case.toml").plate.thickness
+    0.3
     """
     return loads(read(path), str(path))
 

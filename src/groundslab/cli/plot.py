@@ -44,7 +44,7 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "--line",
         action="append",
         metavar="X1,Y1,X2,Y2",
-        help="section line in metres, may be repeated (default: those that the case names)",
+        help="section line in meters, may be repeated (default: those that the case names)",
     )
     plot.add_argument(
         "--out",
@@ -67,7 +67,7 @@ def draw(options: argparse.Namespace) -> str:
     lines = [_coordinates(text) for text in options.line] if options.line else None
     if options.out is not None:
         check(options.out)
-    combined = results_folder.load(options.folder)
+    combined = results_folder.load_results(options.folder)
     wish = wish_of(combined, options.fields, options.kind, options.combination, options.envelope, lines)
     what = "-".join(amount.name for amount in wish.amounts) if options.fields and wish.kind == "plan" else wish.kind
     file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
@@ -86,5 +86,5 @@ def _coordinates(text: str) -> list[float]:
     except ValueError:
         values = []
     if len(values) != 4:
-        raise InputError([Issue("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in metres")])
+        raise InputError([Issue("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in meters")])
     return values

@@ -12,7 +12,7 @@ from groundslab.arrays import Array
 from groundslab.results.fields import LAYERS, PLATE_FIELDS
 
 if TYPE_CHECKING:
-    from groundslab.results.results import PlateResult
+    from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.section_cuts import turned
+from groundslab.design.section_cuts import rotate_to_cut
 from groundslab.errors import InputError, Issue
 from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces
@@ -24,7 +24,7 @@ from groundslab.geometry.plan import SAME_PLACE
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
-    from groundslab.results.results import PlateResult
+    from groundslab.results.mesh_results import PlateResult
 
 #: Chords of a quarter of a circle; the perimeter is shorter than with arcs by less than 3e-5 of itself.
 QUARTER_CHORDS = 64
@@ -40,7 +40,7 @@ NEAREST_EDGES = 3
 
 @dataclass(frozen=True, slots=True)
 class RectangularColumn:
-    """A column's footprint: a rectangle along x and y around its centre [m]."""
+    """A column's footprint: a rectangle along x and y around its center [m]."""
 
     x: float
     y: float
@@ -57,7 +57,7 @@ class RectangularColumn:
 
 @dataclass(frozen=True, slots=True)
 class RoundColumn:
-    """A column's footprint: a circle around its centre [m]."""
+    """A column's footprint: a circle around its center [m]."""
 
     x: float
     y: float
@@ -148,7 +148,7 @@ def perimeter(
 
     It runs around the column, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
     straight out to one or several near edges at a right angle, if that is shorter (Figure 6.15). Lengths of the free
-    edge itself do not count, nor what lies between the tangents from the column's centre to an opening within
+    edge itself do not count, nor what lies between the tangents from the column's center to an opening within
     `opening_reach` [m] (Figure 6.14; an opening longer along the ray than across it is not widened as there).
     """
     plan = outline(plate)
@@ -240,14 +240,14 @@ def _effective(plan: Polygon | MultiPolygon, footprint: Polygon, legs: Array, re
     """Return the length [m] of legs without the part between the tangents to openings within reach of the column."""
     from shapely import MultiPoint, get_coordinates, get_parts, linestrings, multilinestrings, union_all
 
-    centre = get_coordinates(footprint.centroid)[0]
+    center = get_coordinates(footprint.centroid)[0]
     openings = [hole for part in get_parts(plan) for hole in part.interiors if hole.distance(footprint) < reach]
     x0, y0, x1, y1 = plan.bounds
     shadows = []
     for opening in openings:
-        ray = get_coordinates(opening) - centre
+        ray = get_coordinates(opening) - center
         ray *= 1e3 * np.hypot(x1 - x0, y1 - y0) / np.linalg.norm(ray, axis=1, keepdims=True)
-        shadows.append(MultiPoint(np.vstack([centre, centre + ray])).convex_hull)
+        shadows.append(MultiPoint(np.vstack([center, center + ray])).convex_hull)
     return float(multilinestrings(linestrings(legs)).difference(union_all(shadows)).length)
 
 
@@ -259,5 +259,5 @@ def _shear(plate: PlateResult, line: Perimeter) -> tuple[float, float]:
     nodes, N = interpolation(mesh, crossed, piece, s)
     q_x, q_y = (np.einsum("pa,pa->p", N, field[nodes]) for field in (plate.shear_x, plate.shear_y))
     none = np.zeros_like(q_x)
-    q_n = turned(none, none, none, q_x, q_y, crossed.along[crossed.leg[piece]])[3]
+    q_n = rotate_to_cut(none, none, none, q_x, q_y, crossed.along[crossed.leg[piece]])[3]
     return float(-(ds @ q_n)), float(-q_n.min())

@@ -21,13 +21,13 @@ MOST_BARS = 0.02
 K_MAX = 1.5
 
 
-def at_the_face(concrete: Concrete) -> float:
+def max_resistance(concrete: Concrete) -> float:
     """Return v_Rd,max [Pa]."""
     nu = 0.6 * (1 - concrete.f_ck / (250 * _MPA))
     return 0.4 * nu * concrete.f_cd
 
 
-def without_links(concrete: Concrete, d: float, rho: float = MOST_BARS) -> float:
+def resistance_without_links(concrete: Concrete, d: float, rho: float = MOST_BARS) -> float:
     """Return v_Rd,c [Pa] at 2 d for an effective depth d [m] and a ratio rho of bars."""
     f_ck, k = concrete.f_ck / _MPA, min(2.0, 1 + math.sqrt(200 / (1e3 * d)))
     of_bars = 0.18 / concrete.gamma_c * k * math.cbrt(100 * min(rho, MOST_BARS) * f_ck)

@@ -1,4 +1,4 @@
-"""Bending reinforcement that a slab needs in the ultimate limit state, per metre of width, by EN 1992-1-1.
+"""Bending reinforcement that a slab needs in the ultimate limit state, per meter of width, by EN 1992-1-1.
 
     F_c = eta f_cd lambda x,  z = d - lambda x / 2,  m = F_c z + A_s2 sigma_s2 (d - d_2),
     A_s f_yd = F_c + A_s2 sigma_s2
@@ -251,12 +251,12 @@ def _check(m: Array, d: Array, d_2: Array | float | None, xi_lim: float | None) 
 
 
 def _outside(where: str, value: float, least: float, most: float) -> list[Issue]:
-    """Return the fault of a strength that does not lie within its limits."""
+    """Return the issue of a strength that does not lie within its limits."""
     if least <= value <= most:
         return []
     return [Issue(where, f"{value:g} Pa", f"a strength from {least / _MPA:g} to {most / _MPA:g} MPa, in Pa")]
 
 
 def _not_positive(**values: float) -> list[Issue]:
-    """Return the faults of values that are not positive."""
+    """Return the issues of values that are not positive."""
     return [Issue(where, f"{value:g}", "a positive number") for where, value in values.items() if not value > 0]

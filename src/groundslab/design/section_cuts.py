@@ -16,7 +16,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.results.fields import PLATE_FIELDS
 
 if TYPE_CHECKING:
-    from groundslab.results.results import PlateResult
+    from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,9 +154,9 @@ def strip(
     s = np.linspace(0, np.linalg.norm(final - origin), count)
     axis = (final - origin) / s[-1]
     across = np.array([-axis[1], axis[0]])
-    centres = origin + s[:, None] * axis
+    centers = origin + s[:, None] * axis
     rows, kept = [], []
-    points = _Cut.of(plate, np.stack([centres - width / 2 * across, centres + width / 2 * across], axis=1))
+    points = _Cut.of(plate, np.stack([centers - width / 2 * across, centers + width / 2 * across], axis=1))
     gauss_leg, edge_leg = (points.line.leg[piece] for piece in (points.gauss[0], points.edges[0]))
     m_n, m_t, m_nt, q_n = points.forces(points.gauss)
     at_edges = points.forces(points.edges)[0]
@@ -171,7 +171,7 @@ def strip(
         designed = [float(ds @ field[on]) / ds.sum() for field in wood]
         rows.append([ds.sum(), *totals, *means, everywhere.max(), everywhere.min(), *designed])
         kept.append(station)
-    x, y = centres[kept].T
+    x, y = centers[kept].T
     return StripResult(s[kept], x, y, *np.array(rows).T)
 
 
@@ -204,10 +204,12 @@ class _Cut:
         nodes, N = interpolation(self.mesh, self.line, piece, s)
         names = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
         m_x, m_y, m_xy, q_x, q_y = (np.einsum("pa,pa->p", N, getattr(self.plate, name)[nodes]) for name in names)
-        return turned(m_x, m_y, m_xy, q_x, q_y, self.line.along[self.line.leg[piece]])
+        return rotate_to_cut(m_x, m_y, m_xy, q_x, q_y, self.line.along[self.line.leg[piece]])
 
 
-def turned(m_x: Array, m_y: Array, m_xy: Array, q_x: Array, q_y: Array, t: Array) -> tuple[Array, Array, Array, Array]:
+def rotate_to_cut(
+    m_x: Array, m_y: Array, m_xy: Array, q_x: Array, q_y: Array, t: Array
+) -> tuple[Array, Array, Array, Array]:
     """Return m_n, m_t, m_nt and q_n (k,) on cuts along the unit vectors t (k, 2), n to the right of t.
 
     Moments turn as a symmetric tensor, shear forces as a vector (Timoshenko and Woinowsky-Krieger 1959).

@@ -15,7 +15,7 @@ from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
 
 if TYPE_CHECKING:
-    from groundslab.results.results import PlateResult
+    from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,8 +25,8 @@ class Tilt:
     The plate goes down towards `direction`. Deflections are w less the plane's: positive where the plate is lower.
     """
 
-    centre: tuple[float, float]  # (x_c, y_c), the area's centroid [m]
-    settlement: float  # of the plane at the centre: the mean settlement [m]
+    center: tuple[float, float]  # (x_c, y_c), the area's centroid [m]
+    settlement: float  # of the plane at the center: the mean settlement [m]
     tilt_x: float
     tilt_y: float
     deflection: float  # the deflection of the largest size [m]
@@ -70,15 +70,15 @@ class Differences:
 def tilt(plate: PlateResult) -> Tilt:
     """Return the plane that fits the settlement best: least squares, each node weighed by its share of the area."""
     area = plate.area / plate.area.sum()
-    centre = area @ plate.nodes
-    arm = plate.nodes - centre
+    center = area @ plate.nodes
+    arm = plate.nodes - center
     mean = float(area @ plate.settlement)
     slope = np.linalg.solve(arm.T @ (area[:, None] * arm), arm.T @ (area * plate.settlement))
     off = plate.settlement - mean - arm @ slope
     most = int(np.argmax(np.abs(off)))
     x, y = plate.nodes[most]
     return Tilt(
-        centre=(float(centre[0]), float(centre[1])),
+        center=(float(center[0]), float(center[1])),
         settlement=mean,
         tilt_x=float(slope[0]),
         tilt_y=float(slope[1]),
@@ -87,7 +87,7 @@ def tilt(plate: PlateResult) -> Tilt:
     )
 
 
-def between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:
+def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:
     """Return the settlement differences of all pairs of named points (x, y) [m] of the plate, such as columns."""
     names = tuple(points)
     if len(names) < 2:
@@ -110,7 +110,7 @@ def between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Di
         raise InputError(issues)
     w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
     plane = tilt(plate)
-    off = w - (places - plane.centre) @ np.array([plane.tilt_x, plane.tilt_y])
+    off = w - (places - plane.center) @ np.array([plane.tilt_x, plane.tilt_y])
     difference = w[second] - w[first]
     return Differences(
         names=names,

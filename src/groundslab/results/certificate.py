@@ -1,4 +1,4 @@
-"""The certificate of a result: equilibrium and complementarity, computed anew from the solution."""
+"""The certificate of a result: equilibrium and complementarity, computed from the solution alone."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, without_rigid_motion
 from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
-from groundslab.results.results import Certificate
+from groundslab.results.record import Certificate
 from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
 
@@ -80,7 +80,7 @@ def plate_forces(s: System, U: Array) -> Array:
 def ground_forces(s: System, U: Array, column: Column) -> Array:
     """Return the forces (n, 1 + S) that the ground's deformation puts on the plate's w and on each surface.
 
-    The first column differs from the second only where a plate's centre w hangs on its element's other nodes.
+    The first column differs from the second only where a plate's center w hangs on its element's other nodes.
     """
     problem, b = s.problem, s.blocks
     w = surface_settlement(s, U)
@@ -240,7 +240,7 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
 
 
 def _own_w(problem: Problem) -> Array:
-    """Return 0.0 at centres whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
+    """Return 0.0 at centers whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
     own = np.ones(len(problem.mesh.nodes))
     if not problem.element.centre_w:
         own[problem.mesh.elements[problem.plate_elements, 8]] = 0.0

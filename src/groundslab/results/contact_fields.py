@@ -10,7 +10,7 @@ from groundslab.fem.problem import MIDSIDES, TOP
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.system import plate_settlement
 from groundslab.results.certificate import ground_forces
-from groundslab.results.edge_forces import ground_shear, parted, pressed
+from groundslab.results.edge_forces import ground_shear, pressure_forces, split_contact_force
 from groundslab.results.result_mesh import Frame
 from groundslab.solvers.solution import Solution
 
@@ -97,10 +97,10 @@ def _line_force(solution: Solution, frame: Frame, pressure: Array) -> Array:
         return line_force
     at_points = ground_shear(s, solution.U, solution.column)
     shear = frame.at_nodes(at_points, ("shear_x", "shear_y"), ())  # smooth, and linear in U
-    share = pressed(s, solution.U, solution.column, frame.edges, shear)
+    share = pressure_forces(s, solution.U, solution.column, frame.edges, shear)
     at = edge, problem.depths.shallowest[edge]
     area = problem.depths.area[at]
-    pressure[at], line_force[edge] = parted(
+    pressure[at], line_force[edge] = split_contact_force(
         pressure[at] * area,
         share[edge],
         area,

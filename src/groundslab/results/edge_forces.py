@@ -66,7 +66,7 @@ def ground_shear(s: System, U: Array, column: Column) -> Array:
     return shear
 
 
-def pressed(s: System, U: Array, column: Column, sides: EdgeSides, shear: Array) -> Array:
+def pressure_forces(s: System, U: Array, column: Column, sides: EdgeSides, shear: Array) -> Array:
     """Return the nodal forces (n,) [N] of the pressure under the plate alone, line forces left out.
 
     It is int p N dA with p = A0 w - div A1 grad w of the top surface, by parts: the ground's forces in the plate's
@@ -88,7 +88,7 @@ def pressed(s: System, U: Array, column: Column, sides: EdgeSides, shear: Array)
     return found
 
 
-def parted(
+def split_contact_force(
     force: Array, pressed_by: Array, area: Array, length: Array, limit: float, tensionless: bool
 ) -> tuple[Array, Array]:
     """Return pressure (k,) [Pa] and line force (k,) [N/m] of nodes on the edge whose contact force is `force` (k,) [N].

@@ -44,12 +44,12 @@ class _Alike:
 
 @dataclass(frozen=True, slots=True)
 class Patches:
-    """The patches of a mesh: for each of V corner nodes a polynomial in the coordinates L^-1 (x - centre)."""
+    """The patches of a mesh: for each of V corner nodes a polynomial in the coordinates L^-1 (x - center)."""
 
     nodes: Array  # (n, 2) [m]
     elements: Integers  # (m, 9)
     corner: Integers  # (m, 4): numbers of the elements' corner nodes
-    centre: Array  # (V, 2) [m]
+    center: Array  # (V, 2) [m]
     L: Array  # (V, 3) [m]: L_xx, L_yx, L_yy, the lower triangle of the points' covariance
     alike: tuple[_Alike, ...]
     first: Integers  # (V + 1,): whose polynomials a corner node takes: source[first[v]:first[v + 1]]
@@ -68,7 +68,7 @@ def around(nodes: Array, elements: Integers, points: Array) -> Patches:
     """Return the patches of a mesh, nodes (n, 2) [m], elements (m, 9), with 2 x 2 Gauss points (m, 4, 2) [m].
 
     A corner node inside has the patch of the elements that meet there; one on the edge, where points lie on one side
-    only, takes the mean of those of its neighbours inside (Zienkiewicz and Zhu 1992): at the other end of an element's
+    only, takes the mean of those of its neighbors inside (Zienkiewicz and Zhu 1992): at the other end of an element's
     side, else across an element. Polynomials are quadratic; biquadratic where all elements are rectangles along x and
     y, whose points make rows and columns. That smears peaks less, but on other quadrilaterals it follows the scatter of
     the points' values.
@@ -78,7 +78,7 @@ def around(nodes: Array, elements: Integers, points: Array) -> Patches:
     on_edge[sides_on_boundary(elements)[:, :2]] = True
     inside = ~on_edge[vertices]
     V = len(inside)
-    known, centre, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
+    known, center, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
     meeting = np.bincount(corner.ravel(), minlength=V)
     order = np.argsort(corner.ravel(), kind="stable") // 4
     first = np.cumsum(meeting) - meeting
@@ -94,22 +94,22 @@ def around(nodes: Array, elements: Integers, points: Array) -> Patches:
             for start in range(0, len(where), _CHUNK):
                 v, own = where[start : start + _CHUNK], which[start : start + _CHUNK]
                 x = points[own].reshape(len(v), -1, 2)
-                sound, centre[v], L[v], A, inverse = _least_squares(x, terms)
+                sound, center[v], L[v], A, inverse = _least_squares(x, terms)
                 known[v] = sound
                 if sound.any():
                     found.append(_Alike(v[sound], own[sound], A[sound], inverse[sound]))
-    return Patches(nodes, elements, corner, centre, L, tuple(found), *_sources(corner, known))
+    return Patches(nodes, elements, corner, center, L, tuple(found), *_sources(corner, known))
 
 
 def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
     """Return values (n, k) at the nodes from values (m, 4, k) at the elements' 2 x 2 Gauss points.
 
     Each of sizes (k,) weighs the squares of values that belong together, such as the components of a tensor, 0 for the
-    others. Midside nodes and centres are means of their corners' polynomials. Where there is no neighbour inside, as in
+    others. Midside nodes and centers are means of their corners' polynomials. Where there is no neighbor inside, as in
     a strip one element wide, each element extrapolates bilinearly, and the nodes take the mean of its elements. So they
     do as far as a fit leaves too much over (SMOOTH, ROUGH): no polynomial may smear a peak.
     """
-    n, V, k = len(p.nodes), len(p.centre), values.shape[2]
+    n, V, k = len(p.nodes), len(p.center), values.shape[2]
     coefficients, all_doubt = np.zeros((V, len(_POWERS), k)), np.zeros((V, k))
     for g in p.alike:
         f = values[g.elements].reshape(len(g.vertex), -1, k)
@@ -133,7 +133,7 @@ def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
                 those = np.flatnonzero(count > turn)
                 x = p.nodes[elements[those[:, None], near]]
                 which = p.source[p.first[vertex[those]] + turn]
-                at = _terms(x, p.centre[which], p.L[which]) @ coefficients[which]
+                at = _terms(x, p.center[which], p.L[which]) @ coefficients[which]
                 poor = np.flatnonzero(doubtful[which])
                 if len(poor):
                     doubt = all_doubt[which[poor], None]
@@ -167,31 +167,31 @@ def _doubt(f: Array, rest: Array, sizes: Sequence[Array]) -> Array:
 
 
 def _least_squares(x: Array, terms: int) -> tuple[Flags, Array, Array, Array, Array]:
-    """Return whether points x (P, p, 2) determine a polynomial, centre, L, its terms at the points, and their inverse.
+    """Return whether points x (P, p, 2) determine a polynomial, center, L, its terms at the points, and their inverse.
 
     In coordinates whose covariance is the identity, so that the answer does not depend on how a patch is stretched.
     """
-    centre = x.mean(axis=1)
-    dx, dy = np.moveaxis(x - centre[:, None], -1, 0)
+    center = x.mean(axis=1)
+    dx, dy = np.moveaxis(x - center[:, None], -1, 0)
     tiny = np.finfo(float).tiny
     xx = np.sqrt(np.maximum((dx * dx).mean(axis=1), tiny))
     yx = (dx * dy).mean(axis=1) / xx
     yy = np.sqrt(np.maximum((dy * dy).mean(axis=1) - yx**2, tiny))
     L = np.column_stack([xx, yx, yy])
-    A = np.ascontiguousarray(_terms(x, centre, L)[..., :terms])
+    A = np.ascontiguousarray(_terms(x, center, L)[..., :terms])
     transposed = np.swapaxes(A, 1, 2)
     normal = transposed @ A
     eigenvalues = np.linalg.eigvalsh(normal)
     known = eigenvalues[:, 0] > _DEFINITE * eigenvalues[:, -1]
     normal[~known] = np.eye(terms)
     inverse = np.linalg.solve(normal, transposed).astype(np.float64, copy=False)
-    return known, centre, L, A, inverse
+    return known, center, L, A, inverse
 
 
-def _terms(x: Array, centre: Array, L: Array) -> Array:
-    """Return the terms (P, p, 9) at points x (P, p, 2) of patches with centre (P, 2) and L (P, 3)."""
-    X = (x[..., 0] - centre[:, :1]) / L[:, :1]
-    Y = (x[..., 1] - centre[:, 1:] - L[:, 1:2] * X) / L[:, 2:]
+def _terms(x: Array, center: Array, L: Array) -> Array:
+    """Return the terms (P, p, 9) at points x (P, p, 2) of patches with center (P, 2) and L (P, 3)."""
+    X = (x[..., 0] - center[:, :1]) / L[:, :1]
+    Y = (x[..., 1] - center[:, 1:] - L[:, 1:2] * X) / L[:, 2:]
     one = np.ones_like(X)
     powers = (one, X, X * X), (one, Y, Y * Y)
     return np.stack([powers[0][a] * powers[1][b] for a, b in _POWERS], axis=-1)

@@ -1,4 +1,4 @@
-"""From unknowns to results: moments and shear forces, contact pressure, the full plate from its meshed part."""
+"""Recovers results from unknowns: moments and shear forces, contact pressure, the full plate from its meshed part."""
 
 from __future__ import annotations
 
@@ -13,18 +13,10 @@ from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import apply, resistance
 from groundslab.results.contact_fields import contact_fields
+from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import Frame
-from groundslab.results.results import (
-    Certificate,
-    Constants,
-    ElementResult,
-    GroundResult,
-    Increment,
-    PlateResult,
-    Results,
-    Step,
-    SupportResult,
-)
+from groundslab.results.results import Increment, Results, SupportResult
 from groundslab.solvers.solution import Solution
 
 #: What is recovered from the Gauss points, in the order of plate.section_forces.
@@ -43,7 +35,7 @@ def recover(
     solver: str,
     increments: tuple[Increment, ...] = (),
 ) -> Results:
-    """Return the results of a solution: nodal fields on the whole plate and the whole ground."""
+    """Return the results of a solution: nodal fields on the full plate and ground."""
     plate, elements, ground = _parts(solution, frame)
     return Results(
         model=model,
@@ -70,7 +62,7 @@ def increment(solution: Solution, frame: Frame, share: float) -> Increment:
 
 
 def _parts(solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
-    """Return plate, elements and ground of the whole, with their fields."""
+    """Return the full plate, its elements and the ground with their fields."""
     problem, plate, ground = solution.system.problem, frame.plate, frame.ground
     contact, pressure = contact_fields(solution, frame)
     fields = _plate_fields(solution, frame) | contact
@@ -137,7 +129,7 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
 
 
 def _element_fields(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
-    """Return the fields at the centres of the plate's elements (mp,), the number of the section as a float among them.
+    """Return the fields at the centers of the plate's elements (mp,), the number of the section as a float among them.
 
     Without the pressure.
     """
@@ -159,13 +151,13 @@ def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
 
 
 def centre_forces(problem: Problem, U: Array, frame: Frame) -> Array:
-    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the centres of the plate's elements, (mp, 5).
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the centers of the plate's elements, (mp, 5).
 
     Nothing is averaged between elements: each has the mean of its 2 x 2 Gauss points, which is their bilinear field's
-    value at its centre. The elements are those of the meshed part, in its order.
+    value at its center. The elements are those of the meshed part, in its order.
     """
-    centres: Array = gauss_forces(problem, U, frame).mean(axis=1)
-    return centres
+    centers: Array = gauss_forces(problem, U, frame).mean(axis=1)
+    return centers
 
 
 def section_forces(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:

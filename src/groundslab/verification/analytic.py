@@ -16,7 +16,7 @@ def navier(
 ) -> dict[str, float]:
     """Return settlement [m] and moments [N m/m] of a simply supported Mindlin plate on Pasternak ground.
 
-    Uniform pressure q [Pa] on a x b, x and y from the centre. In a mode alpha, beta with l2 = alpha^2 + beta^2 the
+    Uniform pressure q [Pa] on a x b, x and y from the center. In a mode alpha, beta with l2 = alpha^2 + beta^2 the
     plate answers with D l2^2 / (1 + D l2 / S), the ground with k0 + k1 l2 (Navier's series, with the shear flexibility
     of Mindlin's plate; Timoshenko and Woinowsky-Krieger 1959, section 28).
     """
@@ -53,8 +53,8 @@ def plate_on_a_column(
 ) -> dict[str, float]:
     """Return settlement [m] and the column's force [N] of a simply supported Mindlin plate on an elastic column.
 
-    Uniform pressure q [Pa] on a x b; the column of stiffness K [N/m] stands under the centre, x and y count from
-    there. Its force is spread evenly over u x v [m] and is K times the settlement of the centre, or the mean
+    Uniform pressure q [Pa] on a x b; the column of stiffness K [N/m] stands under the center, x and y count from
+    there. Its force is spread evenly over u x v [m] and is K times the settlement of the center, or the mean
     settlement over u x v. Force method with Navier's series for both loads (Timoshenko and Woinowsky-Krieger 1959,
     sections 28 and 29).
     """
@@ -65,12 +65,12 @@ def plate_on_a_column(
     l2 = alpha**2 + beta**2
     flexibility = 1 / (D * l2**2) + 1 / (S * l2)
     spread = np.sinc(alpha * u / (2 * math.pi)) * np.sinc(beta * v / (2 * math.pi))
-    centre = (-1.0) ** ((m + n) // 2 - 1)  # sin(m pi / 2) sin(n pi / 2)
+    center = (-1.0) ** ((m + n) // 2 - 1)  # sin(m pi / 2) sin(n pi / 2)
     under_q = 16 * q / (math.pi**2 * m * n) * flexibility
-    under_1 = 4 / (a * b) * centre * spread * flexibility
-    felt = centre * spread if mean else centre
+    under_1 = 4 / (a * b) * center * spread * flexibility
+    felt = center * spread if mean else center
     force = K * float((under_q * felt).sum()) / (1 + K * float((under_1 * felt).sum()))
-    shape = np.cos(alpha * x) * np.cos(beta * y) * centre
+    shape = np.cos(alpha * x) * np.cos(beta * y) * center
     return {"settlement": float(((under_q - force * under_1) * shape).sum()), "force": force}
 
 
@@ -89,7 +89,7 @@ def point_load_on_infinite_plate(r: float, P: float, D: float, k: float) -> floa
 def circular_plate(
     r: float, radius: float, t: float, E: float, nu: float, factor: float, q: float, clamped: bool
 ) -> dict[str, float]:
-    """Return settlement [m] and radial moment [N m/m] of a Mindlin plate under uniform pressure, r [m] from its centre.
+    """Return settlement [m] and radial moment [N m/m] of a Mindlin plate under uniform pressure, r [m] from its center.
 
     The thin plate's polynomial (Timoshenko and Woinowsky-Krieger 1959, sections 16 and 17) and the shear's share
     q (R^2 - r^2) / 4 S, which is exact as the shear force q r / 2 is statically determinate.

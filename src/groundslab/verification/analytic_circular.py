@@ -17,7 +17,7 @@ def partly_loaded_circular_plate(
     q: float = 0.0,
     ring: float = 0.0,
 ) -> dict[str, float]:
-    """Return settlement [m], radial and tangential moment [N m/m] of a circular Mindlin plate, r [m] from its centre.
+    """Return settlement [m], radial and tangential moment [N m/m] of a circular Mindlin plate, r [m] from its center.
 
     It carries the pressure q [Pa] on the concentric disc of radius b [m] and the line load ring [N/m] on its border;
     the plate's edge is clamped or simply supported. The shear force follows from statics alone, Q = S (w' - beta), so
@@ -25,7 +25,7 @@ def partly_loaded_circular_plate(
     1959, sections 16 to 19).
     """
     if not 0 < b <= radius or r < 0 or r > radius:
-        raise ValueError(f"0 < b <= radius and 0 <= r <= radius are needed, got b = {b}, r = {r}, radius = {radius}")
+        raise ValueError(f"0 < b <= radius and 0 <= r <= radius are needed, not b = {b}, r = {r}, radius = {radius}")
     D, S = E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t
     h, h_over_r, dh = _loaded(r, b, q, ring)
     at_edge = _loaded(radius, b, q, ring)
@@ -44,7 +44,7 @@ def partly_loaded_circular_plate(
 def _loaded(r: float, b: float, q: float, ring: float) -> tuple[float, float, float]:
     """Return the integral from 0 to r of h [N m], h / r [N] and h' [N], where h = D beta carries the load.
 
-    ((r h)' / r)' = -Q with h = h' = 0 at the centre: Q = -q r / 2 within b, Q = -V / r beyond, V = q b^2 / 2 + ring b
+    ((r h)' / r)' = -Q with h = h' = 0 at the center: Q = -q r / 2 within b, Q = -V / r beyond, V = q b^2 / 2 + ring b
     (Timoshenko and Woinowsky-Krieger 1959, section 16).
     """
     if r <= b:

@@ -31,7 +31,7 @@ class OnSprings:
         """Return the plate of thickness t [m] and modulus E [Pa]; factor = inf makes it a thin plate."""
         plate = cls(E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t, nu, k)
         if plate.sigma >= 1:
-            raise ValueError(f"sqrt(k D) / 2 S must be below 1, got {plate.sigma}")
+            raise ValueError(f"sqrt(k D) / 2 S must be below 1, not {plate.sigma}")
         return plate
 
     @property
@@ -68,13 +68,13 @@ def lifting_circular_plate(
     """Return settlement [m], radial moment [N m/m] and contact radius [m] of a free circular plate that lifts off.
 
     The plate lies on springs k [Pa/m] that only press and carries P [N], spread evenly over the disc of radius b [m]
-    at its centre; b = 0 is a force. On the contact disc r < c Kelvin's functions hold, beyond it w = C1 + C2 r^2 +
+    at its center; b = 0 is a force. On the contact disc r < c Kelvin's functions hold, beyond it w = C1 + C2 r^2 +
     C3 ln r, for no shear force is left; c is where settlement and shear force vanish and slope and moment go over
     into those of a ring with a free edge (Timoshenko and Woinowsky-Krieger 1959, sections 16 and 57; with Mindlin's
     shear, of which the ring has none). ValueError if the edge does not lift off.
     """
     if not 0 <= b < radius or not 0 <= r <= radius:
-        raise ValueError(f"0 <= b < radius and 0 <= r <= radius are needed, got b = {b}, r = {r}, radius = {radius}")
+        raise ValueError(f"0 <= b < radius and 0 <= r <= radius are needed, not b = {b}, r = {r}, radius = {radius}")
     plate = OnSprings.of(t, E, nu, factor, k)
     if r == b == 0 and plate.sigma > 0:
         raise ValueError("a Mindlin plate settles without limit under a force; give b > 0 or factor = inf")
@@ -139,7 +139,7 @@ def _at(r: float, c: float, b: float, P: float, plate: OnSprings) -> tuple[float
 def _infinite(plate: OnSprings, b: float, P: float, r: float) -> tuple[complex, complex]:
     """Return f [m] and its slope [1] of an infinite plate under P [N] on a disc of radius b [m]; w is the real part.
 
-    A force makes f = a K0(zeta r) with r Q -> -P / 2 pi and r beta -> 0 at the centre; over the disc its mean is taken
+    A force makes f = a K0(zeta r) with r Q -> -P / 2 pi and r beta -> 0 at the center; over the disc its mean is taken
     by the addition theorem of K0.
     """
     from scipy.special import iv, kv
@@ -189,7 +189,7 @@ def rigid_plate_on_springs(y: float, width: float, force: float, arm: float, k: 
     40/3 N/m at 0.5 m). A negative settlement is uplift.
     """
     if not 0 < arm <= width / 2:
-        raise ValueError(f"0 < arm <= width / 2 is needed, got {arm} of {width}")
+        raise ValueError(f"0 < arm <= width / 2 is needed, not {arm} of {width}")
     if arm < width / 3:
         return 2 * force / (3 * arm * k) * (1 - y / (3 * arm))
     return force / (width * k) * (1 + 12 * (width / 2 - arm) * (width / 2 - y) / width**2)

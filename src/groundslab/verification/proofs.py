@@ -26,7 +26,7 @@ class Proof:
 
 
 def most_carried(r: Array, w: Array, k0: float, k1: float) -> float:
-    """Return the most [N] that ground can carry under a plate that settles by w(r) about its centre [m].
+    """Return the most [N] that ground can carry under a plate that settles by w(r) about its center [m].
 
     Wherever the contact ends, at a radius c: k0 times the volume inside, and at its rim the shear force of undisturbed
     ground outside, 2 pi c k1 a w(c) K1(a c) / K0(a c) with a = sqrt(k0 / k1), the exact decay outside a circle.
@@ -53,13 +53,13 @@ def depression(run: Run, model: str, x: list[float], published_mm: list[float]) 
     own = most_carried(np.array(x), ours, k0, k1)
     return Proof(
         theirs < 0.85 * load < 0.95 * load < own,
-        f"no equilibrium: the printed profile, turned about the centre, carries at most {theirs / 1e6:.2f} MN of the "
+        f"no equilibrium: the printed profile, turned about the center, carries at most {theirs / 1e6:.2f} MN of the "
         f"{load / 1e6:.2f} MN applied; the same sum over our profile gives {own / 1e6:.2f} MN",
     )
 
 
 def off_the_curve(run: Run, model: str, x: list[float], published_mm: list[float], place: float) -> Proof:
-    """Hold a value against the even polynomial through its neighbours; our own value must lie on ours."""
+    """Hold a value against the even polynomial through its neighbors; our own value must lie on ours."""
     results = run(model)
     at = np.array(x)
     others = at != place
@@ -73,7 +73,7 @@ def off_the_curve(run: Run, model: str, x: list[float], published_mm: list[float
     theirs = miss(np.array(published_mm))
     return Proof(
         theirs > 5 * ours,
-        f"not on a smooth curve: it lies {theirs:.2f} mm off the even polynomial through its neighbours "
+        f"not on a smooth curve: it lies {theirs:.2f} mm off the even polynomial through its neighbors "
         f"(our value {ours:.2f} mm)",
     )
 

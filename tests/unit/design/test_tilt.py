@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab.design.tilt import between, tilt
+from groundslab.design.tilt import settlement_differences, tilt
 from groundslab.errors import InputError
 from helpers.plates import crooked, plate_of, straight
 
@@ -25,8 +25,8 @@ def test_a_plane_is_its_own_best_fit(a: float, b: float, c: float) -> None:
     np.testing.assert_allclose([found.tilt_x, found.tilt_y], [a, b], atol=1e-12)
     assert found.tilt == pytest.approx(np.hypot(a, b), abs=1e-12)
     assert abs(found.deflection) < 1e-12
-    assert found.settlement == pytest.approx(c + a * found.centre[0] + b * found.centre[1])
-    assert between(plate, POINTS).relative.max() < 1e-11
+    assert found.settlement == pytest.approx(c + a * found.center[0] + b * found.center[1])
+    assert settlement_differences(plate, POINTS).relative.max() < 1e-11
 
 
 def test_a_bowl_on_a_slope() -> None:
@@ -34,7 +34,7 @@ def test_a_bowl_on_a_slope() -> None:
     plate = plate_of(straight(8, 6), settlement=lambda x, y: 2e-3 * (x - 3) + 1e-3 * (x - 3) ** 2 + 4e-3 * (y - 2) ** 2)
     found = tilt(plate)
     mean = 1e-3 * 3**2 / 3 + 4e-3 * 2**2 / 3
-    assert found.centre == pytest.approx((3, 2))
+    assert found.center == pytest.approx((3, 2))
     assert (found.settlement, found.tilt_x) == pytest.approx((mean, 2e-3))
     assert found.tilt_y == pytest.approx(0, abs=1e-12)
     assert found.direction == pytest.approx(0, abs=1e-9)
@@ -57,7 +57,7 @@ def test_the_plate_goes_down_towards_the_direction() -> None:
 def test_differences_between_columns() -> None:
     """Every pair once: difference of the second less the first, over the distance; the worst is named."""
     plate = plate_of(crooked(), settlement=lambda x, y: 1e-3 * x**2 - 1e-3 * y)
-    found = between(plate, POINTS)
+    found = settlement_differences(plate, POINTS)
     w = {name: 1e-3 * x**2 - 1e-3 * y for name, (x, y) in POINTS.items()}
     pairs = [(found.names[i], found.names[j]) for i, j in zip(found.first, found.second, strict=True)]
     assert pairs == [("A", "B"), ("A", "C"), ("A", "D"), ("B", "C"), ("B", "D"), ("C", "D")]
@@ -81,5 +81,5 @@ def test_differences_between_columns() -> None:
 def test_faults(points: dict, places: list[str]) -> None:
     """Too few points, points off the plate, and two points at one place are refused, all at once."""
     with pytest.raises(InputError) as caught:
-        between(plate_of(straight()), points)
+        settlement_differences(plate_of(straight()), points)
     assert [issue.location for issue in caught.value.issues] == places

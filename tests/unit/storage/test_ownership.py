@@ -20,7 +20,7 @@ from helpers import synthetic
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder of results of several combinations, with pictures."""
-    return results_folder.write(synthetic.combined(), tmp_path_factory.mktemp("results") / "raft", plot=True)
+    return results_folder.save_results(synthetic.combined(), tmp_path_factory.mktemp("results") / "raft", plot=True)
 
 
 @pytest.fixture(scope="module")
@@ -92,7 +92,7 @@ def test_commands_ask_before_they_draw(
     results: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Both plot and report refuse a place before any results are read: foreign files, folders, pipes, long names."""
-    monkeypatch.setattr(results_folder, "load", None)
+    monkeypatch.setattr(results_folder, "load_results", None)
     places = ["folder", "text", "none/x", "x" * 256]
     (tmp_path / "text").write_text("mine")
     if hasattr(os, "mkfifo"):

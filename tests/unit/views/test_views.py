@@ -19,10 +19,11 @@ from rich.console import Console
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
-from groundslab.results.results import SupportResult
+from groundslab.results.results import SupportResult, alone
 from groundslab.units import UNITS, format_number
 from groundslab.views.files import npz, vtk
 from groundslab.views.summary import combinations, progress, single, terminal
+from groundslab.views.summary.json_summary import json_text
 from helpers import synthetic
 from helpers.paths import ROOT
 
@@ -35,7 +36,7 @@ def rows(results: Any) -> dict[str, single.Row]:
 def printed(results: Any, **options: Any) -> str:
     """Return what the summary prints."""
     console = Console(file=io.StringIO(), width=80, **options)
-    terminal.print_summary(results, console)
+    terminal.print_summary(alone(results), console)
     return console.file.getvalue()  # type: ignore[attr-defined]
 
 
@@ -137,7 +138,7 @@ class TestJson:
 
     def test_numbers_with_a_dimension_name_their_si_unit(self) -> None:
         """Every object with a value has a unit, or is a line of the certificate with its limit."""
-        document = json.loads(single.json_text(synthetic.results(shear=True), ["summary.json"]))
+        document = json.loads(json_text(alone(synthetic.results(shear=True)), files=["summary.json"]))
 
         def visit(item: Any) -> None:
             if isinstance(item, dict):
@@ -169,7 +170,7 @@ class TestJson:
             constants=replace(plain.constants, k0=(np.float64(synthetic.K0),)),
             certificate=replace(plain.certificate, residual=np.float64(plain.certificate.residual)),
         )
-        assert single.json_text(numpy) == single.json_text(plain)
+        assert json_text(alone(numpy)) == json_text(alone(plain))
 
 
 class TestTable:
@@ -269,9 +270,9 @@ class TestOverview:
     def test_json_holds_each_with_its_figures(self) -> None:
         """Numbers as for one combination, extremes with the name of theirs; refused ones with their reason."""
         combined = synthetic.combined()
-        document = json.loads(combinations.json_text(combined, {"NUL": "02-nul"}, ["summary.json"]))
+        document = json.loads(json_text(combined, {"NUL": "02-nul"}, ["summary.json"]))
         first, second, third, last = document["combinations"]
-        one = json.loads(single.json_text(combined["NUL"]))
+        one = json.loads(json_text(alone(combined["NUL"])))
         for key in ("settlement", "contact", "section_forces", "certificate", "constants", "history"):
             assert second[key] == one[key]
         assert second["folder"] == "02-nul"
@@ -288,7 +289,7 @@ class TestOverview:
     def test_table_fits_80_columns(self) -> None:
         """No line is wider than 80 columns; load, settlement, uplift, share, steps and verdict of each are there."""
         console = Console(file=io.StringIO(), width=80)
-        terminal.print_overview(synthetic.combined(), console)
+        terminal.print_summary(synthetic.combined(), console)
         text = console.file.getvalue()  # type: ignore[attr-defined]
         lines = text.splitlines()
         assert max(map(len, lines)) <= 80
@@ -313,8 +314,8 @@ class TestOverview:
         plate = combined["NUL"].plate
         bad = replace(combined["NUL"], plate=replace(plate, gap=np.full_like(plate.gap, np.nan)))
         for show in (
-            combinations.json_text,
-            lambda each: terminal.print_overview(each, Console(file=io.StringIO())),
+            json_text,
+            lambda each: terminal.print_summary(each, Console(file=io.StringIO())),
         ):
             with pytest.raises(GroundslabError, match="not finite"):
                 show(replace(combined, results=combined.results | {"NUL": bad}))

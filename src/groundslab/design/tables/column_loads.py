@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.tables.thickness import of_elements
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
@@ -24,14 +23,14 @@ from groundslab.model.loads.load_types import (
 )
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
-from groundslab.results.results import PlateResult, Results
+from groundslab.results.results import Results
 
 if TYPE_CHECKING:
     from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
 
-def of_column(model: Model, name: str) -> dict[str, float]:
+def sum_of_column(model: Model, name: str) -> dict[str, float]:
     """Return the sum of the point loads that name a column [N], by load case."""
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
@@ -40,8 +39,9 @@ def of_column(model: Model, name: str) -> dict[str, float]:
     return force
 
 
-def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict[str, float]:
+def sum_of_others(results: Results, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
+    model, plate = results.model, results.plate
     mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.plate.sides)
     elements = load_vectors.near(mesh, part)
     force: dict[str, float] = defaultdict(float)
@@ -52,8 +52,8 @@ def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict
             for piece in _pieces(part, load.drawn(chord)):
                 force[load.case] += float(load_vectors.over_polygon(mesh, elements, piece, pressure_of(load)).sum())
         elif isinstance(load, SelfWeight):
-            volume = load_vectors.over_polygon(mesh, elements, part).sum(axis=1) @ of_elements(model, plate)[elements]
-            force[load.case] += float(load.unit_weight * volume)
+            area = load_vectors.over_polygon(mesh, elements, part).sum(axis=1)
+            force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[elements]))
         elif isinstance(load, LineLoad):
             force[load.case] += _on_line(load, model.plate, part, chord)
         elif isinstance(load, PointLoad) and load.column != column and _may_meet(load, model, part):
@@ -61,7 +61,7 @@ def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict
     return force
 
 
-def under(results: Results, force: Mapping[str, float]) -> float:
+def factored_sum(results: Results, force: Mapping[str, float]) -> float:
     """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
     factors = dict(results.factors) if results.model.cases else {"": 1.0}
     return sum(factors.get(case, 0.0) * each for case, each in force.items())
@@ -103,10 +103,10 @@ def _on_footprint(load: PointLoad, part: Polygon, chord: float) -> float:
     place = load.drawn(chord)
     if place.geom_type == "Point":
         return load.P if part.covers(place) else 0.0
-    centre, inertia = load_vectors.inertia(place)
+    center, inertia = load_vectors.inertia(place)
     slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
     force = 0.0
     for piece in _pieces(part, place):
-        lever = np.array(piece.centroid.coords[0]) - centre
+        lever = np.array(piece.centroid.coords[0]) - center
         force += float((load.P / place.area + lever @ slope) * piece.area)
     return force

@@ -6,16 +6,17 @@ from collections.abc import Callable
 
 import numpy as np
 
-from groundslab.design.punching_resistance import at_the_face
+from groundslab.design.punching_resistance import max_resistance
 from groundslab.design.tables import column_loads
 from groundslab.design.tables.punching import Demand, demands
-from groundslab.design.tables.quantities import solved
+from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.reinforcement import materials
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.tilt import between
+from groundslab.design.tilt import settlement_differences
 from groundslab.model.columns import Column
 from groundslab.model.outputs import Reinforcement
-from groundslab.results.results import Combined, PlateResult
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import Combined
 
 _NEIGHBOURS = (
     ("worst neighbour", ""), ("distance", "m"), ("settlement difference", "mm"), ("angular distortion", "mm/m"),
@@ -28,18 +29,18 @@ _PUNCHING = (
 
 
 def column_table(combined: Combined) -> Table:
-    """Return load, settlement, worst neighbour and demand of punching of each column in each combination."""
-    model, results = combined.model, solved(combined)
-    own = {column.name: column_loads.of_column(model, column.name) for column in model.columns}
+    """Return load, settlement, worst neighbor and demand of punching of each column in each combination."""
+    model, results = combined.model, solved_results(combined)
+    own = {column.name: column_loads.sum_of_column(model, column.name) for column in model.columns}
     steel, punched = model.reinforcement, demands(combined)
-    v_Rd_max = None if steel is None else at_the_face(materials(steel)[0])
+    v_Rd_max = None if steel is None else max_resistance(materials(steel)[0])
     rows = []
     for each in results:
-        neighbour = _neighbours(each.plate, model.columns)
+        neighbor = _neighbors(each.plate, model.columns)
         for column in model.columns:
-            force = column_loads.under(each, own[column.name])
+            force = column_loads.factored_sum(each, own[column.name])
             row: list[Cell] = [each.combination, column.name, column.x, column.y, force / 1e3]
-            row += neighbour(column)
+            row += neighbor(column)
             if v_Rd_max is not None:
                 row += _demand(punched.found.get((each.combination, column.name)), v_Rd_max)
             rows.append(row)
@@ -81,15 +82,15 @@ def _demand(demand: Demand | None, v_Rd_max: float) -> list[Cell]:
     return [*cells, *face, v_Rd_max / 1e6]
 
 
-def _neighbours(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Column], list[Cell]]:
-    """Return the function that gives a column's settlement and its worst neighbour's figures."""
+def _neighbors(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Column], list[Cell]]:
+    """Return the function that gives a column's settlement and its worst neighbor's figures."""
     # columns at one place are one point
     names: dict[tuple[float, float], str] = {}
     for column in columns:
         names.setdefault((column.x, column.y), column.name)
     if len(names) < 2:
         return lambda column: [plate.value_at("settlement", column.x, column.y) * 1e3, *[None] * 5]
-    pairs = between(plate, {name: xy for xy, name in names.items()})
+    pairs = settlement_differences(plate, {name: xy for xy, name in names.items()})
 
     def figures(column: Column) -> list[Cell]:
         me = pairs.names.index(names[column.x, column.y])

@@ -17,10 +17,10 @@ from groundslab.design.tables.reinforcement import (
     TOO_WEAK,
     UNFACTORED,
     Need,
-    governing,
+    governing_needs,
     materials,
     section_name,
-    ultimate,
+    ultimate_results,
     without_partial_factors,
 )
 from groundslab.model.outputs import Reinforcement
@@ -59,7 +59,7 @@ def design_of(combined: Combined) -> Design:
     steel = combined.model.reinforcement
     if steel is None:
         return Design("not checked", "Strength was not checked: the case has no [reinforcement].")
-    if not ultimate(combined):
+    if not ultimate_results(combined):
         return Design("not checked", "DESIGN NOT CHECKED: no ultimate combination has a certified result.")
     order = ("fails", "attention", "no failure found")
     found = tuple(sorted(_checks(combined, steel), key=lambda each: order.index(each.status)))
@@ -80,7 +80,7 @@ def _verb(verb: str, count: int) -> str:
 
 def _checks(combined: Combined, steel: Reinforcement) -> Iterator[DesignCheck]:
     """Yield all checks."""
-    needs = governing(combined, steel)
+    needs = governing_needs(combined, steel)
     yield _bending(needs)
     yield _compression(needs)
     if combined.model.columns:
@@ -133,7 +133,7 @@ def _where(need: Need) -> str:
 
 def _face(steel: Reinforcement, punched: Demands) -> DesignCheck:
     """Return whether punching exceeds v_Rd,max at the face of any column (EN 1992-1-1 6.4.5(3))."""
-    limit = punching_resistance.at_the_face(materials(steel)[0])
+    limit = punching_resistance.max_resistance(materials(steel)[0])
     stresses = [(each, each.face, limit) for each in punched.found.values() if each.face is not None]
     return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
 
@@ -141,7 +141,7 @@ def _face(steel: Reinforcement, punched: Demands) -> DesignCheck:
 def _at_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
     """Return whether punching at 2 d needs links, or exceeds what they can carry, whatever the other bars."""
     concrete, name = materials(steel)[0], "punching at 2 d"
-    there = [(each, each.at_2d, punching_resistance.without_links(concrete, each.d))
+    there = [(each, each.at_2d, punching_resistance.resistance_without_links(concrete, each.d))
              for each in punched.found.values() if each.at_2d is not None]  # fmt: skip
     most = [(each, stress, punching_resistance.K_MAX * v_Rd_c) for each, stress, v_Rd_c in there]
     with_links = _punching(name, "1.5 v_Rd,c with the most bars that count", most, punched, "fails", "6.4.5(1)")

@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.envelope import envelope
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import nodal, ranged, solved
+from groundslab.design.tables.quantities import nodal, ranged_fields, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_cases import LimitState
@@ -28,7 +28,7 @@ def envelopes(combined: Combined) -> Table:
     rows = []
     for state, group in _by_limit_state(combined):
         nodes = group[0].plate.nodes
-        for about, name, where in ranged(group[0]):
+        for about, name, where in ranged_fields(group[0]):
             e = envelope({each.combination: nodal(each, name)[where] for each in group})
             row: list[Cell] = [state, about.label, about.unit]
             for sign, values, by in ((-1, e.least, e.least_by), (1, e.greatest, e.greatest_by)):
@@ -70,22 +70,22 @@ def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
 def _reinforcement(combined: Combined) -> dict[str, Array | Integers]:
     """Return the required areas [cm2/m] and flags at the plate's nodes."""
     assert combined.model.reinforcement is not None
-    found = reinforcement.needs(combined.model, combined.model.reinforcement, reinforcement.ultimate(combined))
+    found = reinforcement.required_areas(combined.model.reinforcement, reinforcement.ultimate_results(combined))
     if not found:
         return {}
-    areas = {layer: reinforcement.most(found, layer)[0] for layer in LAYERS}
+    areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
     fields: dict[str, Array | Integers] = {
         f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * reinforcement.CM2 for layer, area in areas.items()
     }
     fails: Flags = np.any([np.isinf(area) for area in areas.values()], axis=0)
     fields["reinforcement fails"] = fails.astype(np.int64)
-    fields["reinforcement needs links"] = reinforcement.links(found).astype(np.int64)
+    fields["reinforcement needs links"] = reinforcement.needs_links(found).astype(np.int64)
     return fields
 
 
 def _by_limit_state(combined: Combined) -> Iterator[tuple[str, list[Results]]]:
     """Yield each limit state that has results, with these."""
-    results = solved(combined)
+    results = solved_results(combined)
     for each in results[1:]:
         if not np.array_equal(each.plate.nodes, results[0].plate.nodes):
             raise GroundslabError("the combinations' results stand on different meshes; they have no envelope")

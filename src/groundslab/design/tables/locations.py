@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab.design.design_moments import fields_of
 from groundslab.design.section_cuts import along, strip
-from groundslab.design.tables.quantities import listed, solved
+from groundslab.design.tables.quantities import listed, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate
@@ -25,7 +25,7 @@ def points(combined: Combined) -> Table:
     """Return all quantities at each output point in each combination."""
     wanted = combined.model.output.points
     rows: list[list[Cell]] = []
-    for results in solved(combined):
+    for results in solved_results(combined):
         plate = results.plate
         mesh = Mesh(plate.nodes, plate.elements)
         # a point on a curved edge may lie outside the elements' sides by a little
@@ -44,7 +44,7 @@ def lines(combined: Combined) -> Table:
     """Return all quantities along each output line in each combination."""
     rows: list[list[Cell]] = []
     missed: list[str] = []
-    for results in solved(combined):
+    for results in solved_results(combined):
         for line in combined.model.output.lines:
             try:
                 section = along(results.plate, np.array([line.start, line.end]))
@@ -76,7 +76,7 @@ def strips(combined: Combined) -> Table:
     ]  # fmt: skip
     rows: list[list[Cell]] = []
     missed: list[str] = []
-    for results in solved(combined):
+    for results in solved_results(combined):
         for each in combined.model.output.strips:
             try:
                 f = strip(results.plate, each.start, each.end, each.width, each.stations)

@@ -23,12 +23,12 @@ def nodal(results: Results, name: str) -> Array:
     return derived(fields_of(results.plate), name) * RANGED_FIELDS[name].scale
 
 
-def solved(combined: Combined) -> list[Results]:
+def solved_results(combined: Combined) -> list[Results]:
     """Return the results there are, in the order of the combinations."""
     return [combined.results[each.name] for each in combined.combinations if each.name in combined.results]
 
 
-def ranged(results: Results) -> list[tuple[ResultField, str, Flags]]:
+def ranged_fields(results: Results) -> list[tuple[ResultField, str, Flags]]:
     """Return what has extremes: how it is shown, its name in RANGED_FIELDS, and the nodes that count (n,)."""
     everywhere = np.ones(len(results.plate.nodes), dtype=bool)
     on_edge = results.plate.edge_length > 0

@@ -10,28 +10,27 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.design_moments import DesignMoments, wood_armer
 from groundslab.design.envelope import Envelope, envelope
 from groundslab.design.reinforcement import Axes, Concrete, SlabReinforcement, Steel, minimum, required, slab
-from groundslab.design.tables.quantities import solved
+from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.tables.thickness import of_nodes, of_sections, section_of_nodes
-from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import LAYERS, extreme_node, place_of
-from groundslab.results.results import Combined, PlateResult, Results
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import Combined, Results
 
 #: From m2/m to cm2/m.
 CM2 = 1e4
 
 
-def ultimate(combined: Combined) -> list[Results]:
+def ultimate_results(combined: Combined) -> list[Results]:
     """Return the results of the ultimate combinations."""
-    return [results for results in solved(combined) if results.limit_state == "ultimate"]
+    return [results for results in solved_results(combined) if results.limit_state == "ultimate"]
 
 
-def needs(model: Model, steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
+def required_areas(steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
     """Return what the plate's nodes need in each combination, by its name."""
     if not results:
         return {}
-    t = of_nodes(model, results[0].plate)
+    t, _ = results[0].elements.at_nodes(results[0].plate)
     axes = Axes(*steel.bottom, *steel.top)
     concrete, bars = materials(steel)
     return {each.combination: slab(_design(each.plate), t, axes, concrete, bars) for each in results}
@@ -42,7 +41,7 @@ def materials(steel: Reinforcement) -> tuple[Concrete, Steel]:
     return Concrete(steel.f_ck, steel.gamma_c, steel.alpha_cc), Steel(steel.f_yk, steel.gamma_s)
 
 
-def most(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
+def largest_areas(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
     """Return the largest area (n,) [m2/m] of a layer over the combinations, inf where it fails, and its envelope.
 
     The envelope is that of areas with a number larger than any in place of inf.
@@ -52,7 +51,7 @@ def most(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelo
     return np.max(list(areas.values()), axis=0), envelope(finite)
 
 
-def links(found: dict[str, SlabReinforcement]) -> Flags:
+def needs_links(found: dict[str, SlabReinforcement]) -> Flags:
     """Return where bars in compression are counted in any combination (n,), which links must hold."""
     counted: Flags = np.any([each.links for each in found.values()], axis=0)
     return counted
@@ -87,28 +86,28 @@ class Need:
     links: float  # share of the plate's area where bars in compression are counted on, in any layer
 
 
-def governing(combined: Combined, steel: Reinforcement) -> list[Need]:
+def governing_needs(combined: Combined, steel: Reinforcement) -> list[Need]:
     """Return what each layer needs in each section that the plate has, over all ultimate combinations.
 
     Within a section the depth is one, so that the largest moment of each face governs: all that a layer needs grows
     with them.
     """
-    results = ultimate(combined)
-    found = needs(combined.model, steel, results)
+    results = ultimate_results(combined)
+    found = required_areas(steel, results)
     if not found:
         return []
-    model, plate = combined.model, results[0].plate
-    section, t, linked = section_of_nodes(model, plate), of_sections(model), links(found)
+    plate, linked = results[0].plate, needs_links(found)
+    thickness, section = results[0].elements.at_nodes(plate)
     designs = {each.combination: _design(each.plate) for each in results}
     largest = {layer: _largest(designs, layer) for layer in LAYERS}
     rows = []
     for layer in LAYERS:
-        area = most(found, layer)[0]
+        area = largest_areas(found, layer)[0]
         for number in np.unique(section):
             nodes = np.flatnonzero(section == number)
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             moments = [_peak(plate, nodes, *largest[each]) for each in (layer, _OTHER[layer])]
-            rows.append(_need(layer, int(number), float(t[number]), steel, moments, shares))
+            rows.append(_need(layer, int(number), float(thickness[nodes[0]]), steel, moments, shares))
     return rows
 
 
@@ -178,7 +177,7 @@ def reinforcement(combined: Combined, steel: Reinforcement) -> Table:
         ("combination", ""), ("design moment", "kNm/m"), ("thickness", "m"), ("minimum area", "cm2/m"),
         ("part of the plate that fails", "%"), ("part of the plate that needs links", "%"),
     ]  # fmt: skip
-    rows = [_row(each) for each in governing(combined, steel)]
+    rows = [_row(each) for each in governing_needs(combined, steel)]
     notes = [
         "By EN 1992-1-1 for Wood's design moments of each node in each ultimate combination, not of averages. The "
         "required area is not less than the minimum of 9.2.1.1(1) where there is a moment.",

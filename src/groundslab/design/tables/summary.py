@@ -1,14 +1,14 @@
-"""Tables of whole combinations: what was solved, extremes of all fields, tilt."""
+"""Tables of the combinations: what was solved, extremes of all fields, tilt."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from groundslab.design.tables.quantities import nodal, ranged, solved
+from groundslab.design.tables.quantities import nodal, ranged_fields, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
 from groundslab.model.loads.load_cases import Combination
-from groundslab.results.contact_zone import EDGE_NOTE, contact_share, has_line_force
+from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
 from groundslab.results.fields import extreme
 from groundslab.results.results import Combined, Results
 
@@ -62,7 +62,7 @@ def _figures(results: Results) -> list[Cell]:
         certificate.reaction / 1e3,
         float(plate.settlement.max() * 1e3),
         max(0.0, float(-plate.settlement.min() * 1e3)),
-        100 * contact_share(plate),
+        100 * plate.contact_share,
         float(plate.pressure.max() / 1e3),
         line_force,
         worst,
@@ -78,8 +78,8 @@ def extremes(combined: Combined) -> Table:
         ("greatest", ""), ("x of the greatest", "m"), ("y of the greatest", "m"),
     ]  # fmt: skip
     rows = []
-    for results in solved(combined):
-        for about, name, where in ranged(results):
+    for results in solved_results(combined):
+        for about, name, where in ranged_fields(results):
             nodes, values = results.plate.nodes[where], nodal(results, name)[where]
             row: list[Cell] = [results.combination, about.label, about.unit]
             for sign in (-1, 1):
@@ -103,7 +103,7 @@ def tilts(combined: Combined) -> Table:
         ("largest deflection", "mm"), ("x of the deflection", "m"), ("y of the deflection", "m"),
     ]  # fmt: skip
     rows = []
-    for results in solved(combined):
+    for results in solved_results(combined):
         t = tilt(results.plate)
         slopes = [t.tilt_x * 1e3, t.tilt_y * 1e3, t.tilt * 1e3, float(np.degrees(t.direction))]
         rows.append([results.combination, t.settlement * 1e3, *slopes, t.deflection * 1e3, *t.place])

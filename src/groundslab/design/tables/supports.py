@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.design.tables.quantities import solved
+from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.results.results import Combined, SupportResult
 
@@ -17,7 +17,7 @@ def support_table(combined: Combined) -> Table:
     kinds = [support.kind for support in combined.model.supports]
     rows = [
         [results.combination, support.name, kind, *_figures(support, kind)]
-        for results in solved(combined)
+        for results in solved_results(combined)
         for support, kind in zip(results.supports, kinds, strict=True)
     ]
     notes = (

@@ -87,7 +87,7 @@ class Table:
 def table_of(
     name: str, title: str, heads: Sequence[Head], rows: Iterable[Sequence[Any]], notes: Sequence[str] = ()
 ) -> Table:
-    """Return a table from its rows; NumPy's numbers become Python's, lengths in metres are rounded to nanometres."""
+    """Return a table from its rows; NumPy's numbers become Python's, lengths in meters are rounded to nanometers."""
     plain = [[_plain(value, unit) for value, (_, unit) in zip(row, heads, strict=True)] for row in rows]
     columns = list(zip(*plain, strict=True)) if plain else [()] * len(heads)
     made = (Column(name, unit, values) for (name, unit), values in zip(heads, columns, strict=True))

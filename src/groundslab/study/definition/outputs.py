@@ -11,7 +11,6 @@ import numpy as np
 from groundslab.design.design_moments import derived, fields_of, wood_armer
 from groundslab.design.tilt import tilt
 from groundslab.errors import InputError, Issue
-from groundslab.results.contact_zone import contact_share
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import Combined, Results
 from groundslab.schema.fields import FieldType, Number, Quantity
@@ -176,7 +175,7 @@ def _scalar_quantity(output: Output, results: Results) -> float | None:
         case "settlement difference":
             return float(np.ptp(results.plate.settlement))
         case "in contact":
-            return contact_share(results.plate)
+            return results.plate.contact_share
         case "support force":
             return next((each.total for each in results.supports if each.name == output.support), None)
         case "gamma":
@@ -188,9 +187,7 @@ def _scalar_quantity(output: Output, results: Results) -> float | None:
 
 def field_of(results: Results, name: str) -> Array:
     """Return a field of FIELDS at the plate's nodes (n,), in SI units."""
-    from groundslab.design.tables.thickness import of_nodes
-
-    thickness = of_nodes(results.model, results.plate) if name in _NEEDS_THICKNESS else np.zeros(0)
+    thickness = results.elements.at_nodes(results.plate)[0] if name in _NEEDS_THICKNESS else np.zeros(0)
     return _derive(results, name, fields_of(results.plate), thickness)
 
 

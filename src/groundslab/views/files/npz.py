@@ -14,17 +14,9 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
-from groundslab.results.results import (
-    Certificate,
-    Constants,
-    ElementResult,
-    GroundResult,
-    Increment,
-    PlateResult,
-    Results,
-    Step,
-    SupportResult,
-)
+from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.results import Increment, Results, SupportResult
 from groundslab.views.files.validation import require_sound
 
 if TYPE_CHECKING:
@@ -36,7 +28,7 @@ if TYPE_CHECKING:
 FORMAT = 4
 
 
-#: Letters of a library's reason that are told.
+#: Longest text of a library's reason.
 LONGEST_REASON = 300
 #: Arrays that all states have in common.
 MESH = {"nodes", "elements"}
@@ -159,12 +151,12 @@ def _read_about(text: str) -> _About:
     """Return what the JSON text says; raises ValueError, which names the first value that is wrong."""
     from pydantic import ValidationError
 
-    layout, whole = _adapters()
+    layout, about = _adapters()
     try:
         found = layout.validate_json(text, strict=True).format
         if found != FORMAT:
             raise ValueError(f"layout {found}, while this version reads {FORMAT}")
-        return whole.validate_json(text, strict=True)
+        return about.validate_json(text, strict=True)
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         raise ValueError(f"about.{'.'.join(map(str, first['loc']))}: {first['msg']}") from None

@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.design.design_moments import derived, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.results.fields import DIRECTION, ELEMENT_FIELDS, LAYERS, PLATE_FIELDS, PRINCIPAL
+from groundslab.results.mesh_results import in_space
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -16,21 +17,18 @@ if TYPE_CHECKING:
 
     import meshio
 
-    from groundslab.results.results import Array, Combined, Integers, Results
+    from groundslab.arrays import Array, Integers
+    from groundslab.results.results import Combined, Results
 
 
 def plate_mesh(results: Results) -> meshio.Mesh:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
-    data = {about.name: getattr(plate, name) * about.scale for name, about in PLATE_FIELDS.items()}
+    data = plate.point_data()
     fields = fields_of(plate)
     data |= {
         about.name: derived(fields, name) * about.scale for name, about in (PRINCIPAL | LAYERS | DIRECTION).items()
     }
-    data["in contact"] = plate.in_contact.astype(np.int8)
-    data["area of the node [m2]"] = plate.area
-    data["area of the node in contact [m2]"] = plate.contact_area
-    data["length of the edge at the node [m]"] = plate.edge_length
     cells = {
         f"{about.name} (centre, {about.averaged})": getattr(results.elements, name) * about.scale
         for name, about in ELEMENT_FIELDS.items()
@@ -108,7 +106,5 @@ def _mesh(
     """Return a mesh of VTK's biquadratic quadrilaterals at z = 0, whose order of nodes is ours, with data."""
     import meshio
 
-    points = np.column_stack([nodes, np.zeros(len(nodes))])
-    return meshio.Mesh(
-        points, [("quad9", elements)], point_data=data, cell_data={name: [values] for name, values in cells.items()}
-    )
+    by_cell = {name: [values] for name, values in cells.items()}
+    return meshio.Mesh(in_space(nodes), [("quad9", elements)], point_data=data, cell_data=by_cell)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.tri import Triangulation
 
-    from groundslab.results.results import Array, Integers
+    from groundslab.arrays import Array, Integers
     from groundslab.views.plots.scale import Scale
 
 #: The eight triangles of a nine-node quadrilateral: all meet in its centre, two along each side.

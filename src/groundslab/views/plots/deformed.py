@@ -20,8 +20,8 @@ from groundslab.views.plots.style import GREY, INK, PT, SMALL, number
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from groundslab.arrays import Array, Integers
     from groundslab.model.model import Model
-    from groundslab.results.results import Array, Integers
     from groundslab.views.plots.request import Wish
     from groundslab.views.plots.scale import Scale
 

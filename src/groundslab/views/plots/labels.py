@@ -14,8 +14,8 @@ from groundslab.views.plots.symbols import white_edge
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.results import Array
 
 #: More columns than this are not named, nor those of plans with fewer millimetres for a metre.
 MOST_NAMES, LEAST_SCALE = 60, 2.0

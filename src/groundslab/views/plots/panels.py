@@ -10,15 +10,16 @@ import numpy as np
 
 from groundslab.design.envelope import envelope
 from groundslab.design.tables.quantities import nodal
-from groundslab.results.contact_zone import contact_function, contact_share, has_line_force
+from groundslab.results.contact_zone import contact_function, has_line_force
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
 from groundslab.views.plots.amounts import NOT_ABOVE, NOT_BELOW, Amount
 from groundslab.views.plots.scale import Scale, scale_of
 from groundslab.views.plots.symbols import in_combination
 
 if TYPE_CHECKING:
+    from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
-    from groundslab.results.results import Array, Integers, Results
+    from groundslab.results.results import Results
     from groundslab.views.plots.request import Drawn, Wish
 
 NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
@@ -60,7 +61,7 @@ def view_of(amount: Amount, drawn: Drawn, several: bool) -> View:
         plate.elements,
         _line_force(amount, [results]),
         contact_function(results),
-        contact_share(plate),
+        plate.contact_share,
         in_combination(results.factors),
         drawn.certified,
     )

@@ -14,9 +14,9 @@ from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLaye
 from groundslab.results import soil_profile
 
 if TYPE_CHECKING:
+    from groundslab.arrays import Array
     from groundslab.model.ground import AnyGround
     from groundslab.model.model import Model
-    from groundslab.results.results import Array
     from groundslab.views.plots.request import Drawn
 
 

@@ -11,7 +11,8 @@ import numpy as np
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
-from groundslab.results.results import Combined, Results, Step
+from groundslab.results.record import Step
+from groundslab.results.results import Combined, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.views.plots.amounts import Amount, chosen
 

@@ -13,7 +13,7 @@ from groundslab.results.contact_zone import goes_below_zero
 if TYPE_CHECKING:
     from matplotlib.colors import Colormap, Normalize
 
-    from groundslab.results.results import Array
+    from groundslab.arrays import Array
 
 #: About so many bands of colour.
 BANDS = 13

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from groundslab.results.results import Array
+    from groundslab.arrays import Array
     from groundslab.views.plots.request import Cut, Drawn, Wish
 
 #: Boxes of the curves [mm].

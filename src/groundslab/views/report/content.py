@@ -10,7 +10,7 @@ from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.design.tables import tables_of
 from groundslab.design.tables.design_checks import Design, design_of
-from groundslab.results.results import Certificate
+from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import profiles_of
 from groundslab.views.report.convergence import MOST as MOST_HISTORIES
 from groundslab.views.report.convergence import history, history_drawing

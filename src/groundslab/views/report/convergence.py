@@ -13,7 +13,7 @@ from groundslab.views.report.table_layout import MOST_ROWS, Cell, Grid, Head
 if TYPE_CHECKING:
     from markupsafe import Markup
 
-    from groundslab.results.results import Step
+    from groundslab.results.record import Step
     from groundslab.views.summary.combinations import Entry
 
 WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 250.0, 118.0, 34.0, 14.0, 24.0

@@ -1,6 +1,6 @@
 """A scene as bytes: a head in JSON, and numbers in blocks behind it; quantised where a picture needs no more digits.
 
-A block is told by offset [bytes], shape, type, scale a and shift b: value = a raw + b. All is little endian, every
+A block is described by offset [bytes], shape, type, scale a and shift b: value = a raw + b. All is little endian, every
 offset a multiple of 8. A packed scene is the length of its head as four bytes, the head in UTF-8, zeros up to a
 multiple of 8, the data.
 """

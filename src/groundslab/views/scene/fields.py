@@ -16,7 +16,9 @@ from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
 
 if TYPE_CHECKING:
-    from groundslab.results.results import Array, Combined, PlateResult, Results
+    from groundslab.arrays import Array
+    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.results import Combined, Results
     from groundslab.views.summary.combinations import Entry
 
 FORMAT = 2

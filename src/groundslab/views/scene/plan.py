@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from groundslab.model.supports import AnySupport
     from groundslab.model.varying_ground import Void
 
-#: Digits after the point of a length in metres.
+#: Digits after the point of a length in meters.
 DIGITS = 9
 
 Data = dict[str, Any]
 
 
 def plan_of(model: Model) -> Data:
-    """Return what stands in plan [m]: each thing with the path by which faults call it, which counts from 1."""
+    """Return what stands in plan [m]: each item with its path in the case file, which counts from 1."""
     plate = model.plate
     x0, x1, y0, y1 = plate.bounds
     chord = DRAWN_CHORD * max(plate.sides)
@@ -123,7 +123,7 @@ def _places(support: AnySupport) -> Sequence[Place]:
 
 
 def _load(number: int, load: AnyLoad, model: Model, chord: float) -> Data:
-    """Return a load with points or a ring, whichever it has; own weight and temperature have neither."""
+    """Return a load with points or a ring, whichever it has; self-weight and temperature have neither."""
     about: Data = {"path": f"loads[{number}]", "name": load.name, "kind": load.kind, "case": load.case}
     if load.kind == "point":
         placed = load.on(model.columns)
@@ -187,6 +187,6 @@ def _ends(start: Place, end: Place) -> Data:
 
 
 def _rounded(places: Sequence[Place] | Array) -> list[list[float]]:
-    """Return places as lists, rounded to nanometres, no zero of them negative."""
+    """Return places as lists, rounded to nanometers, no zero of them negative."""
     found: list[list[float]] = (np.round(np.asarray(places, dtype=float), DIGITS) + 0.0).tolist()
     return found

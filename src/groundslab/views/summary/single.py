@@ -1,26 +1,22 @@
-"""The figures of a result that a reader wants first, as plain data for the terminal and for JSON."""
+"""The main figures of one combination in sections of rows, for the terminal, JSON, the report and the workbench."""
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab._version import __version__
-from groundslab.results.contact_zone import EDGE_NOTE, contact_share, goes_below_zero, has_line_force, require_finite
+from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme
-from groundslab.results.results import alone
 from groundslab.units import UNITS, Unit
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
+    from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.results import Array, Certificate, Combined, Results, SupportResult
+    from groundslab.results.record import Certificate
+    from groundslab.results.results import Results, SupportResult
 
-#: The version of the JSON summary's layout; it grows when a key changes its name or meaning.
-FORMAT = 1
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12
 #: Of more supports than these only the extremes are shown.
@@ -79,7 +75,7 @@ def summary(results: Results) -> list[SummarySection]:
 
 
 def description(results: Results) -> list[SummarySection]:
-    """Return what was analysed: plate, ground, and loads that were cut off at the plate's edge."""
+    """Return what was analyzed: plate, ground, and loads that were cut off at the plate's edge."""
     return [_plate(results), description_of_ground(results), *cut_loads(results.model)]
 
 
@@ -87,41 +83,6 @@ def figures(results: Results) -> list[SummarySection]:
     """Return what came out: settlement, contact, what supports carry, section forces."""
     supports = [_supports(results)] if results.supports else []
     return [_settlement(results), _contact(results), *supports, _section_forces(results)]
-
-
-def to_json(results: Results, files: Sequence[str] = ()) -> dict[str, Any]:
-    """Return the summary as data for JSON, with the names of the files that stand beside it.
-
-    Every number with a dimension is an object {"value", "unit"} in SI units, with "place" = [x, y] in metres
-    where it is an extreme; counts, ratios and words stand for themselves. Lists over layers run downwards.
-    """
-    document = json_head(results.model.title, results.certificate.holds)
-    document |= json_design(alone(results))
-    document |= {"combination": results.combination, "limit_state": results.limit_state}
-    document |= json_sections(summary(results))
-    document |= json_analysis(results)
-    document["files"] = list(files)
-    return document
-
-
-def json_head(title: str, certified: bool) -> dict[str, Any]:
-    """Return how every summary in JSON begins."""
-    return {
-        "program": "groundslab",
-        "version": __version__,
-        "format": FORMAT,
-        "title": title,
-        "certified": certified,
-    }
-
-
-def json_design(combined: Combined) -> dict[str, Any]:
-    """Return what can be judged of the design as data for JSON."""
-    from groundslab.design.tables.design_checks import design_of
-
-    design = design_of(combined)
-    checks = [asdict(check) for check in design.checks]
-    return {"design": {"status": design.status, "headline": design.headline, "checks": checks}}
 
 
 def certified_words(count: int) -> str:
@@ -133,45 +94,8 @@ def certified_words(count: int) -> str:
     )
 
 
-def json_sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
-    """Return sections of the summary as data for JSON, by their keys."""
-    document: dict[str, Any] = {}
-    for section in sections:
-        document[section.key] = {row.key: json_row(row) for row in section.rows}
-        if section.notes:
-            document[section.key]["notes"] = list(section.notes)
-    return document
-
-
-def json_analysis(results: Results) -> dict[str, Any]:
-    """Return the constants that an analysis ended with and its steps as data for JSON."""
-    constants = results.constants
-    return {
-        "constants": {
-            "k0": [_quantity(value, UNITS["MPa/m"]) for value in constants.k0],
-            "k1": [_quantity(value, UNITS["MPa m"]) for value in constants.k1],
-            "gamma": constants.gamma,
-            "gamma_iterations": constants.gamma_iterations,
-        },
-        "history": [asdict(step) for step in results.steps],
-    }
-
-
-def json_text(results: Results, files: Sequence[str] = ()) -> str:
-    """Return the JSON summary as text."""
-    return dumps(to_json(results, files))
-
-
-def dumps(document: dict[str, Any]) -> str:
-    """Return data as the text of a JSON file."""
-    import json
-
-    # Plain Python numbers and NumPy's look alike in a Results; JSON knows the plain ones only.
-    return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
-
-
 def _plate(results: Results) -> SummarySection:
-    """Return what was analysed: plate and mesh."""
+    """Return what was analyzed: plate and mesh."""
     from groundslab.meshing.quality import quality as quality_of
 
     plate, edges = results.model.plate, results.model.plate.edges
@@ -220,7 +144,7 @@ def description_of_ground(results: Results) -> SummarySection:
 
 def _borders(results: Results) -> tuple[Row, ...]:
     """Return the areas of soil zones and voids whose borders the mesh does not follow."""
-    from groundslab.results.coverage import crossed_borders
+    from groundslab.results.soil_profile import crossed_borders
 
     return tuple(
         row
@@ -275,7 +199,7 @@ def _contact(results: Results) -> SummarySection:
     plate = results.plate
     gap = _extreme("gap", "largest_gap", "largest gap", plate.nodes, plate.gap, 1)
     rows = [
-        Row("share", "plate's area in contact", contact_share(plate), UNITS["%"]),
+        Row("share", "plate's area in contact", plate.contact_share, UNITS["%"]),
         gap if gap.value else replace(gap, place=None),
         *_pressures(plate.nodes, plate.pressure, "pressure"),
     ]
@@ -361,19 +285,3 @@ def certificate_section(certificate: Certificate) -> SummarySection:
             "smaller.",
         )
     return SummarySection("certificate", "Certificate", tuple(rows), notes)
-
-
-def _quantity(value: float, unit: Unit) -> dict[str, Any]:
-    """Return a number with a dimension as JSON data."""
-    return {"value": value, "unit": unit.si}
-
-
-def json_row(row: Row) -> Any:
-    """Return the value of a row as JSON data."""
-    if row.ok is not None:
-        return {"value": row.value, "tolerance": row.tolerance, "ok": row.ok}
-    if row.unit is None or row.unit.si == "1":
-        return row.value
-    assert isinstance(row.value, (int, float))
-    place = {} if row.place is None else {"place": list(row.place)}
-    return _quantity(row.value, row.unit) | place

@@ -20,7 +20,8 @@ from groundslab.workbench.child_process import set_up_child
 
 if TYPE_CHECKING:
     from groundslab.model.loads.load_cases import Combination
-    from groundslab.results.results import Combined, Step
+    from groundslab.results.record import Step
+    from groundslab.results.results import Combined
 
 #: Shortest time between two messages about the progress [s].
 PROGRESS_INTERVAL = 0.1

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from groundslab.units import format_number
-from groundslab.views.summary import combinations, single
+from groundslab.views.summary import combinations, json_summary, single
 
 if TYPE_CHECKING:
     from groundslab.results.results import Combined
@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 def summary_of(combined: Combined) -> dict[str, Any]:
     """Return the design and a summary of each combination; raises GroundslabError if a number is not finite."""
     combinations.require_finite(combined)
-    return single.json_design(combined) | {
-        "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)]
+    return {
+        "design": json_summary.design(combined),
+        "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)],
     }
 
 

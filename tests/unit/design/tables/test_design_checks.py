@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from groundslab.design.punching_resistance import K_MAX, at_the_face, without_links
+from groundslab.design.punching_resistance import K_MAX, max_resistance, resistance_without_links
 from groundslab.design.reinforcement import Concrete
 from groundslab.design.tables.design_checks import Design, design_of
 from groundslab.design.tables.punching import demands
@@ -19,7 +19,8 @@ from groundslab.errors import NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.results import Combined
 from groundslab.views.report.html import html_of
-from groundslab.views.summary import combinations, single, terminal
+from groundslab.views.summary import terminal
+from groundslab.views.summary.json_summary import json_text
 from groundslab.workbench.solver.summary import summary_of
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
@@ -64,10 +65,7 @@ def words(design: Design, name: str) -> str:
 def printed(combined: Combined) -> str:
     """Return what the terminal shows."""
     console = Console(file=io.StringIO(), width=80)
-    if len(combined.combinations) > 1:
-        terminal.print_overview(combined, console)
-    else:
-        terminal.print_summary(next(iter(combined.results.values())), console)
+    terminal.print_summary(combined, console)
     assert isinstance(console.file, io.StringIO)
     return console.file.getvalue()
 
@@ -78,12 +76,12 @@ def test_resistances_by_hand() -> None:
     A ratio of bars above 0.02 does not count; with few bars the least value 0.035 2^1.5 30^0.5 = 0.542 MPa holds.
     """
     concrete = Concrete(30e6)
-    assert at_the_face(concrete) == pytest.approx(4.224e6)
-    assert without_links(concrete, 0.2) == pytest.approx(0.9396e6, rel=1e-4)
-    assert without_links(concrete, 0.2, 0.05) == without_links(concrete, 0.2)
-    assert without_links(concrete, 0.2, 0.001) == pytest.approx(0.5422e6, rel=1e-3)
+    assert max_resistance(concrete) == pytest.approx(4.224e6)
+    assert resistance_without_links(concrete, 0.2) == pytest.approx(0.9396e6, rel=1e-4)
+    assert resistance_without_links(concrete, 0.2, 0.05) == resistance_without_links(concrete, 0.2)
+    assert resistance_without_links(concrete, 0.2, 0.001) == pytest.approx(0.5422e6, rel=1e-3)
     # k = 1 + sqrt(200 / 800) = 1.5
-    assert without_links(concrete, 0.8) == pytest.approx(0.12 * 1.5 * 60 ** (1 / 3) * 1e6)
+    assert resistance_without_links(concrete, 0.8) == pytest.approx(0.12 * 1.5 * 60 ** (1 / 3) * 1e6)
 
 
 def test_punching_at_the_face_by_hand() -> None:
@@ -109,7 +107,7 @@ def test_punching_at_2d_by_hand() -> None:
     d = 0.355
     u, area = 1.2 + 4 * np.pi * d, 0.09 + 1.2 * 2 * d + np.pi * (2 * d) ** 2
     v_Rd_c = 0.12 * (1 + np.sqrt(200 / 355)) * 60 ** (1 / 3) * 1e6
-    assert without_links(Concrete(30e6), d) == pytest.approx(v_Rd_c)
+    assert resistance_without_links(Concrete(30e6), d) == pytest.approx(v_Rd_c)
     for share, status in ((0.98, "no failure found"), (1.02, "attention"), (1.48, "attention"), (1.52, "fails")):
         P = (share * v_Rd_c * u * d + 50e3 * area) / 1.35
         said = words(design_of(solved(described(P))), "punching at 2 d")
@@ -182,9 +180,7 @@ def test_failure_comes_first_on_the_terminal(of: Combined) -> None:
 @pytest.mark.parametrize("of", [FAILING, ALONE], ids=["several", "one"])
 def test_failure_comes_first_in_json(of: Combined) -> None:
     """The design stands before any figure, with its verdict, its words, and each check."""
-    results = next(iter(of.results.values()))
-    text = combinations.json_text(of) if len(of.combinations) > 1 else single.json_text(results)
-    document = json.loads(text)
+    document = json.loads(json_text(of))
     assert list(document)[:6] == ["program", "version", "format", "title", "certified", "design"]
     assert document["certified"] is True
     assert document["design"]["status"] == "fails"

@@ -11,7 +11,7 @@ import pytest
 from shapely import box
 
 import groundslab
-from groundslab.design.tables import column_loads, tables_of, thickness
+from groundslab.design.tables import column_loads, tables_of
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.table import Table, table_of
 from groundslab.errors import InputError, NoEquilibrium
@@ -334,7 +334,7 @@ def test_loads_on_a_part() -> None:
         {"kind": "point", "P": 1e6, "column": "A", "case": "Q"},
     ]
     model = described(loads=loads, columns=COLUMNS[:1])
-    found = column_loads.others(model, results(n=6).plate, box(-1, -1, 1, 1), "A")
+    found = column_loads.sum_of_others(results(n=6, model=model), box(-1, -1, 1, 1), "A")
     # q bends: int 300 x^2 dA = 400 N
     assert found["G"] == pytest.approx(1e3 * 4 + 400 + 25e3 * 0.4 * 4)
     # half of the footprint: its half of P, and of the moment int_0^0.5 12 M x dx = 1.5 M, taken off on the left
@@ -349,7 +349,9 @@ def test_thickness_by_zone() -> None:
     zone = {"shape": {"kind": "rectangle", "x": (2, 6), "y": (0, 4)}, "thickness": 0.7}
     outline = {"kind": "rectangle", "x": (0, 6), "y": (0, 4)}
     plate = {"outline": outline, "thickness": 0.4, "E": 30e9, "nu": 0.2, "zones": [zone]}
-    found = thickness.of_nodes(described(plate=plate), plate_of(mesh))
+    of = results(model=described(plate=plate), plate=plate_of(mesh))
+    found, section = of.elements.at_nodes(of.plate)
+    assert section.tolist() == right.astype(int).tolist()
     assert found.tolist() == np.where(right, 0.7, 0.4).tolist()
 
 

@@ -148,7 +148,7 @@ class TestArrays:
         left = tuple(each for each in combined.combinations if each.name in {*results, *refused})
         given = model.replace(combinations=left)
         results = {name: replace(each, model=given) for name, each in results.items()}
-        return results_folder.write(Combined(given, left, results, refused), tmp_path / "out")
+        return results_folder.save_results(Combined(given, left, results, refused), tmp_path / "out")
 
     def test_every_name_carries_its_unit(self, folder: Path) -> None:
         """Arrays of points and cells name their unit in brackets, but for flags and counts; no number is missing."""
@@ -163,7 +163,7 @@ class TestArrays:
 
     def test_plate_holds_all_fields(self, folder: Path) -> None:
         """Every field at nodes and for elements comes back as it is, in its unit of display."""
-        results = results_folder.load(folder)["NUL"]
+        results = results_folder.load_results(folder)["NUL"]
         grid = read(next(folder.glob("02-*/plate.vtu")))
         nodal, cells = arrays(grid.GetPointData()), arrays(grid.GetCellData())
         for name, about in PLATE_FIELDS.items():
@@ -187,7 +187,7 @@ class TestArrays:
 
     def test_envelope_holds_extremes_and_who_governs(self, folder: Path) -> None:
         """All arrays of the envelope come back by name, and the required areas with them."""
-        wanted = fields_of_envelope(results_folder.load(folder))
+        wanted = fields_of_envelope(results_folder.load_results(folder))
         found = arrays(read(folder / "envelope.vtu").GetPointData())
         assert found.keys() == wanted.keys()
         assert any(name.startswith("reinforcement bottom x [cm2/m]") for name in found)

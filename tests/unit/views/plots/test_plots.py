@@ -892,7 +892,7 @@ class TestCommand:
     @pytest.fixture
     def folder(self, tmp_path: Path) -> Path:
         """Return a folder of results of several combinations."""
-        return results_folder.write(synthetic.combined(), tmp_path / "raft-results")
+        return results_folder.save_results(synthetic.combined(), tmp_path / "raft-results")
 
     @pytest.mark.slow
     def test_writes_a_pdf_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -22,7 +22,8 @@ from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import Combined, Constants, SupportResult
+from groundslab.results.record import Constants
+from groundslab.results.results import Combined, SupportResult, alone
 from groundslab.results.soil_profile import profiles_of
 from groundslab.units import format_number
 from groundslab.views import report
@@ -345,7 +346,7 @@ class TestNumbers:
 
     def test_without_uplift_none_governs(self) -> None:
         """Where all of the plate bears, no uplift is shown."""
-        assert "uplift" not in governing(results_folder.alone(synthetic.results(lifts=False)))
+        assert "uplift" not in governing(alone(synthetic.results(lifts=False)))
 
 
 def harmful(root: Element) -> list[str]:
@@ -663,7 +664,7 @@ class TestFiles:
     @pytest.fixture
     def folder(self, tmp_path: Path) -> Path:
         """Return a folder of results."""
-        return results_folder.write(synthetic.results(model=synthetic.model()), tmp_path / "raft-results")
+        return results_folder.save_results(synthetic.results(model=synthetic.model()), tmp_path / "raft-results")
 
     @pytest.mark.slow
     def test_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -734,7 +735,7 @@ class TestFiles:
         self, plain: Combined, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:
         """The command says that not all is well; the report is made, so the exit code is 0."""
-        results_folder.write(plain, tmp_path / "several")
+        results_folder.save_results(plain, tmp_path / "several")
         assert cli.main(["report", str(tmp_path / "several")]) == 0
         assert "1 of 3 combinations" in capsys.readouterr().err
 
