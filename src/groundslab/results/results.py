@@ -274,13 +274,12 @@ class Combined(Mapping[str, Results]):
     def _repr_html_(self) -> str:
         """Return the first figures of each combination as a table for notebooks."""
         heads = ("combination", "limit state", "largest settlement [mm]", "area in contact [%]", "certificate")
-        rows = [heads]
+        rows = [f"<th>{'</th><th>'.join(heads)}</th>"]
         for each in self.combinations:
             found = self.results.get(each.name)
             figures = ("", "", self._reason(each.name)) if found is None else _figures(found)
-            rows.append((each.name, each.limit_state, *figures))
-        cells = ("".join(f"<td>{escape(text)}</td>" for text in row) for row in rows)
-        table = "".join(f"<tr>{row}</tr>" for row in cells)
+            rows.append("".join(f"<td>{escape(text)}</td>" for text in (each.name, each.limit_state, *figures)))
+        table = "".join(f"<tr>{row}</tr>" for row in rows)
         return f"<table><caption>{escape(self.model.title)}</caption>{table}</table>"
 
     def _reason(self, combination: str) -> str:

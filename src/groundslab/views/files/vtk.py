@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 def plate_mesh(results: Results) -> meshio.Mesh:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
-    data = plate.point_data()
-    fields = fields_of(plate)
-    data |= {
+    fields, data = fields_of(plate), plate.point_data()
+    design = {
         about.name: derived(fields, name) * about.scale for name, about in (PRINCIPAL | LAYERS | DIRECTION).items()
     }
+    data = {about.name: data.pop(about.name) for about in PLATE_FIELDS.values()} | design | data
     cells = {
         f"{about.name} (centre, {about.averaged})": getattr(results.elements, name) * about.scale
         for name, about in ELEMENT_FIELDS.items()
