@@ -90,7 +90,7 @@ UNITS: dict[str, Unit] = {
 }  # fmt: skip
 
 
-ONGEST = 100  # characters of a quantity
+LONGEST = 100  # characters of a quantity
 NUMBER = r"[+-]?(?:[0-9]{1,40}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?"
 _QUANTITY = re.compile(rf"\s*(?P<number>{NUMBER})\s*(?P<unit>\S.*?)?\s*")
 _UNIT = re.compile(
