@@ -258,7 +258,7 @@ def test_arcs_and_holes_are_drawn() -> None:
     assert drawn.count('class="d-load-line"') == 2
     assert drawn.count('class="d-load-area" fill-rule="evenodd"') == 1
     _, axes = pyplot.subplots()
-    entries = symbols.loads(axes, CURVED, lambda _: True)
+    entries = symbols.draw_loads(axes, CURVED, lambda _: True)
     assert set(entries) == {"line load", "loaded area"}
     assert max(line.get_ydata().max() for line in axes.lines) == pytest.approx(1.5, abs=0.02)
     assert len(axes.patches) == 2

@@ -1,4 +1,4 @@
-"""Figures as files: SVG and PDF with text as text, or PNG; the same bytes from the same results."""
+"""Figures as files and as SVG within pages: text stays text; the same results give the same bytes."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic
 from groundslab.storage.ownership import is_figure, require_replaceable
-from groundslab.views.plots.style import styled
+from groundslab.views.plots.style import apply_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 #: What a file's name may end with.
 FORMATS = (".pdf", ".svg", ".png")
-#: Pixels per inch, of PNG files and of colours that are pixels in the others.
+#: Pixels per inch, of PNG files and of colors that are pixels in the others.
 DPI = 300
 
 
-def format_of(path: str | Path) -> str:
+def file_format(path: str | Path) -> str:
     """Return the format that a file's name asks for: "pdf", "svg" or "png"."""
     ending = Path(path).suffix.lower()
     if ending not in FORMATS:
@@ -33,7 +33,7 @@ def format_of(path: str | Path) -> str:
 
 def check(path: str | Path) -> Path:
     """Return the full path if figures may be written there; else raise InputError saying why not."""
-    format_of(path)
+    file_format(path)
     return require_replaceable(path, is_figure, "a figure that groundslab drew")
 
 
@@ -43,7 +43,7 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
     An existing file is replaced only if groundslab drew it. Nothing in the file tells when it was written.
     """
     target = check(path)
-    content = content_of(figures, format_of(path), dpi)
+    content = to_bytes(figures, file_format(path), dpi)
     try:
         atomic.write(target, content)
     except OSError as error:
@@ -52,11 +52,11 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
         raise InputError([Issue(str(path), found, "a file that can be written", hint)]) from error
 
 
-def content_of(figures: Sequence[Figure], kind: str, dpi: float = DPI) -> bytes:
+def to_bytes(figures: Sequence[Figure], kind: str, dpi: float = DPI) -> bytes:
     """Return a file of figures as its bytes, whose kind is "pdf", "svg" or "png"."""
     file = BytesIO()
     made_by = f"groundslab {__version__}"
-    with styled():
+    with apply_style():
         if kind == "pdf":
             from matplotlib.backends.backend_pdf import PdfPages
 
