@@ -67,6 +67,20 @@ def _figure(request: PlotRequest, histories: Sequence[IterationHistory]) -> Figu
     return page.finish(top)
 
 
+def draw_thumbnail(steps: Sequence[Step]) -> Figure:
+    """Return a small figure of the nodes that change sides in each step, for a page with many of them."""
+    from matplotlib.ticker import MaxNLocator
+
+    page = Page(66.0)
+    axes = page.add_axes(12.0, MARGIN, 51.0, 25.0)
+    if steps:
+        _changed(axes, steps)
+    axes.xaxis.set_major_locator(MaxNLocator(nbins=5, integer=True, min_n_ticks=1))
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_xlabel("step")
+    return page.finish(25.0 + 8.0 + MARGIN, signed=False)
+
+
 def meshes_of(steps: Sequence[Step]) -> list[tuple[int, slice]]:
     """Return the unknowns of each mesh and its part of the steps, in their order."""
     found, first = [], 0
@@ -86,7 +100,9 @@ def _changed(axes: Axes, steps: Sequence[Step]) -> None:
     """Draw how many nodes change sides after each step, to a logarithmic scale that has a place for none."""
     changed = [step.changed for step in steps]
     for _, part in meshes_of(steps):
-        axes.plot(_numbers(part), changed[part], "o-", color=CYCLE[2], markersize=3)
+        color = CYCLE[2]
+        fill = color if steps[part.start].finest else "white"
+        axes.plot(_numbers(part), changed[part], "o-", color=color, markersize=3, markerfacecolor=fill)
     axes.set_yscale("symlog", linthresh=1, linscale=0.5)
     axes.set(ylim=(-0.15, 2 * max(*changed, 1)), ylabel="changed nodes [-]")
     axes.yaxis.set_major_formatter(lambda value, _: number(value))

@@ -18,6 +18,7 @@ from groundslab.views.plots.style import (
     CYCLE,
     FAINT,
     GREY,
+    GROUND,
     INK,
     MARGIN,
     PAGE_WIDTH,
@@ -150,8 +151,8 @@ LEFT, COLUMN, GAP = 13.0, 15.0, 3.5
 ROW = 3.9
 ENDS = (8.0, 20.0, 38.0, 49.0, 66.0, 84.0)
 ENDS_FOUND = (30.0, 44.0, 64.0, 84.0)
-#: Fillings of the layers, light enough for black words.
-FILLS = ("#ece3d0", "#dfd3bb", "#f3eee2", "#d6c8ab")
+#: How strongly the layers are filled, weakly enough for the words on them.
+OPACITIES = (0.14, 0.26, 0.08, 0.34)
 #: Of more combinations than this only the range is listed.
 MOST = len(CYCLE)
 
@@ -169,12 +170,20 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 
 
 def _figure(request: PlotRequest, columns: Sequence[SoilColumn]) -> Figure:
-    """Return rows of columns."""
+    """Return rows of columns below the title."""
     model = request.combined.model
-    page = Page(PAGE_WIDTH)
     kind = model.ground.kind
     coupling = getattr(model.ground, "coupling", "")
-    top = page.write_heading(model.title, [f"Ground: {kind}{', ' + coupling if coupling else ''}"])
+    heading = [f"Ground: {kind}{', ' + coupling if coupling else ''}"]
+    return draw_columns(model, columns, model.title, heading, named=request.names_combinations)
+
+
+def draw_columns(
+    model: Model, columns: Sequence[SoilColumn], title: str = "", heading: Sequence[str] = (), *, named: bool = False
+) -> Figure:
+    """Return rows of columns, with a legend of combinations if they are named."""
+    page = Page(PAGE_WIDTH)
+    top = page.write_heading(title, heading)
     high = HIGH if len(columns) <= SIDE_BY_SIDE else LOW
     each = PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
     legend: dict[str, Any] = {}
@@ -187,7 +196,7 @@ def _figure(request: PlotRequest, columns: Sequence[SoilColumn]) -> Figure:
             where = f" at {format_place(places[column.name])}" if column.name in places else ""
             words = plain_text(column.name, 30) + where
             page.write(left + MARGIN, top, words, fontsize=BASE, fontweight="bold", color=INK)
-            legend |= _draw_column(page, column, columns, (left, top + 12.0), (each, high), request.names_combinations)
+            legend |= _draw_column(page, column, columns, (left, top + 12.0), (each, high), named)
             bottoms.append(_write_tables(page, column, (left + MARGIN, top + 12.0 + high + 6.0), each))
         top = max(bottoms) + 6.0
     return page.finish(top, legend if len(legend) > 1 else {})
@@ -234,8 +243,8 @@ def _draw_layers(axes: Axes, column: SoilColumn, depth: float, *, to_scale: bool
 
     tops = _tops(column, to_scale=to_scale)
     for index, (upper, lower) in enumerate(pairwise(tops)):
-        fill = FILLS[index % len(FILLS)]
-        axes.add_patch(Rectangle((0, upper), 1, lower - upper, facecolor=fill, edgecolor=INK, linewidth=0.6))
+        corner, height, fill = (0, upper), lower - upper, (GROUND, OPACITIES[index % len(OPACITIES)])
+        axes.add_patch(Rectangle(corner, 1, height, facecolor=fill, edgecolor=INK, linewidth=0.6))
         axes.text(0.5, (upper + lower) / 2, str(index + 1), fontsize=SMALL, ha="center", va="center", color=INK)
     base = Rectangle((0, tops[-1]), 1, 0.035 * depth, facecolor="white", edgecolor=GREY, hatch="//////", linewidth=0.0)
     base.set_clip_on(False)
@@ -276,7 +285,7 @@ def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float) -> N
             z.append(upper + layer.E[0] * (lower - upper))
             E.append(layer.E[1] / 1e6)
     depths, moduli = np.concatenate(z), np.concatenate(E)
-    axes.fill_betweenx(depths, 0, moduli, color=FILLS[0], linewidth=0)
+    axes.fill_betweenx(depths, 0, moduli, color=(GROUND, OPACITIES[0]), linewidth=0)
     axes.plot(moduli, depths, color=INK, linewidth=1.2)
     axes.set_xlim(0, 1.08 * most / 1e6)
     axes.xaxis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 2.5, 5, 10]))

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
@@ -24,17 +25,28 @@ FOOT, SMALL, BASE, TITLE = 5.5, 7.0, 8.0, 9.5
 MM = 1 / 25.4  # of an inch
 PT = 25.4 / 72  # of a millimeter
 
-INK, GREY, FAINT, LOAD, SUPPORT, GROUND, BAD = (
-    "#111111", "#5a5a5a", "#c8c8c8", "#b5127b", "#14703a", "#7a5230", "#b30000",
+INK, GREY, FAINT, PANEL, LOAD, SUPPORT, GROUND, ACCENT, SECOND, BAD = (
+    "#1b1f23", "#545c66", "#d3d8dd", "#f5f6f7", "#b3135f", "#16703a", "#7a5a1e", "#0b5fa5", "#c2540a", "#b3261e",
 )  # fmt: skip
+#: The same colors by their names on pages, which has them in light and dark.
+PAGE_COLORS = {
+    INK: "--gs-ink", GREY: "--gs-ink-2", FAINT: "--gs-line", PANEL: "--gs-panel", LOAD: "--gs-load",
+    SUPPORT: "--gs-support", GROUND: "--gs-soil", ACCENT: "--gs-accent", SECOND: "--second", BAD: "--gs-bad",
+    "#ffffff": "--gs-paper", "#000000": "--gs-ink",
+}  # fmt: skip
 #: Colors of curves after Okabe and Ito 2008, black and the dark ones first, and the strokes that go with them.
-CYCLE = ("#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f")
+CYCLE = (INK, "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f")
 STROKES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (3, 1)), (0, (2, 2)))
 
 RC: dict[str, Any] = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],
     "font.size": BASE,
+    "text.color": INK,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
     "axes.titlesize": BASE,
     "axes.labelsize": BASE,
     "axes.linewidth": 0.6,
@@ -60,14 +72,14 @@ RC: dict[str, Any] = {
 
 
 @contextmanager
-def apply_style() -> Iterator[None]:
-    """Draw and write in this style, whatever style the reader has set up for figures of his own."""
+def apply_style(changes: Mapping[str, Any] = MappingProxyType({})) -> Iterator[None]:
+    """Draw and write in this style, with some changes, whatever style the user has set up for other figures."""
     import matplotlib
 
     with matplotlib.rc_context(), warnings.catch_warnings():
         matplotlib.rcdefaults()
         shared: Any = matplotlib.rcParams
-        shared.update(RC)
+        shared.update(RC | dict(changes))
         # letters that the font lacks are shown as boxes, or as themselves where text stays text
         warnings.filterwarnings("ignore", message=".*missing from font")
         yield
@@ -183,8 +195,11 @@ class Page:
             top += LINE * BASE * PT + 0.4
         return top + 1.5
 
-    def finish(self, bottom: float, legend: Mapping[str, Any] | None = None) -> Figure:
-        """Return the figure: all that was placed reaches down to the bottom [mm], below it comes the legend."""
+    def finish(self, bottom: float, legend: Mapping[str, Any] | None = None, *, signed: bool = True) -> Figure:
+        """Return the figure: all that was placed reaches down to the bottom [mm], below it comes the legend.
+
+        Signed figures name the program and its version at the lower right.
+        """
         words = list(legend or {})
         widths = [SAMPLE + text_width(each, SMALL) for each in words]
         columns = next(
@@ -195,7 +210,8 @@ class Page:
         self.figure.set_size_inches(self.width * MM, height * MM)
         for made, left, top, wide, high in self._axes:
             made.set_position((left / self.width, 1 - (top + high) / height, wide / self.width, high / height))
-        self.write(
+        if signed:
+            self.write(
             self.width - MARGIN, height - MARGIN - FOOT * PT, f"groundslab {__version__}", fontsize=FOOT, color=GREY,
             ha="right",
         )  # fmt: skip

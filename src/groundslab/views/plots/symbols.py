@@ -37,17 +37,20 @@ def white_outline(width: float) -> list[Any]:
     return [withStroke(linewidth=width, foreground="white")]
 
 
-def draw_plate(axes: Axes, model: Model) -> Entries:
-    """Draw the outline, the openings crossed out, and the zones."""
+def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:
+    """Draw the outline, filled if a color is given, the openings crossed out, and the zones."""
     import shapely
 
     chord = CHORD * max(model.plate.sides)
     outline = model.plate.ring().polygon(chord)
-    _draw_ring(axes, np.asarray(outline.exterior.coords), edgecolor=INK, linewidth=1.2, zorder=4)
+    around = np.asarray(outline.exterior.coords)
+    draw_ring(axes, around, edgecolor=INK, linewidth=1.2, zorder=4)
+    if fill != "none":
+        draw_ring(axes, around, facecolor=fill, edgecolor="none", zorder=1)
     entries: Entries = {}
     for opening in model.plate.openings:
         hole = opening.ring().polygon(chord)
-        _draw_ring(axes, np.asarray(hole.exterior.coords), edgecolor=INK, facecolor="white", linewidth=0.8, zorder=4)
+        draw_ring(axes, np.asarray(hole.exterior.coords), edgecolor=INK, facecolor="white", linewidth=0.8, zorder=4)
         for a, b in _diagonals(np.asarray(hole.exterior.coords)):
             axes.plot(*zip(a, b, strict=True), color=INK, linewidth=0.4, zorder=4.1)
     for zone in model.plate.zones:
@@ -55,7 +58,7 @@ def draw_plate(axes: Axes, model: Model) -> Entries:
         for piece in shapely.get_parts(part):
             if piece.geom_type != "Polygon":
                 continue
-            drawn = _draw_ring(axes, np.asarray(piece.exterior.coords), edgecolor=GREY, linewidth=0.8, zorder=3.5)
+            drawn = draw_ring(axes, np.asarray(piece.exterior.coords), edgecolor=GREY, linewidth=0.8, zorder=3.5)
             drawn.set_linestyle((0, (6, 2, 1, 2)))
             entries["zone"] = drawn
     return entries
@@ -88,7 +91,7 @@ def draw_voids(axes: Axes, model: Model) -> Entries:
     entries: Entries = {}
     for void in model.contact.voids:
         around = np.asarray(void.drawn(CHORD * max(model.plate.sides)).exterior.coords)
-        drawn = _draw_ring(axes, around, edgecolor=GROUND, linewidth=0.9, zorder=3.2)
+        drawn = draw_ring(axes, around, edgecolor=GROUND, linewidth=0.9, zorder=3.2)
         drawn.set_linestyle((0, (1.5, 1.5)))
         entries["void in the ground"] = drawn
     return entries
@@ -112,7 +115,7 @@ def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
         elif load.kind == "uniform" or load.kind == "patch" or load.kind == "area":
             everywhere = load.kind == "uniform"
             for ring in [model.plate.ring().flat(chord)] if load.kind == "uniform" else _borders(load.drawn(chord)):
-                drawn = _draw_ring(
+                drawn = draw_ring(
                     axes, np.array(ring), edgecolor=LOAD, linewidth=0.9 if everywhere else 1.2, zorder=4.5
                 )
                 drawn.set_linestyle((0, (3, 5) if everywhere else (4, 2)))
@@ -140,7 +143,7 @@ def draw_columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]
     for column in model.columns:
         around = np.array(column.ring().flat(CHORD * max(model.plate.sides)))
         brings = column.name in loaded
-        drawn = _draw_ring(axes, around, edgecolor=INK, facecolor=LOAD if brings else "white", linewidth=0.6, zorder=5)
+        drawn = draw_ring(axes, around, edgecolor=INK, facecolor=LOAD if brings else "white", linewidth=0.6, zorder=5)
         entries["column with load" if brings else "column"] = drawn
     return entries
 
@@ -185,7 +188,7 @@ def _supported_edges(model: Model) -> list[Array]:
     ]
 
 
-def _draw_ring(axes: Axes, around: Array, *, facecolor: str = "none", **look: Any) -> Polygon:
+def draw_ring(axes: Axes, around: Array, *, facecolor: str = "none", **look: Any) -> Polygon:
     """Draw a closed curve (k, 2)."""
     from matplotlib.patches import Polygon
 
@@ -205,4 +208,4 @@ def _diagonals(around: Array) -> list[tuple[Array, Array]]:
 
 def draw_key_outline(axes: Axes, ring: Ring, chord: float) -> None:
     """Draw a curve faintly, as a key to where things are."""
-    _draw_ring(axes, np.array(ring.flat(chord)), edgecolor=FAINT, linewidth=0.8)
+    draw_ring(axes, np.array(ring.flat(chord)), edgecolor=FAINT, linewidth=0.8)

@@ -11,17 +11,22 @@ from groundslab.case import casefile
 from groundslab.design.tables import tables_of
 from groundslab.design.tables.design_checks import Design, design_of
 from groundslab.results.results import Certificate
-from groundslab.results.soil_profile import profiles_of
-from groundslab.views.report.convergence import MOST as MOST_HISTORIES
-from groundslab.views.report.convergence import history, history_drawing
+from groundslab.results.soil_profile import described
+from groundslab.views.report.drawings import (
+    MOST_COLUMNS,
+    MOST_HISTORIES,
+    Drawing,
+    draw_case,
+    draw_histories,
+    draw_pictures,
+    draw_soil,
+    find_governing,
+)
 from groundslab.views.report.input_echo import InputTable, echo
-from groundslab.views.report.pictures import governing
-from groundslab.views.report.plan_drawing import PlanDrawing, plan_drawing
-from groundslab.views.report.soil_drawing import MOST as MOST_COLUMNS
-from groundslab.views.report.soil_drawing import soil_drawing
 from groundslab.views.report.table_layout import (
     KEYS,
     MOST_IN_FILE,
+    MOST_ROWS,
     Cell,
     Grid,
     Head,
@@ -31,12 +36,10 @@ from groundslab.views.report.table_layout import (
     without_empty,
 )
 from groundslab.views.summary import combinations, single
-from groundslab.views.summary.terminal import shown_row
+from groundslab.views.summary.terminal import number, shown_row
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
-
-    from markupsafe import Markup
 
     from groundslab.design.tables.table import Table
     from groundslab.results.results import Combined, Results
@@ -89,17 +92,16 @@ class Page:
     verdict: Verdict
     design: Design
     case: tuple[InputTable, ...]
-    plan: PlanDrawing
-    soil: Markup | None
-    soil_notes: tuple[str, ...]
+    drawings: tuple[Drawing, ...]
     constants: Grid | None
     analysed: Grid | None
     certificates: tuple[Grid, ...]
     extremes: tuple[Grid, ...]
     tables: tuple[TableGrids, ...]
     history: Grid
-    histories: tuple[tuple[str, Markup], ...]
+    histories: tuple[Drawing, ...]
     history_notes: tuple[str, ...]
+    pictures: tuple[Drawing, ...]
     refused: tuple[tuple[str, str], ...]
 
 
@@ -109,8 +111,7 @@ def page_of(combined: Combined, text: str | None = None, file: str = "case.toml"
     found = combinations.entries(combined)
     there = [entry.results for entry in found if entry.results is not None]
     text = casefile.to_toml(combined.model) if text is None else text
-    leading = combined.results.get(governing(combined).get("settlement", "")) or (there[0] if there else None)
-    profiles = profiles_of(leading) if leading is not None else ()
+    leading = combined.results.get(find_governing(combined).get("settlement", "")) or (there[0] if there else None)
     return Page(
         title=combined.model.title,
         version=__version__,
@@ -121,17 +122,16 @@ def page_of(combined: Combined, text: str | None = None, file: str = "case.toml"
         verdict=_verdict(found),
         design=design_of(combined),
         case=tuple(echo(combined.model)),
-        plan=plan_drawing(combined.model),
-        soil=soil_drawing(profiles),
-        soil_notes=tuple(_soil_notes(combined, leading, len(profiles))),
+        drawings=tuple(_drawings(combined, leading)),
         constants=_constants(found) if there else None,
         analysed=_section(combinations.description(combined)[0]) if there else None,
         certificates=tuple(_certificates(found)),
         extremes=tuple(_extremes(combined, found)),
         tables=tuple(map(_table, tables_of(combined))),
-        history=history(found),
-        histories=tuple(_histories(found)),
-        history_notes=tuple(_history_notes(found)),
+        history=_history(found),
+        histories=tuple(draw_histories(there)),
+        history_notes=tuple(_history_notes(len(there))),
+        pictures=tuple(draw_pictures(combined)),
         refused=tuple((entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None),
     )
 
@@ -245,37 +245,54 @@ def _constants(found: Sequence[Entry]) -> Grid:
     return Grid("", (Head("combination"), *heads), tuple(rows))
 
 
-def _soil_notes(combined: Combined, leading: Results | None, count: int) -> Iterator[str]:
-    """Yield what a reader of the drawing of the soil must know."""
-    if leading is None:
+def _drawings(combined: Combined, leading: Results | None) -> Iterator[Drawing]:
+    """Yield the plan of the case and the ground in section."""
+    yield draw_case(combined.model)
+    soil = None if leading is None else draw_soil(leading)
+    if soil is None or leading is None:
         return
+    notes = ["Ground below the plate, to scale in depth."]
     if leading.constants.gamma is not None:
-        yield (
+        notes.append(
             "γ, k0, k1 and ψ(z) are those of the combination "
             f"{leading.combination}; other combinations have their own, see the table."
             if len(combined.combinations) > 1
             else "γ, k0, k1 and ψ(z) as the analysis ended with them."
         )
     if combined.model.boreholes or combined.model.soil_zones:
-        yield "The table's constants are means over the plate's area."
+        notes.append("The table's constants are means over the plate's area.")
+    count = len(described(combined.model))
     if count > MOST_COLUMNS:
-        yield f"The first {MOST_COLUMNS} of {count} columns are drawn."
+        notes.append(f"The first {MOST_COLUMNS} of {count} columns are drawn.")
+    yield replace(soil, caption=" ".join(notes))
 
 
-def _histories(found: Sequence[Entry]) -> Iterator[tuple[str, Markup]]:
-    """Yield name and drawing of the convergence of the first combinations."""
-    solved = [entry for entry in found if entry.results is not None]
-    for entry in solved[:MOST_HISTORIES]:
-        assert entry.results is not None
-        yield entry.combination.name, history_drawing(entry.results.steps)
-
-
-def _history_notes(found: Sequence[Entry]) -> Iterator[str]:
-    """Yield what a reader of the drawings of the convergence must know."""
-    yield (
-        "Nodes that change sides in each step, on a logarithmic scale; full marks are steps on the mesh that was asked "
-        "for, empty ones on coarser meshes. The last step changes none."
+def _history(found: Sequence[Entry]) -> Grid:
+    """Return all steps of all combinations that have results."""
+    numbers = (
+        "unknowns of the mesh",
+        "load increment",
+        "gamma",
+        "contact iteration",
+        "nodes in contact",
+        "nodes changed",
     )
-    count = sum(entry.results is not None for entry in found)
+    heads = (Head("combination"), *(Head(each, number=True) for each in numbers), Head(""))
+    rows = []
+    for results in (entry.results for entry in found if entry.results is not None):
+        for step in results.steps:
+            gamma = "-" if step.gamma is None else number(step.gamma)
+            counts = (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)
+            cells = (Cell(str(each), "number") for each in counts)
+            rows.append((Cell(results.combination), *cells, Cell("*" if step.finest else "")))
+    return Grid("", heads, tuple(rows), ("* on the final mesh.",), folded=len(rows) > MOST_ROWS)
+
+
+def _history_notes(count: int) -> Iterator[str]:
+    """Yield how to read the drawings of the convergence, and how many are left out."""
+    yield (
+        "Nodes that change sides in each step, on a logarithmic scale; full marks are steps on the final mesh, empty "
+        "ones on coarser meshes. The last step changes none."
+    )
     if count > MOST_HISTORIES:
         yield f"The first {MOST_HISTORIES} of {count} combinations are drawn."

@@ -22,7 +22,6 @@ from groundslab.results.results import Combined, Results, alone
 from groundslab.storage import atomic
 from groundslab.storage.ownership import is_page, require_replaceable
 from groundslab.views.report.content import page_of
-from groundslab.views.report.pictures import pictures_of
 from groundslab.views.report.table_layout import pieces_of, pieces_of_words
 from groundslab.views.scene.binary import packed
 from groundslab.views.scene.fields import scene_of
@@ -58,7 +57,6 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
         .get_template("report.html")
         .render(
             page=page,
-            pictures=pictures_of(combined),
             left_out=left_out,
             scene=scene,
             style=Markup(style),

@@ -13,7 +13,6 @@ from xml.etree import ElementTree
 import matplotlib as mpl
 import numpy as np
 import pytest
-from groundslab.views.plots.annotations import LabelPlacement
 
 import groundslab
 from groundslab.cli import main
@@ -35,6 +34,7 @@ from groundslab.results.results import Combined, Results, alone
 from groundslab.views import plots
 from groundslab.views.files import results_folder
 from groundslab.views.plots import contours, convergence, deformed, plan, request, sections, soil
+from groundslab.views.plots.annotations import LabelPlacement
 from groundslab.views.plots.panels import build_panels
 from groundslab.views.plots.request import parse_request
 from groundslab.views.plots.style import apply_style, math_symbol, number, plain_text
