@@ -19,7 +19,7 @@ from groundslab.analysis import driver
 def main(unknowns: int) -> None:
     """Solve the plate and print the figures."""
     start = time.perf_counter()
-    results = driver.solve(model_of("winkler", unknowns))
+    results = driver.solve(model_of("winkler", unknowns)).only
     figures = {
         "program": "groundslab",
         "version": groundslab.__version__,

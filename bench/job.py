@@ -215,7 +215,7 @@ def memory(model: Model) -> dict[str, float]:
 
     pardiso._Pardiso.factor = watched  # type: ignore[method-assign]
     start = time.perf_counter()
-    results = driver.solve(model)
+    results = driver.solve(model).only
     spent, peak = time.perf_counter() - start, largest_memory()
     return {
         "unknowns": results.unknowns,
@@ -231,7 +231,7 @@ def written(results: Results) -> float:
 
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        results_folder.write(results, Path(folder) / "results")
+        results_folder.save_results(results, Path(folder) / "results")
         return time.perf_counter() - start
 
 
@@ -248,7 +248,7 @@ def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any
         puts.append(assembly(model))
         spent.clear()
         start = time.perf_counter()
-        results = driver.solve(model)
+        results = driver.solve(model).only
         totals.append(time.perf_counter() - start)
         phases.append(dict(spent))
     assert results is not None
@@ -273,14 +273,14 @@ def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any
 def gamma(unknowns: int, times: int) -> dict[str, Any]:
     """Return what it costs to look for gamma: iterated, in turn with the gamma that comes out given."""
     iterated = model_of("gamma", unknowns)
-    results = driver.solve(iterated)
+    results = driver.solve(iterated).only
     known = iterated.replace(ground={**SOIL, "gamma": results.constants.gamma})
     ratios, totals = [], []
     for _ in range(times):
         each = []
         for model in (known, iterated):
             start = time.perf_counter()
-            results = driver.solve(model)
+            results = driver.solve(model).only
             each.append(time.perf_counter() - start)
         totals.append(each[1])
         ratios.append(each[1] / each[0])

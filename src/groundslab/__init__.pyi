@@ -3,7 +3,6 @@ from . import study as study
 from ._version import __version__ as __version__
 from .analysis.driver import check as check
 from .analysis.driver import solve as solve
-from .analysis.driver import solve_combinations as solve_combinations
 from .case.casefile import load as load
 from .design.tables import tables_of as tables_of
 from .errors import GroundslabError as GroundslabError
@@ -58,5 +57,7 @@ from .model.varying_ground import SoilZone as SoilZone
 from .results.results import Combined as Combined
 from .results.results import Results as Results
 from .study.evaluation.study import open_study as open_study
+from .views.files.results_folder import load_results as load_results
+from .views.files.results_folder import save_results as save_results
 from .views.plots import plot as plot
 from .views.report.html import write_report as write_report

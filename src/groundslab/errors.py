@@ -1,4 +1,4 @@
-"""Every way in which groundslab says no."""
+"""Exceptions raised by groundslab."""
 
 from __future__ import annotations
 
@@ -8,12 +8,24 @@ from typing import Any
 
 
 class GroundslabError(Exception):
-    """The base of all errors that groundslab raises on purpose."""
+    """Base of all exceptions that groundslab raises on purpose."""
 
 
 @dataclass(frozen=True, slots=True)
 class Issue:
-    """One thing that is wrong with an input: where it stands, what is there, what should be, how to mend it."""
+    """One issue of an input.
+
+    Attributes
+    ----------
+    location : str
+        Where it is, such as "ground.layers[2].E".
+    found : str
+        What is there.
+    expected : str
+        What is expected there.
+    hint : str
+        How to correct it, where that is known.
+    """
 
     location: str
     found: str
@@ -21,20 +33,31 @@ class Issue:
     hint: str = ""
 
     def __str__(self) -> str:
-        """Return the fault on one line."""
+        """Return the issue on one line."""
         line = f"{self.location}: got {self.found}, expected {self.expected}"
         return f"{line}; {self.hint}" if self.hint else line
 
 
 class InputError(GroundslabError):
-    """The description of a problem is wrong; ``faults`` names everything that is wrong with it."""
+    """An input cannot be used.
+
+    Parameters
+    ----------
+    issues : sequence of Issue
+        Everything that is wrong with it.
+
+    Attributes
+    ----------
+    issues : tuple of Issue
+        Everything that is wrong with it.
+    """
 
     def __init__(self, issues: Sequence[Issue]) -> None:
         self.issues = tuple(issues)
         super().__init__(self.issues)
 
     def __str__(self) -> str:
-        """Return all faults, one a line."""
+        """Return all issues, one a line."""
         return "\n".join(str(issue) for issue in self.issues)
 
 
@@ -55,7 +78,18 @@ class SingularMatrix(GroundslabError):
 
 
 class NotCertified(GroundslabError):
-    """A result fails its certificate; ``results`` holds it all the same, to be looked at, not to be used."""
+    """A result fails its certificate.
+
+    Parameters
+    ----------
+    results : CombinationResult
+        The results all the same, to be inspected, not to be used.
+
+    Attributes
+    ----------
+    results : CombinationResult
+        The results all the same, to be inspected, not to be used.
+    """
 
     ROUNDING = (
         "rounding is what is left over where stiffnesses differ by ten digits and more: bring thickness and E of the "
@@ -90,7 +124,14 @@ class NotCertified(GroundslabError):
 class NotConverged(GroundslabError):
     """An iteration ended without converging.
 
-    ``what`` names the iteration, ``history`` holds one entry per step taken, ``last`` the last iterate's arrays.
+    Parameters
+    ----------
+    what : str
+        Name of the iteration.
+    history : sequence
+        One entry for each step.
+    last : mapping of str to array
+        Arrays of the last iterate.
     """
 
     what: str

@@ -78,6 +78,27 @@ DIMENSIONS: dict[str, Dimension] = {
     ),
 }  # fmt: skip
 
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit of display, the SI unit that it stands for, and the factor from SI to it."""
+
+    name: str
+    si: str
+    scale: float
+
+
+#: Units of display, by name.
+UNITS: dict[str, Unit] = {
+    unit.name: unit
+    for unit in (
+        Unit("m", "m", 1.0), Unit("m2", "m2", 1.0), Unit("mm", "m", 1e3), Unit("mrad", "rad", 1e3),
+        Unit("deg", "rad", math.degrees(1)), Unit("kPa", "Pa", 1e-3), Unit("MPa", "Pa", 1e-6),
+        Unit("MPa/m", "Pa/m", 1e-6), Unit("MPa m", "Pa m", 1e-6), Unit("kN", "N", 1e-3), Unit("kN/m", "N/m", 1e-3),
+        Unit("kNm", "N m", 1e-3), Unit("kNm/m", "N m/m", 1e-3), Unit("cm2/m", "m2/m", 1e4), Unit("%", "1", 1e2),
+    )
+}  # fmt: skip
+
 LONGEST = 100  # characters of a quantity
 NUMBER = r"[+-]?(?:[0-9]{1,40}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?"
 _QUANTITY = re.compile(rf"\s*(?P<number>{NUMBER})\s*(?P<unit>\S.*?)?\s*")
@@ -157,6 +178,27 @@ def parse(text: str, dimension: str) -> float:
 def coordinate(metres: float) -> float:
     """Return a coordinate [m] as it is printed: rounded to nanometres, so that what rounding left of zero is zero."""
     return round(metres, 9) + 0.0
+
+
+def format_number(
+    value: float, digits: int = 5, *, trim: bool = False, fixed: tuple[float, float] = (1e-3, 1e7), minus: str = "-"
+) -> str:
+    """Return a number with so many significant digits, without an exponent where its size is within `fixed`.
+
+    Numbers with more digits before the point keep them. `trim` rounds those, too, and leaves out zeros at the end.
+    """
+    rounded = float(f"{value:.{digits - 1}e}")
+    if rounded == 0:
+        return "0"
+    if not fixed[0] <= abs(rounded) < fixed[1]:
+        mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
+        text, tail = mantissa, f"e{exponent}"
+    else:
+        decimals = max(0, digits - 1 - math.floor(math.log10(abs(rounded))))
+        text, tail = f"{rounded if trim else value:.{decimals}f}", ""
+    if trim and "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return (text + tail).replace("-", minus)
 
 
 def show(value: float, dimension: str) -> str:

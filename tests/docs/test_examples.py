@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from groundslab.analysis.driver import solve, solve_combinations
+from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
 from helpers.paths import EXAMPLES
 
@@ -22,7 +22,7 @@ def test_examples_are_solved(path: Path) -> None:
 def test_the_raft_weighs_what_its_comment_says() -> None:
     """All eight combinations are solved, with the sums of loads that the comment works out by hand; the flood lifts."""
     model = load(EXAMPLES / "l_raft.toml")
-    coarse = solve_combinations(model.replace(mesh=model.mesh.replace(size=1.0)))
+    coarse = solve(model.replace(mesh=model.mesh.replace(size=1.0)))
     assert not coarse.refused
     permanent, live, flood = 5340e3 + 8628e3, 5442e3, -6624e3
     wanted = {

@@ -5,17 +5,17 @@ from __future__ import annotations
 import re
 
 from groundslab.design.tables import tables_of
-from groundslab.design.tables.quantities import FIELDS, LISTED
 from groundslab.model.combinations import combinations_of
 from groundslab.model.model import Model
+from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
 from groundslab.results.results import Combined
 from helpers.paths import DOCS
 
 PAGE = (DOCS / "results.md").read_text(encoding="utf-8")
 ROW = re.compile(r"^\| ([^|]+?) \|(?: ([^|]*?) ?)?\| ", re.MULTILINE)
-QUANTITIES = [about.head for about in LISTED.values()]
+QUANTITIES = [about.head for about in POINT_FIELDS.values()]
 #: The same with what has extremes only.
-EXPLAINED = [about.head for about in (FIELDS | LISTED).values()]
+EXPLAINED = [about.head for about in (PLATE_FIELDS | POINT_FIELDS).values()]
 
 
 def explained(heading: str) -> list[tuple[str, str]]:

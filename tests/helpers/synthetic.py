@@ -7,22 +7,18 @@ from typing import Any
 
 import numpy as np
 
+from groundslab.discretize.nodal_loads import materials
 from groundslab.errors import GroundslabError, NoEquilibrium, NotCertified
+from groundslab.geometry.plan import sections
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_cases import Combination, LoadCase
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
-from groundslab.results.results import (
-    Certificate,
-    Combined,
-    Constants,
-    ElementResult,
-    GroundResult,
-    PlateResult,
-    Results,
-    Step,
-)
+from groundslab.model.supports import plan_of_plate
+from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.results import Combined, Results
 
 LENGTH_X, LENGTH_Y = 9.6, 7.2
 K0, K1 = 20e6, 30e6
@@ -97,7 +93,6 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
     values: dict[str, Any] = {
         "model": model(shear=shear),
         "plate": plate,
-        "elements": elements_of(plate),
         "ground": GroundResult(ground_nodes, ground_elements, np.stack([top, top / 2]) if shear else top[None]),
         "constants": Constants((K0, 2 * K0), (K1, K1 / 2), 1.1316, 5) if shear else Constants((K0,), (0.0,), None, 0),
         "certificate": CERTIFICATE,
@@ -114,7 +109,8 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "factors": (),
         "supports": (),
     }
-    return Results(**values | changes)
+    values |= changes
+    return Results(**{"elements": elements_of(values["plate"], values["model"])} | values)
 
 
 def combined() -> Combined:
@@ -153,14 +149,17 @@ def combined() -> Combined:
     return Combined(whole, given, found, refused)
 
 
-def elements_of(plate: PlateResult) -> ElementResult:
-    """Return fields of elements that are a plate's nodal fields at the elements' centres."""
+def elements_of(plate: PlateResult, model: Model) -> ElementResult:
+    """Return fields of elements that are a plate's nodal fields at the elements' centers; sections are the model's."""
     centre = plate.elements[:, 8]
+    section = np.zeros(len(centre), dtype=np.int64)
+    if model.plate.zones:
+        section = np.maximum(sections(plan_of_plate(model.plate, ()), plate.nodes[centre]), 0)
     names = ("pressure", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
     return ElementResult(
         **{name: getattr(plate, name)[centre] for name in names},
-        thickness=np.full(len(centre), 0.2),
-        section=np.zeros(len(centre), dtype=np.int64),
+        thickness=np.array([t for _, _, t in materials(model)])[section],
+        section=section,
     )
 
 

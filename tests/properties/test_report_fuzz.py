@@ -109,7 +109,7 @@ def test_every_plan_can_be_drawn(model: Model) -> None:
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder of results."""
-    return results_folder.write(synthetic.results(shear=True), tmp_path_factory.mktemp("whole") / "raft")
+    return results_folder.save_results(synthetic.results(shear=True), tmp_path_factory.mktemp("whole") / "raft")
 
 
 @settings(derandomize=True, max_examples=60, deadline=None, database=None)
@@ -139,7 +139,7 @@ def test_damaged_results_are_reported_as_they_are_or_refused(folder: Path, data:
             content[:at] + data.draw(st.binary(max_size=20)) + content[at + data.draw(st.integers(0, 50)) :]
         )
     try:
-        results_folder.load(damaged)
+        results_folder.load_results(damaged)
     except InputError:
         assert main.main(["report", str(damaged), "--out", str(folder.with_name("none.html"))]) == 2
         return

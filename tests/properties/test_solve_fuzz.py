@@ -215,7 +215,7 @@ def test_writing_results_destroys_nobodys_work(tmp_path_factory, there, listed, 
     above = tmp_path_factory.mktemp("fuzz")
     folder = above / "raft"
     if ours:
-        results_folder.write(synthetic.results(), folder)
+        results_folder.save_results(synthetic.results(), folder)
     mine: list[Path] = []
     for name in there:
         path = folder / name
@@ -229,8 +229,8 @@ def test_writing_results_destroys_nobodys_work(tmp_path_factory, there, listed, 
         document = json.loads(summary.read_text())
         summary.write_text(json.dumps(document | {"files": sorted({*document["files"], *listed})}))
     with contextlib.suppress(InputError):
-        results_folder.write(synthetic.results(lifts=False), folder)
-        assert len(results_folder.load(folder).results) == 1
+        results_folder.save_results(synthetic.results(lifts=False), folder)
+        assert len(results_folder.load_results(folder).results) == 1
     assert all(path.read_bytes() == CONTENT for path in mine)
     assert not [path for path in above.iterdir() if path.name.startswith(".")]
     shutil.rmtree(above)

@@ -186,7 +186,7 @@ def test_third_order_through_the_package_on_pasternak_ground() -> None:
             mesh=Mesh(counts=(n, n)),
         )
         results = solve(model)
-        assert results.symmetry == (True, True)
+        assert results.only.symmetry == (True, True)
         distance = np.linalg.norm(results.plate.nodes[:, None] - PLACES, axis=2)
         assert distance.min(axis=0).max() < 1e-12
         off.append(np.abs(results.plate.moment_x[distance.argmin(axis=0)] - wanted) / wanted.max())

@@ -12,7 +12,8 @@ from groundslab.analysis.driver import solve, solve_combinations
 from groundslab.errors import NoEquilibrium
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
-from groundslab.results.results import Results, Step
+from groundslab.results.record import Step
+from groundslab.results.results import Results
 from groundslab.solvers import factorization
 
 #: A plate that does not bend to speak of, and one that does.

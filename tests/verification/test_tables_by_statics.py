@@ -57,7 +57,7 @@ G, Q = 1280, 620
 @pytest.fixture(scope="module")
 def combined() -> Combined:
     """Return the solved combinations."""
-    return groundslab.solve_combinations(MODEL)
+    return groundslab.solve(MODEL)
 
 
 @pytest.fixture(scope="module")

@@ -19,8 +19,6 @@ from groundslab.discretize.plan_layout import coarsest
 from groundslab.errors import (
     GroundslabError,
     IllConditioned,
-    InputError,
-    Issue,
     NoEquilibrium,
     NotCertified,
     NotConverged,
@@ -34,8 +32,9 @@ from groundslab.model.consistency import plate_elements
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, decay_squared, worst
+from groundslab.results.record import Step
 from groundslab.results.recovery import increment, recover
-from groundslab.results.results import Combined, Results, Step
+from groundslab.results.results import Combined, Results
 from groundslab.solvers import contact, factorization, warm_start
 from groundslab.solvers.conditioning import require_digits
 from groundslab.solvers.equilibrium import require_equilibrium, require_hold
@@ -68,10 +67,25 @@ OnCombination = Callable[[Combination], None]
 
 
 def check(model: Model) -> None:
-    """Raise InputError for what `solve_combinations` refuses in a model before it solves anything.
+    """Validate a model: raise the errors that `solve` would raise before it solves anything.
 
-    The arrays of a problem are made as they are for solving, all but those of the loads, whose places the model has
-    looked into already; of a mesh of more than CHECKED elements a coarser one is made.
+    The arrays of a problem are made as for solving, but those of the loads, whose coordinates the model has checked
+    already; of a mesh of more than CHECKED elements a coarser one is made.
+
+    Parameters
+    ----------
+    model : Model
+        The model.
+
+    Raises
+    ------
+    InputError
+        If the model describes no problem that can be solved.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> groundslab.check(model)
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
@@ -83,32 +97,64 @@ def check(model: Model) -> None:
         ground.column(ground.gamma or GAMMA_START)
 
 
-def solve(model: Model, on_step: OnStep | None = None) -> Results:
-    """Return the certified results of a model with one combination of loads.
+def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Combined:
+    """Solve every combination of a model, and return the certified results.
 
-    on_step is told every step of the iteration as it ends. Raises InputError for a description without a problem in it
-    or with several combinations, NoEquilibrium if the loads cannot be balanced, NotConverged with history and last
-    iterate, SingularMatrix, and NotCertified, which holds the results, if they do not fulfil the equations.
+    Meshes, matrices and factors are kept from one combination to the next.
+
+    Parameters
+    ----------
+    model : Model
+        The model. Its combinations are those that it lists or that it has made by EN 1990; with neither, each load
+        case by itself.
+    on_step : callable, optional
+        Called with every `Step` of the iteration as it ends.
+    on_combination : callable, optional
+        Called with every `Combination` as it begins.
+
+    Returns
+    -------
+    Results
+        The results of all combinations, by name. Of a model with several combinations, one that has no equilibrium or
+        no certified result does not stop the others: `refused` says why it has none.
+
+    Raises
+    ------
+    InputError
+        If the model describes no problem that can be solved.
+    NoEquilibrium
+        If the only combination cannot be balanced by ground and supports.
+    NotConverged
+        If the only combination does not converge; holds history and last iterate.
+    IllConditioned, SingularMatrix
+        If stiffnesses of the only combination differ by too much.
+    NotCertified
+        If the only combination's results do not satisfy the equations; holds them all the same.
+
+    See Also
+    --------
+    check : Validate a model without solving it.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> results = groundslab.solve(model)
+    >>> results.certificate.holds
+    True
+    >>> print(f"{1e3 * results.plate.settlement.max():.2f} mm")
+    3.00 mm
     """
-    wanted = combinations_of(model)
-    if len(wanted) > 1:
-        hint = "solve_combinations(model) solves them all; or keep one"
-        raise InputError([Issue("combinations", f"{len(wanted)} combinations", "one", hint)])
-    found = next(_each(model, wanted, on_step))
-    if isinstance(found, GroundslabError):
-        raise found
+    found = solve_combinations(model, on_step, on_combination)
+    if len(found.combinations) == 1:
+        for refusal in found.refused.values():
+            raise refusal
     return found
 
 
 def solve_combinations(
     model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
 ) -> Combined:
-    """Return the results of every combination of a model, each solved by itself, and why some have none.
-
-    on_combination is told each combination as it begins, on_step every step of the iteration as it ends.
-    Meshes, matrices and factors are kept from one to the next. One that has no equilibrium, or no certified
-    result, is refused by itself; raises InputError as `solve` does.
-    """
+    """Return the results of every combination of a model as `solve` does, a single one that is refused among them."""
     wanted = combinations_of(model)
     return _all(model, wanted, _each(model, wanted, on_step), on_combination)
 

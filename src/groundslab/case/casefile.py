@@ -23,7 +23,29 @@ _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
 
 def load(path: str | Path) -> Model:
-    """Return the Model that a file describes; raises InputError with all faults."""
+    """Read a model from a case file.
+
+    Parameters
+    ----------
+    path : str or pathlib.Path
+        The case file (TOML).
+
+    Returns
+    -------
+    Model
+        The model.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or describes no model; it lists all issues.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> groundslab.load(folder / "case.toml").plate.thickness
+    0.3
+    """
     return loads(read(path), str(path))
 
 

@@ -1,4 +1,4 @@
-"""What commands say, and the codes with which they end."""
+"""Output of the commands, and their exit codes."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from groundslab.errors import InputError
 
-FINE, NO_RESULT, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
+EXIT_OK, EXIT_NO_RESULT, EXIT_WRONG_INPUT, EXIT_INTERRUPTED = 0, 1, 2, 130
 
 
-def say(text: str) -> None:
-    """Print a message to standard error, if that takes it: what else there is to do counts more."""
+def print_stderr(text: str) -> None:
+    """Print a message to standard error; errors in doing so are ignored."""
     with suppress(OSError):
         print(text, file=sys.stderr, flush=True)
 
 
-def answer(text: str) -> None:
-    """Print to standard output; a reader that went away early is no failure."""
+def print_stdout(text: str) -> None:
+    """Print to standard output; a closed pipe is no error."""
     try:
         print(text, flush=True)
     except BrokenPipeError:
@@ -31,15 +31,15 @@ def answer(text: str) -> None:
 
 
 def close_output() -> None:
-    """Let what is still to be printed vanish, so that Python does not complain at its end."""
+    """Discard further output, so that Python does not complain at its end."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def in_blocks(error: InputError) -> str:
-    """Return the faults of an input as blocks of lines."""
+def format_issues(error: InputError) -> str:
+    """Return the issues of an input as blocks of lines."""
     count = len(error.issues)
-    blocks = [f"error: {count} fault{'s' if count != 1 else ''} in the input"]
+    blocks = [f"error: {count} issue{'s' if count != 1 else ''} in the input"]
     for issue in error.issues:
-        lines = [("got", issue.found), ("expected", issue.expected), ("mend", issue.hint)]
+        lines = [("found", issue.found), ("expected", issue.expected), ("hint", issue.hint)]
         blocks.append("\n".join([f"  {issue.location}", *(f"    {word:<9} {text}" for word, text in lines if text)]))
     return "\n\n".join(blocks)

@@ -67,7 +67,7 @@ def draw(options: argparse.Namespace) -> str:
     lines = [_coordinates(text) for text in options.line] if options.line else None
     if options.out is not None:
         check(options.out)
-    combined = results_folder.load(options.folder)
+    combined = results_folder.load_results(options.folder)
     request = parse_request(combined, options.fields, options.kind, options.combination, options.envelope, lines)
     what = (
         "-".join(quantity.name for quantity in request.quantities)

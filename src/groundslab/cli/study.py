@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from groundslab.cli.console import FINE, INTERRUPTED, NO_RESULT, answer, in_blocks, say
+from groundslab.cli.console import EXIT_INTERRUPTED, EXIT_NO_RESULT, EXIT_OK, format_issues, print_stderr, print_stdout
 from groundslab.errors import GroundslabError, InputError
 
 
@@ -71,20 +71,20 @@ def run(options: argparse.Namespace) -> int:
     except InputError:
         raise
     except (KeyboardInterrupt, GroundslabError) as error:
-        say("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")
-        say(study.how_to_go_on(folder, again))
-        return INTERRUPTED if isinstance(error, KeyboardInterrupt) else NO_RESULT
-    answer("\n".join(study.outcome(found)))
+        print_stderr("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")
+        print_stderr(study.how_to_go_on(folder, again))
+        return EXIT_INTERRUPTED if isinstance(error, KeyboardInterrupt) else EXIT_NO_RESULT
+    print_stdout("\n".join(study.outcome(found)))
     if len(found):
         try:
-            answer(f"evaluation: {study.evaluate(found)[0]}")
+            print_stdout(f"evaluation: {study.evaluate(found)[0]}")
         except InputError as error:
             # the rows are there, only a library that evaluates them is not
-            say(in_blocks(error))
+            print_stderr(format_issues(error))
     if len(found) < found.count:
-        say(study.how_to_go_on(folder, again))
-        return NO_RESULT
-    return FINE
+        print_stderr(study.how_to_go_on(folder, again))
+        return EXIT_NO_RESULT
+    return EXIT_OK
 
 
 def evaluate(options: argparse.Namespace) -> int:
@@ -97,8 +97,8 @@ def evaluate(options: argparse.Namespace) -> int:
         names = [limit.name for limit in found.setup.limits] or [""]
     points = [study.reliability(found, name) for name in names or ()]
     files = study.evaluate(found, points, options.level)
-    answer("\n\n".join(map(str, points)) + "\n" * 2 * bool(points) + f"evaluation: {files[0]}")
-    return FINE
+    print_stdout("\n\n".join(map(str, points)) + "\n" * 2 * bool(points) + f"evaluation: {files[0]}")
+    return EXIT_OK
 
 
 def _count(text: str) -> int:

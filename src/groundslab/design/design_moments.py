@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.results.fields import LAYERS, PLATE_FIELDS
+
+if TYPE_CHECKING:
+    from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,3 +63,17 @@ def _bottom(m_x: Array, m_y: Array, m_xy: Array) -> tuple[Array, Array]:
     star_x = np.where(only_y, 0.0, np.where(only_x, np.maximum(alone_x, 0.0), x))
     star_y = np.where(only_x, 0.0, np.where(only_y, np.maximum(alone_y, 0.0), y))
     return star_x, star_y
+
+
+def fields_of(plate: PlateResult) -> dict[str, Array]:
+    """Return the nodal fields of a plate by name, (n,) each, in SI units."""
+    return {name: getattr(plate, name) for name in PLATE_FIELDS}
+
+
+def derived(fields: Mapping[str, Array], name: str) -> Array:
+    """Return a quantity of POINT_FIELDS or RANGED_FIELDS (n,) from the plate's fields (n,), all in SI units."""
+    if name in PLATE_FIELDS:
+        return fields[name]
+    moments = fields["moment_x"], fields["moment_y"], fields["moment_xy"]
+    values: Array = getattr(wood_armer(*moments) if name in LAYERS else principal_moments(*moments), name)
+    return values

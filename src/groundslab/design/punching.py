@@ -23,7 +23,7 @@ from groundslab.fem.shape_functions import lagrange
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
-    from groundslab.results.results import PlateResult
+    from groundslab.results.mesh_results import PlateResult
 
 #: Chords of a quarter of a circle; the perimeter is shorter than with arcs by less than 3e-5 of itself.
 QUARTER_CHORDS = 64

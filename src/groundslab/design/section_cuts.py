@@ -16,7 +16,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.results.fields import PLATE_FIELDS
 
 if TYPE_CHECKING:
-    from groundslab.results.results import PlateResult
+    from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
 
 if TYPE_CHECKING:
-    from groundslab.results.results import PlateResult
+    from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,7 +25,7 @@ from groundslab.fem.problem import (
     tails,
     without_rigid_motion,
 )
-from groundslab.results.results import Certificate
+from groundslab.results.record import Certificate
 from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
 

@@ -1,4 +1,4 @@
-"""What several readers ask of results: are they finite, where does the plate lift, is there a line force."""
+"""Properties of results: whether they are finite, where the plate lifts, whether there is a line force."""
 
 from __future__ import annotations
 
@@ -10,15 +10,17 @@ import numpy as np
 from groundslab.errors import GroundslabError
 
 if TYPE_CHECKING:
-    from groundslab.results.results import (
-        Array,
-        Certificate,
-        Constants,
-        ElementResult,
-        GroundResult,
-        PlateResult,
-        Results,
-    )
+    from groundslab.arrays import Array
+    from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+    from groundslab.results.record import Certificate, Constants
+    from groundslab.results.results import Results
+
+
+#: What a reader must know where the ground acts by a line force along the plate's edge.
+EDGE_NOTE = (
+    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
+    "grows slowly as the mesh is refined."
+)
 
 
 def require_finite(results: Results) -> None:
@@ -37,11 +39,6 @@ def require_finite(results: Results) -> None:
                 raise GroundslabError(
                     f"{part}.{item.name} of the results holds a number that is not finite; nothing is shown or written"
                 )
-
-
-def contact_share(plate: PlateResult) -> float:
-    """Return the part of the plate's area that rests on the ground."""
-    return float(plate.contact_area.sum() / plate.area.sum())
 
 
 def has_line_force(results: Results) -> bool:

@@ -1,11 +1,13 @@
-"""Fields of results: name, symbol, unit and meaning of each."""
+"""The table of quantities of the plate: name, symbol, unit, meaning and sign of each; the place of their extremes."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+
+from groundslab.units import UNITS, Unit
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -14,16 +16,46 @@ if TYPE_CHECKING:
     Integers = NDArray[np.int64]
     Flags = NDArray[np.bool_]
 
+#: Which values a quantity takes: any; usually positive, with negative ones an exception (uplift, tension); or one sign.
+Sign = Literal["any", "usually positive", "not negative", "not positive"]
+
 
 @dataclass(frozen=True, slots=True)
 class ResultField:
-    """How a result is called and shown: symbol, unit of display, factor from SI to it, meaning, how it is averaged."""
+    """A quantity of the plate: how it is called and shown, what it means, how its nodal values are averaged."""
 
+    quantity: str
     symbol: str
-    unit: str
-    scale: float
+    unit: str  # of display, a name in units.UNITS
+    dimension: str  # a name in units.DIMENSIONS
     meaning: str
+    sign: Sign
     averaged: str
+
+    @property
+    def display(self) -> Unit:
+        """Return the unit of display with its SI unit and factor."""
+        return UNITS[self.unit]
+
+    @property
+    def scale(self) -> float:
+        """Return the factor from SI to the unit of display."""
+        return self.display.scale
+
+    @property
+    def label(self) -> str:
+        """Return quantity and symbol, as in "moment m_x"."""
+        return f"{self.quantity} {self.symbol}".rstrip()
+
+    @property
+    def head(self) -> tuple[str, str]:
+        """Return label and unit."""
+        return self.label, self.unit
+
+    @property
+    def name(self) -> str:
+        """Return label and unit, as in "settlement w [mm]"."""
+        return f"{self.label} [{self.unit}]"
 
 
 NOT, OVER_AREA, OVER_LENGTH = "not averaged", "force of a node over its area", "force of a node over its length"
@@ -31,41 +63,103 @@ PATCHES = "recovered by patches within a section"
 MEAN = "mean over the element"
 
 
-#: One definition of every field, used by tables, pictures and files. Signs as in ``docs/assumptions.md``.
-PLATE_FIELDS: dict[str, ResultField] = {
-    "settlement": ResultField("w", "mm", 1e3, "settlement of the plate, downwards positive", NOT),
-    "rotation_x": ResultField("beta_x", "mrad", 1e3, "rotation of the normal in the x-z plane, u = -z beta_x", NOT),
-    "rotation_y": ResultField("beta_y", "mrad", 1e3, "rotation of the normal in the y-z plane, v = -z beta_y", NOT),
-    "gap": ResultField("g", "mm", 1e3, "distance between plate and ground", NOT),
-    "penetration": ResultField("s", "mm", 1e3, "how far the plate has sunk into ground that yields", NOT),
-    "pressure": ResultField("p", "kPa", 1e-3, "contact pressure under the plate", OVER_AREA),
-    "line_force": ResultField(
-        "f", "kN/m", 1e-3, "edge line force of the ground on the plate, upwards positive", OVER_LENGTH
-    ),
-    "moment_x": ResultField("m_x", "kNm/m", 1e-3, "bending moment of strips along x, sagging positive", PATCHES),
-    "moment_y": ResultField("m_y", "kNm/m", 1e-3, "bending moment of strips along y, sagging positive", PATCHES),
-    "moment_xy": ResultField("m_xy", "kNm/m", 1e-3, "twisting moment", PATCHES),
-    "shear_x": ResultField("q_x", "kN/m", 1e-3, "transverse shear force on sections x = const", PATCHES),
-    "shear_y": ResultField("q_y", "kN/m", 1e-3, "transverse shear force on sections y = const", PATCHES),
-}
+def _moment(quantity: str, symbol: str, meaning: str, sign: Sign = "any") -> ResultField:
+    return ResultField(quantity, symbol, "kNm/m", "moment per length", meaning, sign, PATCHES)
 
+
+def _shear(symbol: str, meaning: str) -> ResultField:
+    return ResultField("shear", symbol, "kN/m", "force per length", meaning, "any", PATCHES)
+
+
+def _rotation(symbol: str, meaning: str) -> ResultField:
+    return ResultField("rotation", symbol, "mrad", "slope", meaning, "any", NOT)
+
+
+#: The plate's nodal fields. Signs as in ``docs/assumptions.md``.
+PLATE_FIELDS: dict[str, ResultField] = {
+    "settlement": ResultField(
+        "settlement", "w", "mm", "length", "settlement of the plate, downwards positive", "usually positive", NOT
+    ),
+    "rotation_x": _rotation("beta_x", "rotation of the normal in the x-z plane, u = -z beta_x"),
+    "rotation_y": _rotation("beta_y", "rotation of the normal in the y-z plane, v = -z beta_y"),
+    "gap": ResultField("gap", "g", "mm", "length", "distance between plate and ground", "not negative", NOT),
+    "penetration": ResultField(
+        "penetration", "s", "mm", "length", "how far the plate has sunk into ground that yields", "not negative", NOT
+    ),
+    "pressure": ResultField(
+        "pressure", "p", "kPa", "pressure", "contact pressure under the plate", "usually positive", OVER_AREA
+    ),
+    "line_force": ResultField(
+        "line force", "f", "kN/m", "force per length", "edge line force of the ground on the plate, upwards positive",
+        "any", OVER_LENGTH,
+    ),
+    "moment_x": _moment("moment", "m_x", "bending moment of strips along x, sagging positive"),
+    "moment_y": _moment("moment", "m_y", "bending moment of strips along y, sagging positive"),
+    "moment_xy": _moment("moment", "m_xy", "twisting moment"),
+    "shear_x": _shear("q_x", "transverse shear force on sections x = const"),
+    "shear_y": _shear("q_y", "transverse shear force on sections y = const"),
+}  # fmt: skip
 
 #: The field that only nodes on the plate's edge have.
 LINE_FORCE = "line_force"
 
-
-def label(name: str, about: ResultField) -> str:
-    """Return quantity and symbol of a field, as in "moment m_x"."""
-    quantity = " ".join(part for part in name.split("_") if part not in ("x", "y", "xy"))
-    return f"{quantity} {about.symbol}"
-
-
-#: The same of the fields at the centres of elements.
+#: The fields at the centers of elements.
 ELEMENT_FIELDS: dict[str, ResultField] = {
     "pressure": replace(PLATE_FIELDS["pressure"], averaged=MEAN),
     **{
         name: replace(PLATE_FIELDS[name], averaged=NOT)
         for name in ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
     },
-    "thickness": ResultField("t", "mm", 1e3, "thickness of the plate", NOT),
+    "thickness": ResultField("thickness", "t", "mm", "length", "thickness of the plate", "not negative", NOT),
 }
+
+#: What is computed from the moments at a node: principal moments, and the direction of the larger one.
+PRINCIPAL: dict[str, ResultField] = {
+    "m_1": _moment("principal moment", "m_1", "larger principal moment"),
+    "m_2": _moment("principal moment", "m_2", "smaller principal moment"),
+}
+DIRECTION = {"direction": ResultField("direction of m_1 from x", "", "deg", "slope", "its direction", "any", PATCHES)}
+
+_WOOD = "design moment of Wood and Armer for {} bars along {}"
+_FACES: tuple[tuple[str, Sign], ...] = (("bottom", "not negative"), ("top", "not positive"))
+#: Design moments of the four layers of bars.
+LAYERS: dict[str, ResultField] = {
+    f"{face}_{axis}": _moment(f"design moment {face} {axis}", "", _WOOD.format(face, axis), sign)
+    for face, sign in _FACES
+    for axis in "xy"
+}
+
+#: The quantities that are listed at a point of the plate; a force along the edge belongs to no point inside.
+POINT_FIELDS = {name: field for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
+POINT_FIELDS |= PRINCIPAL | DIRECTION | LAYERS
+#: The quantities that have extremes; a direction has none.
+RANGED_FIELDS = PLATE_FIELDS | PRINCIPAL | LAYERS
+
+#: Nodal values this close, relative to the largest, are equal but for rounding.
+SAME_VALUE = 1e-9
+
+
+def extreme_node(nodes: Array, values: Array, sign: int) -> int:
+    """Return the node of the largest (sign 1) or smallest (sign -1) of nodal values (n,), which may be infinite.
+
+    Of values that are equal but for rounding, as on a symmetric plate, the one nearest to the origin is taken, and of
+    these the one with the largest x, then y.
+    """
+    signed = sign * values
+    finite = np.abs(values[np.isfinite(values)]).max(initial=0)
+    equal = np.flatnonzero(signed >= signed.max() - SAME_VALUE * finite)
+    # rounded to nanometers, so that mirrored points are equally far
+    x, y = np.round(nodes[equal], 9).T
+    return int(equal[np.lexsort((-y, -x, np.round(np.hypot(x, y), 9)))[0]])
+
+
+def extreme(nodes: Array, values: Array, sign: int) -> tuple[float, tuple[float, float]]:
+    """Return the largest (sign 1) or smallest (sign -1) of nodal values (n,) and its place [m], see `extreme_node`."""
+    node = extreme_node(nodes, values, sign)
+    return float(values[node]), place_of(nodes, node)
+
+
+def place_of(nodes: Array, node: int) -> tuple[float, float]:
+    """Return where a node is [m], rounded to nanometers."""
+    x, y = np.round(nodes[node], 9) + 0.0
+    return float(x), float(y)

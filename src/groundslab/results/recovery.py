@@ -21,18 +21,10 @@ from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import apply, resistance
 from groundslab.results.contact_fields import contact_fields
+from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import Frame
-from groundslab.results.results import (
-    Certificate,
-    Constants,
-    ElementResult,
-    GroundResult,
-    Increment,
-    PlateResult,
-    Results,
-    Step,
-    SupportResult,
-)
+from groundslab.results.results import Increment, Results, SupportResult
 from groundslab.solvers.solution import Solution
 
 #: What is recovered from the Gauss points, in the order of plate.section_forces.

@@ -1,30 +1,34 @@
-"""What all results on one mesh have in common: the plate by its sections, its patches, the whole beside its mirror."""
+"""The mesh of results: the plate by its sections, patches for recovery, the full plate from its meshed part."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import congruent
-from groundslab.fem.mesh import Mesh, mirror, row_by_row
+from groundslab.fem.mesh import SIDES, Mesh, Place, mirror, row_by_row, sides_along
 from groundslab.fem.problem import Problem, nodal_area
 from groundslab.fem.shape_functions import distinct, gauss, jacobian, q9
+from groundslab.geometry.plan import Ring, rectangle
+from groundslab.model.columns import footprint
+from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad
 from groundslab.model.model import Model
+from groundslab.model.supports import LineSupport
 from groundslab.results import patch_recovery
-from groundslab.results.discontinuities import apart, loaded, walls
 from groundslab.results.edge_forces import EdgeSides, edge_lengths, edge_sides
 from groundslab.results.patch_recovery import Patches
 
 #: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
-ODD = (
+ANTISYMMETRIC = (
     {"rotation_x", "shear_x", "moment_xy"},
     {"rotation_y", "shear_y", "moment_xy"},
 )
-#: Fields that are a node's share of a whole, of which each side of a mirror has a part.
+#: Fields that are shares, of which each side of a mirror has a part.
 SHARED = {"area", "contact_area", "edge_length"}
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
 XI_TURNED = np.array([2, 3, 0, 1])
@@ -32,7 +36,7 @@ XI_TURNED = np.array([2, 3, 0, 1])
 
 @dataclass(frozen=True, slots=True)
 class MirroredMesh:
-    """The whole of a mesh of which a half or a quarter was computed: nodes and elements row by row."""
+    """A full mesh of which a half or a quarter was computed: nodes and elements row by row."""
 
     mesh: Mesh
     node: Integers  # (n,): of the meshed part
@@ -42,25 +46,25 @@ class MirroredMesh:
     shares: Array  # (n,): how many parts meet at each node
 
     def nodal(self, name: str, field: Array) -> Array:
-        """Return a nodal field of the whole (n,) from that of the meshed part."""
+        """Return a nodal field of the full mesh (n,) from that of the meshed part."""
         found: Array = field[self.node]
         for axis in (0, 1):
-            if name in ODD[axis]:
+            if name in ANTISYMMETRIC[axis]:
                 found = found * self.odd[axis]
         return found * self.shares if name in SHARED else found
 
     def by_element(self, name: str, field: Array) -> Array:
-        """Return a field of elements of the whole (m,) from that of the meshed part."""
+        """Return a field of elements of the full mesh (m,) from that of the meshed part."""
         found: Array = field[self.element]
         for axis in (0, 1):
-            if name in ODD[axis]:
+            if name in ANTISYMMETRIC[axis]:
                 found = found * self.odd_elements[axis]
         return found
 
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A mesh of the plate, with what recovers its section forces and makes the whole of it.
+    """A mesh of the plate for results, with what recovers section forces and mirrors the meshed part.
 
     A node on the border of two sections or of a void, or along a line support, stands once for each side, so that
     nothing is averaged across. Section forces are smooth in parts, which end at edges of loads, too.
@@ -89,18 +93,18 @@ class Frame:
         as in patches.nodal.
         """
         for axis, copied in self.images:
-            sign = np.array([-1.0 if name in ODD[axis] else 1.0 for name in names])
+            sign = np.array([-1.0 if name in ANTISYMMETRIC[axis] else 1.0 for name in names])
             values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
         at_nodes: Array = patch_recovery.nodal(self.patches, values, sizes)[self.smooth]
         return at_nodes
 
 
 def frame(model: Model, problem: Problem) -> Frame:
-    """Return the frame of the results of a model on one mesh."""
-    supported = walls(model, problem)
+    """Return the mesh for the results of a model."""
+    supported = support_lines(model, problem)
     depth = problem.depths.most
     mesh, node = by_section(problem, supported, depth)
-    smooth, _ = by_section(problem, np.concatenate([supported, loaded(model, problem)]))
+    smooth, _ = by_section(problem, np.concatenate([supported, load_edges(model, problem)]))
     matrices, kind = section_matrices(problem)
     edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
@@ -124,13 +128,13 @@ def frame(model: Model, problem: Problem) -> Frame:
         smooth=smooth.elements,
         images=tuple(images),
         patches=patch_recovery.around(parts.nodes, parts.elements, points),
-        plate=whole(mesh, problem.symmetry),
-        ground=whole(problem.mesh, problem.symmetry),
+        plate=mirrored(mesh, problem.symmetry),
+        ground=mirrored(problem.mesh, problem.symmetry),
     )
 
 
-def whole(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
-    """Return the whole of a mesh of which a part was computed."""
+def mirrored(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
+    """Return the full mesh of a part that was computed."""
     node, element = np.arange(len(mesh.nodes)), np.arange(len(mesh.elements))
     odd, odd_elements = [np.ones(len(node))] * 2, [np.ones(len(element))] * 2
     shares = np.ones(len(node))
@@ -160,7 +164,7 @@ def by_section(problem: Problem, creases: Integers, depth: Integers | None = Non
     elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
     key = elements + n * problem.section[:, None]
     if len(creases):
-        key = key + n * len(problem.bending) * apart(elements, creases, n)
+        key = key + n * len(problem.bending) * split_at(elements, creases, n)
     if depth is not None and depth.any():
         key = key + n * (key.max() // n + 1) * depth[:, None]
     keys, own = distinct(key)
@@ -190,7 +194,7 @@ def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array,
     """Return the mesh and its Gauss points with the images of the elements near a symmetry line, and which these are.
 
     Two rings of them, so that a corner node on the line has the patch it would have in the whole plate, and so has its
-    neighbour across. The mesh's own nodes come first.
+    neighbor across. The mesh's own nodes come first.
     """
     near = mesh.nodes[:, axis] == 0.0
     for _ in range(2):
@@ -202,3 +206,71 @@ def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array,
     # an image runs through its reference square with xi turned round
     more = np.vstack([points, turn * points[copied][:, XI_TURNED]])
     return Mesh(doubled.nodes, doubled.elements[images]), more, copied
+
+
+def support_lines(model: Model, problem: Problem) -> Integers:
+    """Return the sides (k, 3: end, end, middle node) of plate elements along line supports."""
+    lines = [piece for each in model.supports if isinstance(each, LineSupport) for piece in pairwise(each.points)]
+    return sides_along(problem.mesh, problem.mesh.elements[problem.plate_elements], lines)
+
+
+def load_edges(model: Model, problem: Problem) -> Integers:
+    """Return the sides (k, 3) of plate elements along line loads and straight edges of loaded areas."""
+    lines = [line for load in model.loads for line in _lines(load, model)]
+    return sides_along(problem.mesh, problem.mesh.elements[problem.plate_elements], lines)
+
+
+def _lines(load: object, model: Model) -> Iterator[tuple[Place, Place]]:
+    """Yield the straight lines along which a load begins, ends or stands."""
+    rings: list[Ring] = []
+    if isinstance(load, LineLoad):
+        yield from ((edge.start, edge.end) for edge in load.segments() if edge.straight)
+    elif isinstance(load, PatchLoad):
+        rings = [rectangle(*load.x, *load.y)]
+    elif isinstance(load, AreaLoad):
+        rings = [shape.ring() for shape in (load.shape, *load.holes)]
+    elif isinstance(load, PointLoad):
+        own = load.on(model.columns)
+        assert own.x is not None
+        assert own.y is not None
+        own_ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
+        rings = [] if own_ring is None else [own_ring]
+    yield from ((edge.start, edge.end) for ring in rings for edge in ring.segments() if edge.straight)
+
+
+def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
+    """Return a number (m, 9) that tells apart, at each node on a crease (k, 3), the elements on its different sides.
+
+    Elements round such a node belong together if one comes from one to the other without crossing a crease; elsewhere
+    the number is 0. n is the number of nodes.
+    """
+    on_crease = np.zeros(n, dtype=bool)
+    on_crease[creases] = True
+    meets = on_crease[elements]
+    count = int(meets.sum())
+    number = np.full(elements.shape, -1)
+    number[meets] = np.arange(count)
+    sides = elements[:, SIDES]  # (m, 4, 3)
+    owner, which = np.nonzero(on_crease[sides].any(axis=2) & ~np.isin(sides[..., 2], creases[:, 2]))
+    order = np.argsort(sides[owner, which, 2], kind="stable")
+    owner, which = owner[order], which[order]
+    one = np.flatnonzero(np.diff(sides[owner, which, 2]) == 0)
+    other = one + 1
+    links = [np.zeros((2, 0), dtype=np.int64)]
+    # two neighbors run along their common side in opposite directions
+    for here, there in ((0, 1), (1, 0), (2, 2)):
+        pair = np.vstack(
+            [number[owner[one], SIDES[which[one], here]], number[owner[other], SIDES[which[other], there]]]
+        )
+        links.append(pair[:, pair[0] >= 0])
+    row, column = np.concatenate(links, axis=1)
+    # linked ones take the smallest of their numbers, until none changes; at a node there are but a few
+    label, before = np.arange(count), np.full(count, -1)
+    while (label != before).any():
+        before = label.copy()
+        least = np.minimum(label[row], label[column])
+        np.minimum.at(label, row, least)
+        np.minimum.at(label, column, least)
+    result = np.zeros(elements.shape, dtype=np.int64)
+    result[meets] = label
+    return result

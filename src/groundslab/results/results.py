@@ -1,329 +1,121 @@
-"""What an analysis gives back: frozen arrays on nine-node meshes, the constants of the ground, the certificate."""
+"""Results of an analysis: one combination of loads, and all combinations of a model."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, overload
+from html import escape
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from groundslab.arrays import Memo
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
-from groundslab.fem.mesh import Mesh, Whereabouts, bounding_boxes, interpolated, locate
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.schema.wording import describe, one_of, suggestion
+from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.record import Certificate, Constants, Step
+from groundslab.schema.wording import listed, quote
+from groundslab.units import format_number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from numpy.typing import ArrayLike, NDArray
-    from shapely import STRtree
 
+    from groundslab.arrays import Array
     from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
 
-    Array = NDArray[np.float64]
-    Integers = NDArray[np.int64]
-    Flags = NDArray[np.bool_]
-
-
-#: Of more points outside than these, an error tells only how many they are.
-MOST_NAMED = 100
-
-
-@dataclass(frozen=True, slots=True)
-class PlateResult:
-    """The plate: nine-node mesh and nodal fields in SI units (see PLATE_FIELDS).
-
-    Moments and shear forces are recovered by patches of elements. A node on the border of two sections (zones of the
-    plate) stands once for each of them, so that nothing is averaged across a change of thickness.
-    """
-
-    nodes: Array  # (n, 2)
-    elements: Integers  # (m, 9): four corners, four midsides, centre
-    settlement: Array  # (n,)
-    rotation_x: Array
-    rotation_y: Array
-    gap: Array
-    penetration: Array
-    pressure: Array
-    line_force: Array
-    moment_x: Array
-    moment_y: Array
-    moment_xy: Array
-    shear_x: Array
-    shear_y: Array
-    in_contact: Flags  # (n,)
-    area: Array  # (n,) [m2]: each node's share of the plate's area
-    contact_area: Array  # (n,) [m2]: what of it rests on the ground; beside a void or a cavity only a part may
-    edge_length: Array  # (n,) [m]: each node's share of the length of the plate's edge, 0 inside
-
-    @property
-    def contact_force(self) -> Array:
-        """Return the ground's force on each node (n,) [N]: its pressure and its line force."""
-        return self.pressure * self.area + self.line_force * self.edge_length
-
-    @overload
-    def value_at(self, field: str, x: float, y: float) -> float: ...
-    @overload
-    def value_at(self, field: str, x: ArrayLike, y: ArrayLike) -> Array: ...
-    def value_at(self, field: str, x: ArrayLike, y: ArrayLike) -> float | Array:
-        """Return a nodal field at points of the plate, by the elements' shape functions.
-
-        Parameters
-        ----------
-        field
-            One of the names of PLATE_FIELDS.
-        x, y
-            Places [m]: numbers or arrays of any shapes that broadcast against each other.
-
-        Returns
-        -------
-        float or Array
-            In the field's SI unit: a float for two numbers, else an array of the shape that x and y have together.
-            On the border of two sections the value is that of one of them.
-
-        Raises
-        ------
-        InputError
-            If there is no such field, if x and y do not fit together, or if a point does not lie on the plate; it names
-            the points.
-        """
-        if field not in PLATE_FIELDS:
-            names = tuple(PLATE_FIELDS)
-            raise InputError([Issue("field", describe(field), one_of(names), suggestion(field, names))])
-        return _values_at(Mesh(self.nodes, self.elements), getattr(self, field), x, y, "the plate")
-
-    @overload
-    def element_at(self, x: float, y: float) -> int: ...
-    @overload
-    def element_at(self, x: ArrayLike, y: ArrayLike) -> Integers: ...
-    def element_at(self, x: ArrayLike, y: ArrayLike) -> int | Integers:
-        """Return which element of the plate holds each point, to read fields of elements there.
-
-        `results.elements.moment_x[results.plate.element_at(x, y)]`, for example, is the element's own moment, not
-        averaged.
-
-        Parameters
-        ----------
-        x, y
-            Places [m]: numbers or arrays of any shapes that broadcast against each other.
-
-        Returns
-        -------
-        int or Integers
-            Rows of `elements`: an int for two numbers, else an array of the shape that x and y have together. A point
-            on a common side belongs to one of its elements.
-
-        Raises
-        ------
-        InputError
-            If x and y do not fit together, or if a point does not lie on the plate; it names the points.
-        """
-        places = _places(x, y)
-        found: Integers = _located(Mesh(self.nodes, self.elements), places, "the plate")[0]
-        return int(found[0]) if places.ndim == 1 else found.reshape(places.shape[:-1])
-
-
-@dataclass(frozen=True, slots=True)
-class ElementResult:
-    """The plate element by element, in the order of its elements: values at their centres in SI units.
-
-    See ELEMENT_FIELDS: moments and shear forces are the element's own, averaged with nobody else's.
-    """
-
-    pressure: Array  # (m,) [Pa]: mean contact pressure under the element, no line force
-    moment_x: Array  # (m,) [N m/m]
-    moment_y: Array
-    moment_xy: Array
-    shear_x: Array  # (m,) [N/m]
-    shear_y: Array
-    thickness: Array  # (m,) [m]
-    section: Integers  # (m,): 0 outside all zones, else the number of the zone from 1
-
-
-@dataclass(frozen=True, slots=True)
-class GroundResult:
-    """The ground, under the plate and beyond it: settlement of every surface, from the top one downwards."""
-
-    nodes: Array  # (n, 2)
-    elements: Integers  # (m, 9)
-    settlement: Array  # (number of surfaces, n)
-
-    @overload
-    def value_at(self, x: float, y: float, surface: int = 0) -> float: ...
-    @overload
-    def value_at(self, x: ArrayLike, y: ArrayLike, surface: int = 0) -> Array: ...
-    def value_at(self, x: ArrayLike, y: ArrayLike, surface: int = 0) -> float | Array:
-        """Return the settlement of a surface of the ground at points, by the elements' shape functions.
-
-        Parameters
-        ----------
-        x, y
-            Places [m], under the plate or beyond it: numbers or arrays of any shapes that broadcast against each other.
-        surface
-            Number of the surface: 0 is the top of the ground, 1 lies under the first layer, and so on.
-
-        Returns
-        -------
-        float or Array
-            In metres: a float for two numbers, else an array of the shape that x and y have together.
-
-        Raises
-        ------
-        InputError
-            If there is no such surface, if x and y do not fit together, or if a point lies outside the mesh; it names
-            the points.
-        """
-        if surface not in range(len(self.settlement)):
-            expected = f"a whole number from 0 to {len(self.settlement) - 1}"
-            raise InputError([Issue("surface", describe(surface), expected)])
-        return _values_at(Mesh(self.nodes, self.elements), self.settlement[surface], x, y, "the meshed ground")
-
-
-def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: str) -> float | Array:
-    """Return nodal values (n,) at points: a float for two numbers, else an array of their shape."""
-    places = _places(x, y)
-    found = interpolated(mesh, values, _located(mesh, places, region))
-    return float(found[0]) if places.ndim == 1 else found.reshape(places.shape[:-1])
-
-
-def _places(x: ArrayLike, y: ArrayLike) -> Array:
-    """Return points as an array (..., 2) of floats; InputError if x and y are no numbers or do not fit together."""
-    try:
-        places: Array = np.stack(np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float)), axis=-1)
-    except (TypeError, ValueError):
-        found = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in (x, y))
-        raise InputError([Issue("x, y", found, "numbers in metres, in shapes that broadcast")]) from None
-    return places
-
-
-def _located(mesh: Mesh, places: Array, region: str) -> Whereabouts:
-    """Return the elements that hold points (..., 2) and the places in them; InputError names points outside."""
-    boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
-    where = locate(mesh, places.reshape(-1, 2), boxes=boxes)
-    outside = np.argwhere(where[0].reshape(places.shape[:-1]) < 0)
-    issues = []
-    for index in outside[:MOST_NAMED]:
-        x, y = places[tuple(index)]
-        issues.append(Issue(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
-    if len(outside) > MOST_NAMED:
-        found = f"{len(outside) - MOST_NAMED} more points outside"
-        issues.append(Issue("points", found, f"points on {region}"))
-    if issues:
-        raise InputError(issues)
-    return where
-
-
-#: Boxes to search for points in, of the meshes at whose points values have been asked for.
-_BOXES: Memo[STRtree] = Memo()
+#: A printed summary lists at most so many combinations.
+MOST_LISTED = 12
 
 
 @dataclass(frozen=True, slots=True)
 class SupportResult:
-    """A support: what it carries, node by node along a line; one node for a point."""
+    """A support: what it carries at each of its k nodes, one for a point.
+
+    Attributes
+    ----------
+    name : str
+        Name of the support, or its number.
+    nodes : (k, 2) array of float
+        Coordinates of its nodes [m].
+    length : (k,) array of float
+        The share of the line that belongs to each node [m]; 0 for a point.
+    settlement : (k,) array of float
+        Settlement of the plate there [m].
+    force : (k,) array of float
+        Force on the plate [N], upwards positive.
+    moment_x, moment_y : (k,) array of float
+        Moments on the plate [N m], positive if they press the side of larger x (or y) down.
+    """
 
     name: str
-    nodes: Array  # (k, 2) [m]
-    length: Array  # (k,) [m]: the share of the line that belongs to each node, 0 for a point
-    settlement: Array  # (k,) [m], of the plate there
-    force: Array  # (k,) [N], upwards positive, as it pushes the plate
-    moment_x: Array  # (k,) [N m], positive if it presses the side of larger x down
-    moment_y: Array  # (k,) [N m]
+    nodes: Array
+    length: Array
+    settlement: Array
+    force: Array
+    moment_x: Array
+    moment_y: Array
 
     @property
     def total(self) -> float:
-        """Return the force of the whole support [N], upwards positive."""
+        """The sum of the forces [N], upwards positive."""
         return float(self.force.sum())
 
 
 @dataclass(frozen=True, slots=True)
-class Constants:
-    """The parameters of the ground that the analysis ended with (SI units, from the top layer downwards)."""
+class Increment:
+    """The state under a share of the load.
 
-    k0: tuple[float, ...]
-    k1: tuple[float, ...]
-    gamma: float | None
-    gamma_iterations: int
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """One step of the iteration, as shown in the convergence history."""
-
-    unknowns: int  # of the mesh that the step ran on
-    increment: int  # of the load, from 1
-    gamma: float | None
-    iteration: int  # of the contact, from 1
-    in_contact: int  # nodes
-    changed: int  # nodes that change sides after this step
-    finest: bool  # whether this is the mesh that was asked for
-
-
-@dataclass(frozen=True, slots=True)
-class Certificate:
-    """How well the result fulfils the equations; every figure is a ratio unless it says otherwise.
-
-    All of them are computed anew from the solution, with none of the matrices that were factorised. Of several load
-    increments the worst counts.
+    Attributes
+    ----------
+    share : float
+        Share of the load, settlements of supports included.
+    plate : PlateResult
+        The plate.
+    elements : ElementResult
+        The plate's elements.
+    ground : GroundResult
+        The ground.
     """
 
-    residual: float  # largest force left over at a node / largest nodal force
-    load: float  # sum of the loads [N]
-    reaction: float  # sum of the contact forces and of the supports' reactions [N]
-    force_balance: float  # |load - reaction| / sum of the loads' sizes
-    moment_balance: float  # the same for the moments about both axes, over load size times plate size
-    ground_balance: float  # contact forces against what the ground carries down and out, over load size
-    worst_gap: float  # largest violation of g >= 0, over the largest settlement
-    worst_pressure: float  # largest violation of p >= 0, over the largest nodal contact force
-    worst_product: float  # largest |p g|, over largest contact force times largest settlement
-    gamma_change: float  # relative change of gamma in the last step
-    # infinite ground only: largest change of the settlement with a wider meshed margin, over the largest settlement
-    margin_effect: float | None
-
-    TOLERANCE = 1e-6
-    MARGIN_TOLERANCE = 0.01
-
-    @property
-    def holds(self) -> bool:
-        """Whether no figure is above its limit."""
-        return not self.too_large()
-
-    def too_large(self) -> dict[str, float]:
-        """Return the figures that are above their limits, by name; one that is no number is, too."""
-        figures, limits = self.limited(), self.limits()
-        return {name: value for name, value in figures.items() if not value <= limits[name]}
-
-    def limited(self) -> dict[str, float]:
-        """Return the figures that have a limit, by name."""
-        margin = {} if self.margin_effect is None else {"margin_effect": self.margin_effect}
-        return self.must_vanish() | margin
-
-    def limits(self) -> dict[str, float]:
-        """Return the limit of each figure that has one, by name."""
-        return dict.fromkeys(self.must_vanish(), self.TOLERANCE) | {"margin_effect": self.MARGIN_TOLERANCE}
-
-    def must_vanish(self) -> dict[str, float]:
-        """Return the figures that are zero for an exact solution, by name."""
-        names = (
-            "residual", "force_balance", "moment_balance", "ground_balance",
-            "worst_gap", "worst_pressure", "worst_product", "gamma_change",
-        )  # fmt: skip
-        return {name: getattr(self, name) for name in names}
-
-
-@dataclass(frozen=True, slots=True)
-class Increment:
-    """The state under a share of the load, on the way to all of it."""
-
-    share: float  # of the load, settlements of supports included
+    share: float
     plate: PlateResult
     elements: ElementResult
     ground: GroundResult
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Results:
-    """All that came out of one analysis, with the description that it came from."""
+    """Results of one combination of loads, with the model that they belong to.
+
+    Attributes
+    ----------
+    model : Model
+        The model.
+    plate : PlateResult
+        The plate: mesh and nodal fields.
+    elements : ElementResult
+        The plate's elements.
+    ground : GroundResult
+        The ground, under the plate and beyond it.
+    constants : Constants
+        The ground's constants that the analysis ended with.
+    certificate : Certificate
+        How well equilibrium and contact conditions are satisfied.
+    steps : tuple of Step
+        The convergence history.
+    solver : str
+        Name of the solver of linear systems.
+    unknowns : int
+        Number of unknowns that were solved for.
+    symmetry : tuple of bool
+        Whether symmetry along x, and along y, was used.
+    combination, limit_state : str
+        Name and limit state of the combination.
+    factors : tuple of (str, float)
+        Factors of the load cases; empty if the model has no load cases.
+    supports : tuple of SupportResult
+        What the supports carry.
+    increments : tuple of Increment
+        The states under smaller shares of the load, if it was applied in increments.
+    """
 
     model: Model
     plate: PlateResult
@@ -339,35 +131,188 @@ class Results:
     limit_state: str
     factors: tuple[tuple[str, float], ...]
     supports: tuple[SupportResult, ...]
-    increments: tuple[Increment, ...] = ()  # all but the last, which is what these results tell
+    increments: tuple[Increment, ...] = ()
 
-    def plot(self, *fields: str, **wanted: Any) -> Figure:
-        """Return a figure of these results: `groundslab.plot` with them."""
+    def __repr__(self) -> str:
+        """Return the first figures on one line."""
+        settlement, contact, verdict = _figures(self)
+        return f"{self.combination} ({self.limit_state}): w <= {settlement} mm, {contact} % in contact, {verdict}"
+
+    def plot(self, *fields: str, **options: Any) -> Figure:
+        """Draw these results, see `groundslab.plot`.
+
+        Parameters
+        ----------
+        *fields : str
+            Names or symbols of fields, such as "settlement".
+        **options
+            Options of `groundslab.plot`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
         from groundslab.views.plots import plot
 
-        return plot(self, *fields, **wanted)
+        return plot(self, *fields, **options)
 
 
-@dataclass(frozen=True, slots=True)
-class Combined:
-    """What came out of all combinations of a model, each solved by itself."""
+@dataclass(frozen=True, slots=True, repr=False)
+class Combined(Mapping[str, Results]):
+    """Results of all combinations of a model, perhaps one: a mapping from the names of those that were solved.
+
+    The results of a model with one combination are at hand as `plate`, `elements`, `ground` and so on.
+
+    Attributes
+    ----------
+    model : Model
+        The model.
+    combinations : tuple of Combination
+        All combinations, solved or not.
+    results : dict of str to CombinationResult
+        Certified results by the name of their combination.
+    refused : dict of str to GroundslabError
+        Why the other combinations have no certified results.
+
+    Examples
+    --------
+    >>> list(results)
+    ['all loads']
+    >>> results["all loads"].certificate.holds
+    True
+    >>> f"{results.plate.settlement.max():.4f} m"
+    '0.0030 m'
+    """
 
     model: Model
     combinations: tuple[Combination, ...]
-    results: dict[str, Results]  # by the combination's name
-    refused: dict[str, GroundslabError]  # why the others have no results
+    results: dict[str, Results]
+    refused: dict[str, GroundslabError]
 
     def __getitem__(self, combination: str) -> Results:
-        """Return the results of a combination; raises what it was refused for."""
+        """Return the results of a combination; raises the reason if it has none."""
         if combination in self.refused:
             raise self.refused[combination]
+        if combination not in self.results:
+            names = listed([quote(each.name) for each in self.combinations])
+            raise KeyError(f"no combination {quote(combination)}; there is {names}")
         return self.results[combination]
 
-    def plot(self, *fields: str, **wanted: Any) -> Figure:
-        """Return a figure of the combinations' results: `groundslab.plot` with them."""
+    def __iter__(self) -> Iterator[str]:
+        """Iterate over the names of the combinations that were solved."""
+        return iter(self.results)
+
+    def __len__(self) -> int:
+        """Return how many combinations were solved."""
+        return len(self.results)
+
+    def __contains__(self, combination: object) -> bool:
+        """Return whether a combination of that name was solved."""
+        return combination in self.results
+
+    @property
+    def only(self) -> Results:
+        """The results of the only combination; InputError, which names them, if there are several."""
+        if len(self.combinations) != 1:
+            names = listed([quote(each.name) for each in self.combinations])
+            hint = f"choose one by its name, such as results[{quote(self.combinations[0].name)}]"
+            raise InputError([Issue("results", f"combinations {names}", "a model with one combination", hint)])
+        return self[self.combinations[0].name]
+
+    @property
+    def plate(self) -> PlateResult:
+        """The plate in the only combination."""
+        return self.only.plate
+
+    @property
+    def elements(self) -> ElementResult:
+        """The plate's elements in the only combination."""
+        return self.only.elements
+
+    @property
+    def ground(self) -> GroundResult:
+        """The ground in the only combination."""
+        return self.only.ground
+
+    @property
+    def constants(self) -> Constants:
+        """The ground's constants in the only combination."""
+        return self.only.constants
+
+    @property
+    def certificate(self) -> Certificate:
+        """The certificate of the only combination."""
+        return self.only.certificate
+
+    @property
+    def supports(self) -> tuple[SupportResult, ...]:
+        """What the supports carry in the only combination."""
+        return self.only.supports
+
+    @property
+    def increments(self) -> tuple[Increment, ...]:
+        """The states under smaller shares of the load in the only combination."""
+        return self.only.increments
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """The convergence history of the only combination."""
+        return self.only.steps
+
+    def __repr__(self) -> str:
+        """Return the title and the first figures of each combination, one a line."""
+        count = len(self.combinations)
+        head = f"Results of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
+        lines = [
+            repr(self.results[each.name]) if each.name in self.results else f"{each.name}: {self._reason(each.name)}"
+            for each in self.combinations[:MOST_LISTED]
+        ]
+        more = [f"... {count - MOST_LISTED} more"] if count > MOST_LISTED else []
+        return "\n  ".join([head, *lines, *more])
+
+    def _repr_html_(self) -> str:
+        """Return the first figures of each combination as a table for notebooks."""
+        heads = ("combination", "limit state", "largest settlement [mm]", "area in contact [%]", "certificate")
+        rows = [heads]
+        for each in self.combinations:
+            found = self.results.get(each.name)
+            figures = ("", "", self._reason(each.name)) if found is None else _figures(found)
+            rows.append((each.name, each.limit_state, *figures))
+        cells = ("".join(f"<td>{escape(text)}</td>" for text in row) for row in rows)
+        table = "".join(f"<tr>{row}</tr>" for row in cells)
+        return f"<table><caption>{escape(self.model.title)}</caption>{table}</table>"
+
+    def _reason(self, combination: str) -> str:
+        """Return why a combination has no certified results, on one line."""
+        return f"refused: {' '.join(str(self.refused[combination]).split())}"
+
+    def plot(self, *fields: str, **options: Any) -> Figure:
+        """Draw the results, see `groundslab.plot`.
+
+        Parameters
+        ----------
+        *fields : str
+            Names or symbols of fields, such as "settlement".
+        **options
+            Options of `groundslab.plot`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
         from groundslab.views.plots import plot
 
-        return plot(self, *fields, **wanted)
+        return plot(self, *fields, **options)
+
+
+def _figures(results: Results) -> tuple[str, str, str]:
+    """Return largest settlement [mm], area in contact [%] and verdict of the certificate as texts."""
+    plate = results.plate
+    settlement = format_number(plate.settlement.max() * PLATE_FIELDS["settlement"].scale, 4, trim=True)
+    contact = format_number(100 * plate.contact_share, 4, trim=True)
+    return settlement, contact, "certified" if results.certificate.holds else "NOT CERTIFIED"
 
 
 def alone(results: Results) -> Combined:

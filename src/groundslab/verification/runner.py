@@ -122,7 +122,7 @@ def outcomes_of(case: Case) -> Iterator[Outcome]:
     def results_of(name: str, counts: Sequence[int] = ()) -> Results:
         key = name, tuple(counts)
         if key not in solved:
-            solved[key] = driver.solve(model_of(case, name, counts))
+            solved[key] = driver.solve(model_of(case, name, counts)).only
         return solved[key]
 
     for row in case.rows:

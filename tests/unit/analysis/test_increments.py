@@ -14,7 +14,8 @@ import pytest
 from groundslab.analysis import driver
 from groundslab.errors import NotCertified
 from groundslab.model.model import Model
-from groundslab.results.results import Certificate, Results
+from groundslab.results.record import Certificate
+from groundslab.results.results import Results
 from groundslab.views.files import npz, results_folder
 
 FIELDS = ("settlement", "gap", "penetration", "pressure", "moment_x", "shear_y")
@@ -39,7 +40,7 @@ def model(share: float = 1.0, increments: int = 1, **changes: object) -> Model:
 @pytest.fixture(scope="module")
 def in_four() -> Results:
     """Return the results of four increments."""
-    return driver.solve(model(increments=4))
+    return driver.solve(model(increments=4)).only
 
 
 def test_each_state_is_that_of_a_load_of_its_size(in_four: Results) -> None:
@@ -81,7 +82,7 @@ def test_the_worst_certificate_of_all_increments_counts() -> None:
 
 def test_states_stand_in_files_and_come_back(in_four: Results, tmp_path: Path) -> None:
     """ParaView's collection names a file for each share of the load; the archive gives the same states back."""
-    folder = results_folder.write(in_four, tmp_path / "results")
+    folder = results_folder.save_results(in_four, tmp_path / "results")
     for part in ("plate", "ground"):
         sets = ElementTree.parse(folder / f"{part}-increments.pvd").getroot().iter("DataSet")
         files = {float(each.attrib["timestep"]): each.attrib["file"] for each in sets}
@@ -96,5 +97,5 @@ def test_states_stand_in_files_and_come_back(in_four: Results, tmp_path: Path) -
         np.testing.assert_array_equal(one.plate.moment_xy, other.plate.moment_xy)
         np.testing.assert_array_equal(one.elements.pressure, other.elements.pressure)
         np.testing.assert_array_equal(one.ground.settlement, other.ground.settlement)
-    (again,) = results_folder.load(folder).results.values()
+    (again,) = results_folder.load_results(folder).results.values()
     assert len(again.increments) == 3

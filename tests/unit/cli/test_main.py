@@ -19,12 +19,12 @@ import pytest
 import groundslab
 from groundslab.case import casefile
 from groundslab.cli import console, main
-from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
+from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged
 from groundslab.model.columns import Column
 from groundslab.model.combinations import combinations_of
 from groundslab.model.settings import Mesh
 from groundslab.model.supports import LineSupport, PointSupport
-from groundslab.results.results import Combined
+from groundslab.results.results import Combined, alone
 from groundslab.views.files import npz, results_folder
 from helpers import synthetic
 
@@ -47,11 +47,12 @@ def solver(outcome: Any) -> Any:
             on_combination(combination)
         if on_step is not None:
             on_step(synthetic.results().steps[0])
-        if isinstance(outcome, GroundslabError) and not isinstance(outcome, InputError):
-            return Combined(model, (combination,), {}, {combination.name: outcome})
         if isinstance(outcome, BaseException):
             raise outcome
-        return results_folder.alone(replace(outcome, model=model))
+        results = replace(outcome, model=model)
+        if not results.certificate.holds:
+            raise NotCertified(results)
+        return alone(results)
 
     return solve
 
@@ -67,7 +68,7 @@ def case(tmp_path: Path) -> Path:
 @pytest.fixture
 def solved(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the analysis return made-up results."""
-    fake(monkeypatch, "analysis.driver", solve_combinations=solver(synthetic.results()))
+    fake(monkeypatch, "analysis.driver", solve=solver(synthetic.results()))
 
 
 def run(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -109,7 +110,7 @@ class TestSolve:
         case.write_text(casefile.to_toml(model), encoding="utf-8")
         made = synthetic.results(combination="ULS", limit_state="ultimate", factors=(("G", 1.35),))
         made = replace(made, plate=replace(made.plate, moment_x=made.plate.moment_x + 20e6))
-        fake(monkeypatch, "analysis.driver", solve_combinations=solver(made))
+        fake(monkeypatch, "analysis.driver", solve=solver(made))
         assert main.main(["solve", str(case)]) == 0
         out, err = capsys.readouterr()
         assert out.splitlines()[2].startswith("DESIGN FAILS: 1 of")
@@ -127,7 +128,7 @@ class TestSolve:
     ) -> None:
         """A certificate that fails gives exit code 1, a message, and results that say so."""
         bad = replace(synthetic.CERTIFICATE, residual=1.0)
-        fake(monkeypatch, "analysis.driver", solve_combinations=solver(synthetic.results(certificate=bad)))
+        fake(monkeypatch, "analysis.driver", solve=solver(synthetic.results(certificate=bad)))
         assert main.main(["solve", str(case)]) == 1
         out, err = capsys.readouterr()
         assert "FAILED" in out
@@ -156,7 +157,7 @@ class TestSolve:
         words: str,
     ) -> None:
         """Each failure has its exit code and a message on standard error; nothing is written."""
-        fake(monkeypatch, "analysis.driver", solve_combinations=solver(outcome))
+        fake(monkeypatch, "analysis.driver", solve=solver(outcome))
         assert main.main(["solve", str(case)]) == code
         out, err = capsys.readouterr()
         assert out == ""
@@ -165,7 +166,7 @@ class TestSolve:
 
     def test_asks_for_the_folder_before_the_analysis(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """A folder with foreign files is refused before any time is spent."""
-        fake(monkeypatch, "analysis.driver", solve_combinations=solver(AssertionError("solved in vain")))
+        fake(monkeypatch, "analysis.driver", solve=solver(AssertionError("solved in vain")))
         (case.parent / "out").mkdir()
         (case.parent / "out" / "notes.txt").touch()
         assert main.main(["solve", str(case), "--out", str(case.parent / "out")]) == 2
@@ -185,7 +186,7 @@ class TestSolve:
         def full(*_: Any, **__: Any) -> None:
             raise InputError([Issue("disk", "no room", "room")])
 
-        monkeypatch.setattr(results_folder, "write", full)
+        monkeypatch.setattr(results_folder, "save_results", full)
         assert main.main(["solve", str(case)]) == 2
         out, err = capsys.readouterr()
         assert "largest settlement" in out
@@ -196,7 +197,7 @@ class TestSolve:
     ) -> None:
         """If somebody puts a file into the folder during the analysis, the results are kept beside it."""
         driver = sys.modules["groundslab.analysis.driver"]
-        solve = driver.solve_combinations
+        solve = driver.solve
         folder = case.with_name("raft-results")
 
         def disturbed(*arguments: Any) -> Any:
@@ -204,7 +205,7 @@ class TestSolve:
             (folder / "notes.txt").write_text("mine")
             return solve(*arguments)
 
-        monkeypatch.setattr(driver, "solve_combinations", disturbed)
+        monkeypatch.setattr(driver, "solve", disturbed)
         assert main.main(["solve", str(case)]) == 2
         out, err = capsys.readouterr()
         assert "largest settlement" in out
@@ -220,9 +221,9 @@ class TestSolve:
         def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
             assert (on_step is None) == (on_combination is None)
             found.append(on_step)
-            return results_folder.alone(replace(synthetic.results(), model=model))
+            return alone(replace(synthetic.results(), model=model))
 
-        fake(monkeypatch, "analysis.driver", solve_combinations=solve)
+        fake(monkeypatch, "analysis.driver", solve=solve)
         main.main(["solve", str(case)])
         monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
         main.main(["solve", str(case)])
@@ -248,32 +249,35 @@ class TestSeveral:
 
     def test_all_solved(self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
         """If all have certified results the exit code is 0, and a folder for each is kept."""
-        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: self.certified())
+        fake(monkeypatch, "analysis.driver", solve=lambda *_: self.certified())
         assert main.main(["solve", str(cases)]) == 0
         out, err = capsys.readouterr()
         assert "1.35 dead + 1.5 wind" in out
         assert "FAILED" not in out
         assert "error" not in err
-        assert results_folder.load(cases.with_name("raft-results")).results.keys() == self.certified().results.keys()
+        assert (
+            results_folder.load_results(cases.with_name("raft-results")).results.keys()
+            == self.certified().results.keys()
+        )
 
     def test_refused_ones_are_told_and_the_others_kept(
         self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
         """A combination without certified results gives exit code 1 and its reason on both streams."""
-        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: synthetic.combined())
+        fake(monkeypatch, "analysis.driver", solve=lambda *_: synthetic.combined())
         assert main.main(["solve", str(cases)]) == 1
         out, err = capsys.readouterr()
         assert "REFUSED: the loads pull the plate off" in out
         assert "FAILED: 2 of 4 combinations have no certified result: 3, 4." in out
         assert 'error: combination "wind alone": the loads pull the plate off' in err
         assert "error: 2 of 4 combinations have no certified result" in err
-        assert len(results_folder.load(cases.with_name("raft-results")).results) == 2
+        assert len(results_folder.load_results(cases.with_name("raft-results")).results) == 2
 
     def test_json_and_quiet(
         self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
         """One JSON document holds all combinations; with --quiet only what was refused is told."""
-        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: synthetic.combined())
+        fake(monkeypatch, "analysis.driver", solve=lambda *_: synthetic.combined())
         assert main.main(["solve", str(cases), "--json"]) == 1
         document = json.loads(capsys.readouterr().out)
         assert document["certified"] is False
@@ -289,7 +293,7 @@ class TestSeveral:
         """Without any results nothing is written, and earlier results stay."""
         refused = {each.name: NoEquilibrium("up it goes") for each in synthetic.combined().combinations}
         nothing = replace(synthetic.combined(), results={}, refused=refused)
-        fake(monkeypatch, "analysis.driver", solve_combinations=lambda *_: nothing)
+        fake(monkeypatch, "analysis.driver", solve=lambda *_: nothing)
         assert main.main(["solve", str(cases)]) == 1
         out, err = capsys.readouterr()
         assert out == ""
@@ -302,7 +306,7 @@ class TestSeveral:
         (tmp_path / "raft.toml").write_text(casefile.to_toml(model), encoding="utf-8")
         assert main.main(["solve", str(tmp_path / "raft.toml")]) == 1
         assert 'combination "wind"' in capsys.readouterr().err
-        found = results_folder.load(tmp_path / "raft-results")
+        found = results_folder.load_results(tmp_path / "raft-results")
         assert list(found.results) == ["dead"]
         assert isinstance(found.refused["wind"], NoEquilibrium)
         assert found["dead"].certificate.load == pytest.approx(1e3 * 9.6 * 7.2)
@@ -312,20 +316,20 @@ class TestInput:
     """Wrong input."""
 
     def test_faults_are_blocks(self) -> None:
-        """Each fault shows where, got, expected and how to mend, one below the other."""
-        text = console.in_blocks(
+        """Each fault shows where, found, expected and a hint, one below the other."""
+        text = console.format_issues(
             InputError([Issue("plate.E", "30", "a pressure", 'say "30 GPa"'), Issue("a", "b", "c")])
         )
         assert text.splitlines() == [
-            "error: 2 faults in the input",
+            "error: 2 issues in the input",
             "",
             "  plate.E",
-            "    got       30",
+            "    found     30",
             "    expected  a pressure",
-            '    mend      say "30 GPa"',
+            '    hint      say "30 GPa"',
             "",
             "  a",
-            "    got       b",
+            "    found     b",
             "    expected  c",
         ]
 
@@ -503,7 +507,7 @@ class TestProgram:
         for arguments, code in ((["solve", str(case)], 0), (["solve", f"{case}.none"], 2), (["fly"], 2)):
             command = ["sh", "-c", f'exec "$0" -m groundslab "$@" {closed}', sys.executable, *arguments]
             assert subprocess.run(command, capture_output=True, check=False).returncode == code
-        assert len(results_folder.load(case.with_name("raft-results")).results) == 1
+        assert len(results_folder.load_results(case.with_name("raft-results")).results) == 1
 
     def test_an_answer_that_cannot_be_given(self, case: Path) -> None:
         """Where the answer itself cannot be written the exit code says so; the results are in their folder."""
@@ -514,7 +518,7 @@ class TestProgram:
         assert ended.returncode == 2
         assert ended.stderr.startswith("error: ")
         assert "Traceback" not in ended.stderr
-        assert len(results_folder.load(case.with_name("raft-results")).results) == 1
+        assert len(results_folder.load_results(case.with_name("raft-results")).results) == 1
 
 
 @pytest.fixture
@@ -577,7 +581,7 @@ class TestDxf:
         assert main.main(["dxf", str(drawing), "--layers", *layers]) == 2
         out, err = capsys.readouterr()
         assert out == ""
-        for words in ("3 faults", '"outlines=SLAB"', 'did you mean "outline"?', '"SLAB"', "zones twice", "point_loads"):
+        for words in ("3 issues", '"outlines=SLAB"', 'did you mean "outline"?', '"SLAB"', "zones twice", "point_loads"):
             assert words in err
 
     def test_a_wrong_drawing(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,7 +12,7 @@ from groundslab.design.design_moments import wood_armer
 from groundslab.design.section_cuts import along, cut, strip
 from groundslab.errors import InputError
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import PlateResult
+from groundslab.results.mesh_results import PlateResult
 from helpers.plates import crooked, parted, plate_of, straight, without
 
 FORMULAS = {

@@ -7,14 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab import InputError, Model, Results, solve, solve_combinations
+from groundslab import InputError, Model, Results, solve
 from groundslab.design.tables import tables_of
 from groundslab.fem.shape_functions import areas
-from groundslab.results.contact_zone import contact_share
-from groundslab.results.coverage import crossed_borders
+from groundslab.results.results import alone
+from groundslab.results.soil_profile import crossed_borders
 from groundslab.study.definition.outputs import Output, figure_of
 from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.summary import single
+from groundslab.views.summary.json_summary import to_json
 
 CAVITY = {"x": (1.0, 2.0), "y": (-1.0, 1.0)}
 SHEAR = {"kind": "pasternak", "k0": 2e7, "k1": 1e7}
@@ -39,7 +40,7 @@ def test_a_cavity_is_not_in_contact(mesh: dict[str, Any]) -> None:
     """22 of 24 m2 bear, on any mesh; nodes in the cavity touch nothing, sink into nothing and carry nothing."""
     results = solved(CAVITY, mesh, SPRINGS)
     plate = results.plate
-    assert contact_share(plate) == pytest.approx(22 / 24, rel=1e-12)
+    assert plate.contact_share == pytest.approx(22 / 24, rel=1e-12)
     x, y = plate.nodes.T
     inside = (x > 1.2) & (x < 1.6) & (np.abs(y) < 0.6)
     assert inside.any()
@@ -64,7 +65,7 @@ def test_nodes_on_the_edge_of_a_cavity_have_two_sides() -> None:
 def test_all_readers_give_the_same_contact() -> None:
     """Summary, tables, ParaView's file and studies: 91.67 % where 2 of 24 m2 are a cavity."""
     results = solved(CAVITY, {"size": 0.5}, SPRINGS)
-    combined = solve_combinations(results.model)
+    combined = solve(results.model)
     rows = {f"{s.key}.{row.key}": row.value for s in single.summary(results) for row in s.rows}
     assert rows["contact.share"] == pytest.approx(22 / 24)
     data = plate_mesh(results).point_data
@@ -104,7 +105,7 @@ def test_a_void_that_is_not_reached_is_a_cavity(ground: dict[str, Any]) -> None:
     np.testing.assert_allclose(deep.plate.settlement, none.plate.settlement, rtol=1e-9)
     x, y = deep.plate.nodes.T
     inside = (x > 1.01) & (x < 1.99) & (np.abs(y) < 0.99)
-    assert contact_share(deep.plate) == pytest.approx(contact_share(none.plate))
+    assert deep.plate.contact_share == pytest.approx(none.plate.contact_share)
     if ground is SPRINGS:
         np.testing.assert_allclose(deep.plate.gap[inside], 1.0 - deep.plate.settlement[inside], rtol=1e-9)
 
@@ -128,7 +129,7 @@ def test_of_voids_that_overlap_the_deepest_counts() -> None:
             mesh={"size": 0.5},
         )
     )
-    assert contact_share(results.plate) == pytest.approx(22 / 24)
+    assert results.plate.contact_share == pytest.approx(22 / 24)
 
 
 def test_what_a_grid_cannot_follow_is_said() -> None:
@@ -140,7 +141,7 @@ def test_what_a_grid_cannot_follow_is_said() -> None:
     assert found.drawn == pytest.approx(2.0)
     # of 13 x 9 elements those in columns 9 and 10 of 8.67 to 10.83 and rows 2.25 to 6.75, by the larger part
     assert found.meshed == pytest.approx(2 * 5 * width * height)
-    document = single.to_json(results)
+    document = to_json(alone(results))
     assert document["plate"]["contact.voids[1].meshed"]["value"] == pytest.approx(found.meshed)
     assert document["plate"]["notes"] == [single.CROSSED]
     area = float(results.plate.area.sum() - results.plate.contact_area.sum())
@@ -152,4 +153,4 @@ def test_a_void_that_no_element_takes_is_refused_on_ground_with_shear() -> None:
     with pytest.raises(InputError) as raised:
         solved({"x": (0.1, 0.3), "y": (0.1, 0.3)}, {"counts": (12, 8)}, SHEAR)
     assert [issue.location for issue in raised.value.issues] == ["contact.voids[1]"]
-    assert contact_share(solved({"x": (0.1, 0.3), "y": (0.1, 0.3)}, {"counts": (12, 8)}, SPRINGS).plate) < 1
+    assert solved({"x": (0.1, 0.3), "y": (0.1, 0.3)}, {"counts": (12, 8)}, SPRINGS).plate.contact_share < 1

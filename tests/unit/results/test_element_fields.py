@@ -20,8 +20,9 @@ from groundslab.model.settings import Beyond, Mesh
 from groundslab.model.shapes import Rectangle
 from groundslab.results import recovery
 from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS
+from groundslab.results.mesh_results import ElementResult
 from groundslab.results.result_mesh import frame
-from groundslab.results.results import ElementResult, Results
+from groundslab.results.results import Results
 from groundslab.views.files import vtk
 
 E, NU, T = 30e9, 0.2, 0.25
@@ -53,7 +54,7 @@ def test_linear_moments_are_exact_at_centres(tmp_path: Path) -> None:
     """
     zone = Zone(thickness=2 * T, shape=Rectangle(x=(0.5, 1.5), y=(-1.0, 0.5)))
     plate = Plate(length_x=4.0, length_y=3.0, thickness=T, E=E, nu=NU, zones=[zone])
-    results = solve(model(plate=plate, ground=Winkler(k=1e8), beyond=Beyond(), mesh=Mesh(size=0.5)))
+    results = solve(model(plate=plate, ground=Winkler(k=1e8), beyond=Beyond(), mesh=Mesh(size=0.5))).only
     problem = discretise(results.model, 0, 1.0)
     x, y = problem.mesh.nodes.T
     U = np.zeros(problem.unknown.shape)
@@ -89,7 +90,7 @@ def test_linear_moments_are_exact_at_centres(tmp_path: Path) -> None:
 def test_a_part_is_the_whole_cell_by_cell(tmp_path: Path, y: tuple[float, float], symmetry: tuple[bool, bool]) -> None:
     """Mirrored from a part, every cell array is that of the whole plate solved as such, signs and order included."""
     loads = [PatchLoad(q=1e6, x=(-0.4, 0.4), y=y)]
-    one, other = solve(model(loads=loads)), solve(model("off", loads=loads))
+    one, other = solve(model(loads=loads)).only, solve(model("off", loads=loads)).only
     assert one.symmetry == symmetry
     assert other.symmetry == (False, False)
     mesh, data = cells(one, tmp_path)
@@ -107,7 +108,7 @@ def test_pressure_of_all_elements_is_the_whole_contact_force() -> None:
     """The means times the elements' areas and the line force add up to the certificate's reaction, zones and all."""
     zone = Zone(thickness=2 * T, shape=Rectangle(x=(-0.5, 0.5), y=(-0.5, 0.5)))
     plate = Plate(length_x=4.0, length_y=3.0, thickness=T, E=E, nu=NU, zones=[zone])
-    results = solve(model(plate=plate, mesh=Mesh(size=0.5), loads=[UniformLoad(q=5e4)]))
+    results = solve(model(plate=plate, mesh=Mesh(size=0.5), loads=[UniformLoad(q=5e4)])).only
     xy = results.plate.nodes[results.plate.elements[:, :4]]
     x, y = xy[..., 0], xy[..., 1]
     area = (x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1) / 2

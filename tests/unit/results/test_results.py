@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import pickle
+import sys
 import time
+from dataclasses import replace
 from functools import cache
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 import groundslab as g
-from groundslab.errors import InputError
+from groundslab.errors import InputError, NoEquilibrium, NotCertified
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import MOST_NAMED, Results
+from groundslab.results.mesh_results import MOST_NAMED
+from groundslab.results.results import Combined, alone
+from helpers import synthetic
 
 
 @cache
-def corner_loaded() -> Results:
+def corner_loaded() -> Combined:
     """Return a plate of 6 m x 4 m with a load off its middle, on two layers that reach beyond it."""
     layers = [g.SoilLayer(thickness=2, E=20e6, nu=0.3), g.SoilLayer(thickness=4, E=60e6, nu=0.3)]
     return g.solve(
@@ -152,3 +157,72 @@ def test_many_points_are_quick() -> None:
     for i in range(50):
         plate.value_at("settlement", x[i], y[i])
     assert time.process_time() - start < 0.5
+
+
+def test_several_combinations_are_a_mapping_by_name() -> None:
+    """Those that were solved are iterated over; a refused one raises its reason, an unknown one names the others."""
+    found = synthetic.combined()
+    assert list(found) == ["Größe 1/2: dead + wind", "NUL"]
+    assert len(found) == 2
+    assert found["NUL"] is found.results["NUL"]
+    assert "NUL" in found
+    assert "wind alone" not in found
+    with pytest.raises(NoEquilibrium, match="pull the plate off"):
+        found["wind alone"]
+    with pytest.raises(KeyError, match=r'no combination "snow"; .*"NUL"'):
+        found["snow"]
+
+
+@pytest.mark.parametrize(
+    "name", ["plate", "elements", "ground", "constants", "certificate", "supports", "increments", "steps"]
+)
+def test_results_of_an_only_combination_are_at_hand(name: str) -> None:
+    """Every part is that of the only combination; of several, an error names them and says how to choose one."""
+    one = alone(synthetic.results())
+    assert getattr(one, name) is getattr(one.only, name)
+    with pytest.raises(InputError, match=r'"NUL".*results\["Größe 1/2: dead \+ wind"\]'):
+        getattr(synthetic.combined(), name)
+
+
+def test_an_only_combination_that_is_not_certified_raises_that() -> None:
+    """Its results are within the error."""
+    bad = replace(synthetic.CERTIFICATE, residual=1.0)
+    with pytest.raises(NotCertified):
+        alone(synthetic.results(certificate=bad)).plate  # noqa: B018
+
+
+def test_short_text() -> None:
+    """One line for each combination: largest settlement, contact, certificate, or why there is no result."""
+    lines = repr(synthetic.combined()).splitlines()
+    assert lines[0] == 'Results of "A slab of formulas": 4 combinations'
+    assert lines[2] == "  NUL (ultimate): w <= 56 mm, 100 % in contact, certified"
+    assert lines[4] == "  wind alone: refused: the loads pull the plate off"
+    assert len(lines) == 5
+
+
+def test_table_for_notebooks() -> None:
+    """Names are escaped; each combination has a row with its figures or its reason."""
+    found = replace(synthetic.combined(), model=synthetic.model(title="<b>slab</b>"))
+    root = ElementTree.fromstring(found._repr_html_())
+    assert root.findtext("caption") == "<b>slab</b>"
+    rows = [[cell.text for cell in row] for row in root.iter("tr")]
+    assert rows[2] == ["NUL", "ultimate", "56", "100", "certified"]
+    assert rows[4][4] == "refused: the loads pull the plate off"
+
+
+def test_plate_as_a_grid_of_pyvista() -> None:
+    """Cells, points and fields are the plate's, in units of display."""
+    pytest.importorskip("pyvista", reason="PyVista, the extra viz, is not installed")
+    plate = synthetic.results().plate
+    grid = plate.to_pyvista()
+    assert (grid.n_points, grid.n_cells) == (len(plate.nodes), len(plate.elements))
+    np.testing.assert_array_equal(grid.points[:, :2], plate.nodes)
+    np.testing.assert_array_equal(grid.get_cell(1).point_ids, plate.elements[1])
+    np.testing.assert_allclose(grid.point_data["settlement w [mm]"], 1e3 * plate.settlement)
+
+
+def test_without_pyvista(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The error names the command that installs it."""
+    monkeypatch.setitem(sys.modules, "pyvista", None)
+    with pytest.raises(InputError, match=r"pip install groundslab\[viz\]"):
+        synthetic.results().plate.to_pyvista()

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from groundslab.model.model import Model
-from groundslab.results.results import Constants, Results
+from groundslab.results.record import Constants
+from groundslab.results.results import Results
 from groundslab.results.soil_profile import Profile, Stratum, profiles_of
 from helpers import synthetic
 

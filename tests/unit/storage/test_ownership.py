@@ -20,7 +20,7 @@ from helpers import synthetic
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder of results of several combinations, with pictures."""
-    return results_folder.write(synthetic.combined(), tmp_path_factory.mktemp("results") / "raft", plot=True)
+    return results_folder.save_results(synthetic.combined(), tmp_path_factory.mktemp("results") / "raft", plot=True)
 
 
 @pytest.fixture(scope="module")

@@ -25,7 +25,7 @@ MODEL = casefile.loads(CASE)
 
 def solved(case: str = CASE) -> groundslab.Combined:
     """Return the results of a case."""
-    return groundslab.solve_combinations(casefile.loads(case))
+    return groundslab.solve(casefile.loads(case))
 
 
 class TestOutputs:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -17,10 +18,12 @@ import pytest
 from rich.console import Console
 
 from groundslab.errors import GroundslabError, InputError
-from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import SupportResult
+from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
+from groundslab.results.results import SupportResult, alone
+from groundslab.units import UNITS, format_number
 from groundslab.views.files import npz, vtk
 from groundslab.views.summary import combinations, progress, single, terminal
+from groundslab.views.summary.json_summary import json_text
 from helpers import synthetic
 from helpers.paths import ROOT
 
@@ -33,7 +36,7 @@ def rows(results: Any) -> dict[str, single.Row]:
 def printed(results: Any, **options: Any) -> str:
     """Return what the summary prints."""
     console = Console(file=io.StringIO(), width=80, **options)
-    terminal.print_summary(results, console)
+    terminal.print_summary(alone(results), console)
     return console.file.getvalue()  # type: ignore[attr-defined]
 
 
@@ -122,10 +125,10 @@ class TestSummary:
     def test_units_of_display_agree_with_si(self) -> None:
         """Every factor from SI to the unit of display is the one that pint finds."""
         registry = pint.UnitRegistry()
-        units = [single._unit(name) for name in PLATE_FIELDS]
-        units += [single.MODULUS, single.STIFFNESS, single.SHEAR_STIFFNESS, single.FORCE]
-        for unit in units:
-            shown, si = (text.replace("kNm", "kN m").replace(" ", " * ") for text in (unit.shown, unit.si))
+        assert {about.unit for about in (PLATE_FIELDS | POINT_FIELDS).values()} <= UNITS.keys()
+        for unit in UNITS.values():
+            texts = (re.sub(r"(m|cm)2", r"\1**2", text.replace("kNm", "kN m")) for text in (unit.name, unit.si))
+            shown, si = (text.replace(" ", " * ").replace("%", "percent") for text in texts)
             assert registry.Quantity(1.0, si).to(shown).magnitude == pytest.approx(unit.scale), unit
 
 
@@ -134,7 +137,7 @@ class TestJson:
 
     def test_numbers_with_a_dimension_name_their_si_unit(self) -> None:
         """Every object with a value has a unit, or is a line of the certificate with its limit."""
-        document = json.loads(single.json_text(synthetic.results(shear=True), ["summary.json"]))
+        document = json.loads(json_text(alone(synthetic.results(shear=True)), files=["summary.json"]))
 
         def visit(item: Any) -> None:
             if isinstance(item, dict):
@@ -166,7 +169,7 @@ class TestJson:
             constants=replace(plain.constants, k0=(np.float64(synthetic.K0),)),
             certificate=replace(plain.certificate, residual=np.float64(plain.certificate.residual)),
         )
-        assert single.json_text(numpy) == single.json_text(plain)
+        assert json_text(alone(numpy)) == json_text(alone(plain))
 
 
 class TestTable:
@@ -224,7 +227,7 @@ class TestTable:
     )
     def test_numbers_have_five_digits(self, value: float, text: str) -> None:
         """Five significant digits, an exponent only where needed."""
-        assert terminal.number(value) == text
+        assert format_number(value) == text
 
     def test_progress_names_the_step(self) -> None:
         """The line of progress changes with each step and says where the iteration is."""
@@ -266,9 +269,9 @@ class TestOverview:
     def test_json_holds_each_with_its_figures(self) -> None:
         """Numbers as for one combination, extremes with the name of theirs; refused ones with their reason."""
         combined = synthetic.combined()
-        document = json.loads(combinations.json_text(combined, {"NUL": "02-nul"}, ["summary.json"]))
+        document = json.loads(json_text(combined, {"NUL": "02-nul"}, ["summary.json"]))
         first, second, third, last = document["combinations"]
-        one = json.loads(single.json_text(combined["NUL"]))
+        one = json.loads(json_text(alone(combined["NUL"])))
         for key in ("settlement", "contact", "section_forces", "certificate", "constants", "history"):
             assert second[key] == one[key]
         assert second["folder"] == "02-nul"
@@ -285,7 +288,7 @@ class TestOverview:
     def test_table_fits_80_columns(self) -> None:
         """No line is wider than 80 columns; load, settlement, uplift, share, steps and verdict of each are there."""
         console = Console(file=io.StringIO(), width=80)
-        terminal.print_overview(synthetic.combined(), console)
+        terminal.print_summary(synthetic.combined(), console)
         text = console.file.getvalue()  # type: ignore[attr-defined]
         lines = text.splitlines()
         assert max(map(len, lines)) <= 80
@@ -310,8 +313,8 @@ class TestOverview:
         plate = combined["NUL"].plate
         bad = replace(combined["NUL"], plate=replace(plate, gap=np.full_like(plate.gap, np.nan)))
         for show in (
-            combinations.json_text,
-            lambda each: terminal.print_overview(each, Console(file=io.StringIO())),
+            json_text,
+            lambda each: terminal.print_summary(each, Console(file=io.StringIO())),
         ):
             with pytest.raises(GroundslabError, match="not finite"):
                 show(replace(combined, results=combined.results | {"NUL": bad}))
@@ -342,7 +345,7 @@ class TestVtu:
         assert [block.type for block in mesh.cells] == ["quad9"]
         assert np.array_equal(mesh.cells[0].data, results.plate.elements)
         for name, field in PLATE_FIELDS.items():
-            array = mesh.point_data[vtk.array_name(name)]
+            array = mesh.point_data[PLATE_FIELDS[name].name]
             assert np.allclose(array, getattr(results.plate, name) * field.scale, rtol=1e-15, atol=0)
         assert np.array_equal(mesh.point_data["in contact"], results.plate.in_contact)
         assert "settlement w [mm]" in mesh.point_data

@@ -1,4 +1,4 @@
-"""What an engineer takes into a calculation: tables of all combinations, and envelopes at the plate's nodes."""
+"""Tables of results for calculations: all combinations, and envelopes at the plate's nodes."""
 
 from __future__ import annotations
 
@@ -16,10 +16,38 @@ __all__ = ["Column", "Design", "DesignCheck", "Table", "design_of", "fields_of_e
 
 
 def tables_of(combined: Combined) -> tuple[Table, ...]:
-    """Return the tables of a model's combinations: always four, and one for each thing else that the model names.
+    """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Units stand in each column's header; docs/results.md explains every column. Raises InputError for a concrete or a
-    steel that EN 1992-1-1 is not made for.
+    Points, section lines, design strips, supports, columns and reinforcement have a table each if the model names any.
+    docs/results.md explains every column.
+
+    Parameters
+    ----------
+    combined : Results
+        The results of all combinations.
+
+    Returns
+    -------
+    tuple of Table
+        The tables. `Table.csv` returns one as text, `Table.frame` as a pandas.DataFrame.
+
+    Raises
+    ------
+    InputError
+        If EN 1992-1-1 does not cover the concrete or the steel.
+
+    References
+    ----------
+    EN 1992-1-1, Design of concrete structures: 6.1, 6.4 and 9.2.1; Wood 1968 and Armer 1968 (docs/bibliography.md).
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> tables = {table.name: table for table in groundslab.tables_of(results)}
+    >>> tables["combinations"]["outcome"]
+    ('solved',)
+    >>> tables["extremes"].columns[3].header
+    'least'
     """
     model = combined.model
     tables = [combinations(combined), extremes(combined), envelopes(combined), tilts(combined)]
@@ -30,7 +58,7 @@ def tables_of(combined: Combined) -> tuple[Table, ...]:
         (model.supports, support_table),
         (model.columns, column_table),
     )
-    tables += [make(combined) for asked, make in wanted if asked]
+    tables += [make(combined) for requested, make in wanted if requested]
     if model.reinforcement is not None:
         tables.append(reinforcement(combined, model.reinforcement))
     return tuple(tables)

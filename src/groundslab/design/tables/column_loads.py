@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.tables.thickness import of_elements
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.model.loads.clipping import line_on_plate
@@ -23,7 +22,7 @@ from groundslab.model.loads.load_types import (
 )
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
-from groundslab.results.results import PlateResult, Results
+from groundslab.results.results import Results
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -42,8 +41,9 @@ def of_column(model: Model, name: str) -> dict[str, float]:
     return force
 
 
-def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict[str, float]:
+def others(results: Results, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
+    model, plate = results.model, results.plate
     mesh, chord = Mesh(plate.nodes, plate.elements), CHORD * max(model.plate.sides)
     elements = load_vectors.near(mesh, part)
     force: dict[str, float] = defaultdict(float)
@@ -54,8 +54,8 @@ def others(model: Model, plate: PlateResult, part: Polygon, column: str) -> dict
             for piece in _pieces(part, load.drawn(chord)):
                 force[load.case] += float(load_vectors.over_polygon(mesh, elements, piece, pressure_of(load)).sum())
         elif isinstance(load, SelfWeight):
-            volume = load_vectors.over_polygon(mesh, elements, part).sum(axis=1) @ of_elements(model, plate)[elements]
-            force[load.case] += float(load.unit_weight * volume)
+            area = load_vectors.over_polygon(mesh, elements, part).sum(axis=1)
+            force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[elements]))
         elif isinstance(load, LineLoad):
             force[load.case] += _on_line(load, model.plate, part, chord)
         elif isinstance(load, PointLoad) and load.column != column and _may_meet(load, model, part):

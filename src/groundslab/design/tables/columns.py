@@ -15,7 +15,8 @@ from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import between
 from groundslab.model.columns import Column
 from groundslab.model.outputs import Reinforcement
-from groundslab.results.results import Combined, PlateResult
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import Combined
 
 _NEIGHBOURS = (
     ("worst neighbour", ""), ("distance", "m"), ("settlement difference", "mm"), ("angular distortion", "mm/m"),

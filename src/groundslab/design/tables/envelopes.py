@@ -10,10 +10,11 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.envelope import envelope
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import AMOUNTS, LAYERS, extreme, nodal, place, ranged, solved
+from groundslab.design.tables.quantities import nodal, ranged, solved
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_cases import LimitState
+from groundslab.results.fields import LAYERS, RANGED_FIELDS, extreme_node, place_of
 from groundslab.results.results import Combined, Results
 
 
@@ -31,8 +32,8 @@ def envelopes(combined: Combined) -> Table:
             e = envelope({each.combination: nodal(each, name)[where] for each in group})
             row: list[Cell] = [state, about.label, about.unit]
             for sign, values, by in ((-1, e.least, e.least_by), (1, e.greatest, e.greatest_by)):
-                node = extreme(nodes[where], values, sign)
-                row += [float(values[node]), *place(nodes[where], node), e.names[by[node]]]
+                node = extreme_node(nodes[where], values, sign)
+                row += [float(values[node]), *place_of(nodes[where], node), e.names[by[node]]]
             rows.append(row)
     notes = [
         "Of nodal values, over the combinations of one limit state. Values in different rows need not belong to one "
@@ -55,7 +56,7 @@ def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
     fields: dict[str, Array | Integers] = {}
     for state, group in _by_limit_state(combined):
         own: Integers = np.array([number[each.combination] for each in group], dtype=np.int64)
-        for name, about in AMOUNTS.items():
+        for name, about in RANGED_FIELDS.items():
             e = envelope({each.combination: nodal(each, name) for each in group})
             fields[f"{state} greatest {about.name}"] = e.greatest
             fields[f"{state} least {about.name}"] = e.least
@@ -69,7 +70,7 @@ def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
 def _reinforcement(combined: Combined) -> dict[str, Array | Integers]:
     """Return the required areas [cm2/m] and flags at the plate's nodes."""
     assert combined.model.reinforcement is not None
-    found = reinforcement.needs(combined.model, combined.model.reinforcement, reinforcement.ultimate(combined))
+    found = reinforcement.needs(combined.model.reinforcement, reinforcement.ultimate(combined))
     if not found:
         return {}
     areas = {layer: reinforcement.most(found, layer)[0] for layer in LAYERS}

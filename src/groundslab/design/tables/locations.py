@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.design.design_moments import fields_of
 from groundslab.design.section_cuts import along, strip
-from groundslab.design.tables.quantities import LISTED, fields_of, listed, solved
+from groundslab.design.tables.quantities import listed, solved
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
+from groundslab.results.fields import POINT_FIELDS
 from groundslab.results.results import Combined
 
-_HEADS = [about.head for about in LISTED.values()]
+_HEADS = [about.head for about in POINT_FIELDS.values()]
 _RECOVERED = (
     "Moments and shear forces are nodal values recovered from patches within one section of the plate, in between by "
     "the elements' shape functions; nothing is averaged across a change of thickness or material."

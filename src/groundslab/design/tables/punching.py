@@ -11,16 +11,14 @@ from groundslab.design import punching
 from groundslab.design.punching import OPENING_REACH, RectangularColumn, RoundColumn
 from groundslab.design.tables import column_loads
 from groundslab.design.tables.quantities import solved
-from groundslab.design.tables.thickness import of_elements
 from groundslab.errors import InputError
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column
-from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 from groundslab.model.supports import LineSupport
-from groundslab.results.results import Combined, PlateResult, Results
+from groundslab.results.results import Combined, Results
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -79,10 +77,10 @@ def demands(combined: Combined) -> Demands:
         if not pushing:
             continue
         assert steel is not None
-        plate = pushing[0][0].plate
-        known = _PLACES.get(plate.nodes, model, dict)
+        first = pushing[0][0]
+        known = _PLACES.get(first.plate.nodes, model, dict)
         if column.name not in known:
-            known[column.name] = _place(model, plate, column, steel)
+            known[column.name] = _place(first, column, steel)
         place = known[column.name]
         if place.why:
             missing[column.name] = place.why
@@ -107,16 +105,16 @@ class _Place:
 _PLACES: Memo[dict[str, _Place]] = Memo()
 
 
-def _place(model: Model, plate: PlateResult, column: Column, steel: Reinforcement) -> _Place:
+def _place(results: Results, column: Column, steel: Reinforcement) -> _Place:
     """Return the perimeters around a column, or why there are none."""
-    shape, around = _shape(column), list[Around]()
-    d = _depth(model, plate, shape, steel)
+    plate, shape, around = results.plate, _shape(column), list[Around]()
+    d = _depth(results, shape, steel)
     why = ""
     try:
         u = punching.face_length(plate, shape, d)
-        around.append(_around(model, plate, column, shape.footprint(), u))
+        around.append(_around(results, column, shape.footprint(), u))
         line = punching.perimeter(plate, shape, 2 * d, OPENING_REACH * d)
-        around.append(_around(model, plate, column, line.inside, line.u))
+        around.append(_around(results, column, line.inside, line.u))
     except InputError as error:
         why = str(error)
     face, at_2d, *_ = [*around, None, None]
@@ -132,26 +130,27 @@ def _shape(column: Column) -> RectangularColumn | RoundColumn:
     return RectangularColumn(column.x, column.y, column.width_x, column.width_y)
 
 
-def _depth(model: Model, plate: PlateResult, shape: RectangularColumn | RoundColumn, steel: Reinforcement) -> float:
+def _depth(results: Results, shape: RectangularColumn | RoundColumn, steel: Reinforcement) -> float:
     """Return the least thickness under a column less the mean distance of the bottom bars' axes [m]."""
-    mesh = Mesh(plate.nodes, plate.elements)
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.near(mesh, shape.footprint())
     covered = load_vectors.over_polygon(mesh, elements, shape.footprint()).sum(axis=1)
     under = elements[covered > 1e-9 * covered.max()]
-    return float(of_elements(model, plate)[under].min()) - sum(steel.bottom) / 2
+    return float(results.elements.thickness[under].min()) - sum(steel.bottom) / 2
 
 
-def _around(model: Model, plate: PlateResult, column: Column, part: Polygon, u: float) -> Around:
+def _around(results: Results, column: Column, part: Polygon, u: float) -> Around:
     """Return a perimeter around a part of the plate with what is inside it."""
     from shapely import LineString, Point
 
-    mesh = Mesh(plate.nodes, plate.elements)
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.near(mesh, part)
     area = scatter(mesh.elements[elements], load_vectors.over_polygon(mesh, elements, part), len(mesh.nodes))
     supports = (
-        LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y) for each in model.supports
+        LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
+        for each in results.model.supports
     )
-    return Around(u, area, column_loads.others(model, plate, part, column.name), any(map(part.intersects, supports)))
+    return Around(u, area, column_loads.others(results, part, column.name), any(map(part.intersects, supports)))
 
 
 def _stress(results: Results, around: Around, force: float, d: float) -> Stress:

@@ -10,12 +10,12 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.design_moments import DesignMoments, wood_armer
 from groundslab.design.envelope import Envelope, envelope
 from groundslab.design.reinforcement import Axes, Concrete, SlabReinforcement, Steel, minimum, required, slab
-from groundslab.design.tables.quantities import LAYERS, extreme, place, solved
+from groundslab.design.tables.quantities import solved
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.tables.thickness import of_nodes, of_sections, section_of_nodes
-from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
-from groundslab.results.results import Combined, PlateResult, Results
+from groundslab.results.fields import LAYERS, extreme_node, place_of
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import Combined, Results
 
 #: From m2/m to cm2/m.
 CM2 = 1e4
@@ -26,11 +26,11 @@ def ultimate(combined: Combined) -> list[Results]:
     return [results for results in solved(combined) if results.limit_state == "ultimate"]
 
 
-def needs(model: Model, steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
+def needs(steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
     """Return what the plate's nodes need in each combination, by its name."""
     if not results:
         return {}
-    t = of_nodes(model, results[0].plate)
+    t, _ = results[0].elements.at_nodes(results[0].plate)
     axes = Axes(*steel.bottom, *steel.top)
     concrete, bars = materials(steel)
     return {each.combination: slab(_design(each.plate), t, axes, concrete, bars) for each in results}
@@ -93,11 +93,11 @@ def governing(combined: Combined, steel: Reinforcement) -> list[Need]:
     with them.
     """
     results = ultimate(combined)
-    found = needs(combined.model, steel, results)
+    found = needs(steel, results)
     if not found:
         return []
-    model, plate = combined.model, results[0].plate
-    section, t, linked = section_of_nodes(model, plate), of_sections(model), links(found)
+    plate, linked = results[0].plate, links(found)
+    thickness, section = results[0].elements.at_nodes(plate)
     designs = {each.combination: _design(each.plate) for each in results}
     largest = {layer: _largest(designs, layer) for layer in LAYERS}
     rows = []
@@ -107,7 +107,7 @@ def governing(combined: Combined, steel: Reinforcement) -> list[Need]:
             nodes = np.flatnonzero(section == number)
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             moments = [_peak(plate, nodes, *largest[each]) for each in (layer, _OTHER[layer])]
-            rows.append(_need(layer, int(number), float(t[number]), steel, moments, shares))
+            rows.append(_need(layer, int(number), float(thickness[nodes[0]]), steel, moments, shares))
     return rows
 
 
@@ -125,8 +125,8 @@ def _largest(designs: dict[str, DesignMoments], layer: str) -> tuple[Array, Enve
 
 def _peak(plate: PlateResult, nodes: Integers, sizes: Array, by: Envelope) -> _Peak:
     """Return the largest of design moments (n,) on some nodes."""
-    node = nodes[extreme(plate.nodes[nodes], sizes[nodes], 1)]
-    return float(sizes[node]), place(plate.nodes, int(node)), by.names[by.greatest_by[node]]
+    node = nodes[extreme_node(plate.nodes[nodes], sizes[nodes], 1)]
+    return float(sizes[node]), place_of(plate.nodes, int(node)), by.names[by.greatest_by[node]]
 
 
 def _need(layer: str, section: int, t: float, steel: Reinforcement, moments: list[_Peak], shares: list[float]) -> Need:

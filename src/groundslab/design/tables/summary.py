@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.design.tables.quantities import extreme, nodal, place, ranged, solved
+from groundslab.design.tables.quantities import nodal, ranged, solved
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
 from groundslab.model.loads.load_cases import Combination
-from groundslab.results.contact_zone import contact_share, has_line_force
+from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
+from groundslab.results.fields import extreme
 from groundslab.results.results import Combined, Results
-
-EDGE_NOTE = (
-    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
-    "grows slowly as the mesh is refined."
-)
 
 
 def combinations(combined: Combined) -> Table:
@@ -66,7 +62,7 @@ def _figures(results: Results) -> list[Cell]:
         certificate.reaction / 1e3,
         float(plate.settlement.max() * 1e3),
         max(0.0, float(-plate.settlement.min() * 1e3)),
-        100 * contact_share(plate),
+        100 * plate.contact_share,
         float(plate.pressure.max() / 1e3),
         line_force,
         worst,
@@ -87,8 +83,8 @@ def extremes(combined: Combined) -> Table:
             nodes, values = results.plate.nodes[where], nodal(results, name)[where]
             row: list[Cell] = [results.combination, about.label, about.unit]
             for sign in (-1, 1):
-                node = extreme(nodes, values, sign)
-                row += [float(values[node]), *place(nodes, node)]
+                value, place = extreme(nodes, values, sign)
+                row += [value, *place]
             rows.append(row)
     notes = [
         "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",

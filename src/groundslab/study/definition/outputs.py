@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from groundslab.errors import InputError, Issue
-from groundslab.results.contact_zone import contact_share
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
 from groundslab.results.results import Combined, Results
 
@@ -173,10 +172,8 @@ def _figure(output: Output, results: Results) -> float | None:
 
 def field_of(results: Results, name: str) -> Array:
     """Return a field of FIELDS at the plate's nodes (n,), in SI units."""
-    from groundslab.design.tables.thickness import of_nodes
-
     fields = {each: getattr(results.plate, each) for each in PLATE_FIELDS}
-    thickness = of_nodes(results.model, results.plate) if name in _OF_THICKNESS else np.zeros(0)
+    thickness = results.elements.at_nodes(results.plate)[0] if name in _OF_THICKNESS else np.zeros(0)
     return _made(results, name, fields, thickness)
 
 
@@ -263,7 +260,7 @@ _FIGURE: dict[str, Callable[[Results, Output], float | None]] = {
     "load": lambda results, _: results.certificate.load,
     "reaction": lambda results, _: results.certificate.reaction,
     "settlement difference": lambda results, _: float(np.ptp(results.plate.settlement)),
-    "in contact": lambda results, _: contact_share(results.plate),
+    "in contact": lambda results, _: results.plate.contact_share,
     "tilt": _tilt("tilt"),
     "tilt x": _tilt("tilt_x"),
     "tilt y": _tilt("tilt_y"),

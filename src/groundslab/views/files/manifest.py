@@ -8,6 +8,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from groundslab.views.summary import combinations
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from pathlib import Path
@@ -35,7 +37,7 @@ def is_path(name: str) -> bool:
     return _PATHS.fullmatch(name) is not None
 
 
-def of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
+def _of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
     """Return what writes the files of one combination, by their paths; all of them begin with `below`."""
     from groundslab.views import plots
     from groundslab.views.files import npz, vtk
@@ -74,21 +76,30 @@ def _of_increments(results: Results, below: str) -> dict[str, Writer]:
     return writers
 
 
-def of_several(found: list[Entry], folders: dict[str, str], plot: bool) -> dict[str, Writer]:
-    """Return what writes the files of several combinations, and those that join them.
+def files_of(combined: Combined, plot: bool) -> tuple[dict[str, Writer], dict[str, str]]:
+    """Return what writes the files of each combination and those that join them, and the combinations' folders.
 
-    ParaView's time is the number of each; those without a certified result are left out there.
+    ParaView's time is the number of each combination; those without a certified result are left out there.
     """
+    found = combinations.entries(combined)
+    only = combinations.only(found)
+    if only is not None:
+        return _of_one(only, "", plot), {}
+    folders = {
+        each.combination.name: folder_name(each.number, each.combination.name, len(found))
+        for each in found
+        if each.results is not None
+    }
     certified = {each.number: folders[each.combination.name] for each in found if each.refused is None}
     writers: dict[str, Writer] = {}
     for entry in found:
         if entry.results is not None:
-            writers |= of_one(entry.results, f"{folders[entry.combination.name]}/", plot)
+            writers |= _of_one(entry.results, f"{folders[entry.combination.name]}/", plot)
     for name in ("plate", "ground"):
         text = collection({number: f"{folder}/{name}.vtu" for number, folder in certified.items()})
         writers[f"{name}.pvd"] = partial(write_text, text=text)
     writers["combinations.csv"] = partial(write_text, text=_list_of(found, folders))
-    return writers
+    return writers, folders
 
 
 def of_all(combined: Combined) -> dict[str, Writer]:
@@ -103,12 +114,6 @@ def of_all(combined: Combined) -> dict[str, Writer]:
     if len(combined.results) > 1 or combined.model.reinforcement is not None:
         writers["envelope.vtu"] = lambda path: vtk.write_envelope(combined, path)
     return writers
-
-
-def folders_of(found: list[Entry]) -> dict[str, str]:
-    """Return the name of the folder of each combination that has results, by the combination's name."""
-    kept = [entry for entry in found if entry.results is not None]
-    return {each.combination.name: folder_name(each.number, each.combination.name, len(found)) for each in kept}
 
 
 def folder_name(number: int, name: str, count: int) -> str:

@@ -14,17 +14,9 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
-from groundslab.results.results import (
-    Certificate,
-    Constants,
-    ElementResult,
-    GroundResult,
-    Increment,
-    PlateResult,
-    Results,
-    Step,
-    SupportResult,
-)
+from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.results import Increment, Results, SupportResult
 from groundslab.views.files.validation import require_sound
 
 if TYPE_CHECKING:

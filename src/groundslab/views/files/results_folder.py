@@ -1,8 +1,8 @@
-"""A folder of results, written whole or not at all.
+"""A folder of results, written completely or not at all.
 
-One combination has its files in the folder itself; of several each has a folder in it, beside what tells of all of
-them. The names of all files stand in summary.json. Only such files are ever removed, if groundslab can have written
-files of these names and they hold what belongs there.
+An only combination has its files in the folder itself; of several each has a folder in it, beside the files of all of
+them. The names of all files are listed in summary.json. Only such files are ever removed, if groundslab can have
+written files of these names and they hold what belongs there.
 """
 
 from __future__ import annotations
@@ -34,19 +34,46 @@ from groundslab.views.files import manifest, npz
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
-    from groundslab.views.files.manifest import Writer
 
+def save_results(results: Results | Combined, folder: str | Path, *, plot: bool = False) -> Path:
+    """Write results into a folder, in place of earlier results there.
 
-def write(results: Results | Combined, folder: str | Path, *, plot: bool = False) -> Path:
-    """Write all files of the results into the folder, in place of earlier ones there, and return the folder.
+    Results that are not certified are written too, marked as such; combinations without any are listed with the reason.
+    The folder holds VTU files for ParaView, tables as CSV, summary.json, the case file, and NumPy archives from which
+    `load_results` reads the same results back.
 
-    Results that are not certified are written too, and called so; combinations without any are named with the reason.
-    The folder may be missing, empty, or hold only what groundslab wrote; anything else raises InputError.
+    Parameters
+    ----------
+    results : Results or CombinationResult
+        The results.
+    folder : str or pathlib.Path
+        The folder. It may be missing, empty, or hold only what groundslab wrote.
+    plot : bool, default: False
+        Whether to add a picture, picture.png, to each combination.
+
+    Returns
+    -------
+    pathlib.Path
+        The folder's full path.
+
+    Raises
+    ------
+    InputError
+        If the folder cannot be written or holds other files.
+    GroundslabError
+        If the results hold a number that is not finite.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> path = groundslab.save_results(results, folder / "raft-results")
+    >>> sorted(file.name for file in path.glob("*.vtu"))
+    ['ground.vtu', 'plate.vtu']
     """
     target = check(folder)
     combined = results if isinstance(results, Combined) else alone(results)
-    fill = partial(_fill, combined, plot=plot)
     try:
+        fill = partial(_fill, combined, plot=plot)
         atomic.write_folder(target, fill, manifest.is_path, partial(_require_free, target))
     except OSError as error:
         raise _unwritable(target, error) from error
@@ -62,14 +89,14 @@ def write_elsewhere(results: Results | Combined, folder: str | Path) -> Path | N
     name = target.name[:40]
     beside = (target.with_name(f"{name}-{number}") for number in range(2, 1000))
     with suppress(GroundslabError, OSError, MemoryError):
-        return write(results, next(path for path in beside if not os.path.lexists(path)))
+        return save_results(results, next(path for path in beside if not os.path.lexists(path)))
     with suppress(GroundslabError, OSError, MemoryError):
-        room = Path(tempfile.mkdtemp(prefix="groundslab-"))
+        parent = Path(tempfile.mkdtemp(prefix="groundslab-"))
         try:
-            return write(results, room / name)
+            return save_results(results, parent / name)
         finally:
-            if not any(room.iterdir()):
-                room.rmdir()
+            if not any(parent.iterdir()):
+                parent.rmdir()
     return None
 
 
@@ -107,10 +134,31 @@ def recover(folder: str | Path) -> bool:
         raise _unwritable(target, error) from error
 
 
-def load(folder: str | Path) -> Combined:
-    """Return what ``write`` put into a folder, one combination or several; raises InputError if it is nothing of ours.
+def load_results(folder: str | Path) -> Combined:
+    """Read the results that `save_results` or ``groundslab solve`` wrote into a folder.
 
-    Of an iteration that did not converge only the history is there, not the last iterate.
+    Parameters
+    ----------
+    folder : str or pathlib.Path
+        The folder.
+
+    Returns
+    -------
+    Results
+        The results of all combinations. Of an iteration that did not converge only the history is there, not the last
+        iterate.
+
+    Raises
+    ------
+    InputError
+        If the folder holds no results of groundslab, or damaged ones.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> path = groundslab.save_results(results, folder / "raft-results")
+    >>> groundslab.load_results(path).certificate.holds
+    True
     """
     path = Path(folder)
     found = _summary(path)
@@ -232,11 +280,11 @@ def _in_the_way(target: Path) -> list[Issue]:
     previous = atomic.previous_of(target)
     if os.path.lexists(previous):
         return [Issue(str(previous), "something that is in the way", "a name that is free", "move it away")]
-    room = next(parent for parent in target.parents if os.path.lexists(parent))
-    if not room.is_dir():
-        return [Issue(str(target), f"{room}, which is a file", "a place where a folder can be made")]
-    if not os.access(room, os.W_OK | os.X_OK):
-        return [Issue(str(room), "a folder without leave to write", "one that can be written to")]
+    parent = next(parent for parent in target.parents if os.path.lexists(parent))
+    if not parent.is_dir():
+        return [Issue(str(target), f"{parent}, which is a file", "a place where a folder can be made")]
+    if not os.access(parent, os.W_OK | os.X_OK):
+        return [Issue(str(parent), "a folder without leave to write", "one that can be written to")]
     if not os.path.lexists(target):
         return []
     if not target.is_dir():
@@ -259,26 +307,14 @@ def _in_the_way(target: Path) -> list[Issue]:
 def _fill(combined: Combined, folder: Path, *, plot: bool) -> None:
     """Write every file; the summary, which names them all, comes last."""
     from groundslab.case import casefile
-    from groundslab.views.summary import combinations as overview
-    from groundslab.views.summary import single
+    from groundslab.views.summary.json_summary import json_text
 
-    found = overview.entries(combined)
-    folders: dict[str, str] = {}
-    writers: dict[str, Writer] = {}  # of each file, by its path below the folder
-    if len(found) == 1 and found[0].results is not None:
-        writers |= manifest.of_one(found[0].results, "", plot)
-    else:
-        folders = manifest.folders_of(found)
-        writers |= manifest.of_several(found, folders, plot)
+    writers, folders = manifest.files_of(combined, plot)
     writers["case.toml"] = lambda path: manifest.write_text(path, casefile.to_toml(combined.model))
     if combined.results:
         writers |= manifest.of_all(combined)
-    files = [*writers, "summary.json"]
     # A summary that cannot be made stops everything before the large files are written.
-    if folders or found[0].results is None:
-        text = overview.json_text(combined, folders, files)
-    else:
-        text = single.json_text(found[0].results, files)
+    text = json_text(combined, folders, [*writers, "summary.json"])
     for name, writer in writers.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         writer(folder / name)

@@ -1,20 +1,18 @@
-"""Whether what was read from a file can be results: types, shapes, ranges, and that all of it fits together.
-
-Whoever reads results relies on this: a damaged file is found out here, in one place, and told as such.
-"""
+"""Validation of results that were read from a file: types, shapes, ranges, and whether all of it fits together."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from groundslab.results.results import ElementResult, GroundResult, Increment, PlateResult, Results, SupportResult
+    from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+    from groundslab.results.results import Increment, Results, SupportResult
 
-    State = Results | Increment
+    State: TypeAlias = Results | Increment
 
 #: NumPy's type by the annotation of a field.
 _TYPES = {"Array": np.float64, "Integers": np.int64, "Flags": np.bool_}

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.design_moments import principal_moments, wood_armer
+from groundslab.design.design_moments import derived, fields_of
 from groundslab.errors import GroundslabError
-from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS, label
+from groundslab.results.fields import DIRECTION, ELEMENT_FIELDS, LAYERS, PLATE_FIELDS, PRINCIPAL
+from groundslab.results.mesh_results import in_space
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -16,50 +17,23 @@ if TYPE_CHECKING:
 
     import meshio
 
-    from groundslab.results.results import Array, Combined, Integers, Results
-
-
-def array_name(field: str) -> str:
-    """Return the name of a plate field's array: its quantity, symbol and unit, as in "settlement w [mm]"."""
-    about = PLATE_FIELDS[field]
-    return f"{label(field, about)} [{about.unit}]"
-
-
-def cell_name(field: str) -> str:
-    """Return the name of a field of elements, as in "moment m_x [kNm/m] (centre, not averaged)"."""
-    about = ELEMENT_FIELDS[field]
-    return f"{label(field, about)} [{about.unit}] (centre, {about.averaged})"
+    from groundslab.arrays import Array, Integers
+    from groundslab.results.results import Combined, Results
 
 
 def plate_mesh(results: Results) -> meshio.Mesh:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
-    data = {array_name(name): getattr(plate, name) * about.scale for name, about in PLATE_FIELDS.items()}
-    data |= _design(results)
-    data["in contact"] = plate.in_contact.astype(np.int8)
-    data["area of the node [m2]"] = plate.area
-    data["area of the node in contact [m2]"] = plate.contact_area
-    data["length of the edge at the node [m]"] = plate.edge_length
-    cells = {cell_name(name): getattr(results.elements, name) * about.scale for name, about in ELEMENT_FIELDS.items()}
-    return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
-
-
-def _design(results: Results) -> dict[str, Array]:
-    """Return principal moments and Wood's design moments at the plate's nodes, in kNm/m and degrees."""
-    plate = results.plate
-    moments = plate.moment_x, plate.moment_y, plate.moment_xy
-    principal, wood = principal_moments(*moments), wood_armer(*moments)
-    about = PLATE_FIELDS["moment_x"]
-    named = {
-        "principal moment m_1": principal.m_1,
-        "principal moment m_2": principal.m_2,
-        "design moment bottom x": wood.bottom_x,
-        "design moment bottom y": wood.bottom_y,
-        "design moment top x": wood.top_x,
-        "design moment top y": wood.top_y,
+    data = plate.point_data()
+    fields = fields_of(plate)
+    data |= {
+        about.name: derived(fields, name) * about.scale for name, about in (PRINCIPAL | LAYERS | DIRECTION).items()
     }
-    data = {f"{name} [{about.unit}]": values * about.scale for name, values in named.items()}
-    return data | {"direction of m_1 from x [deg]": np.degrees(principal.direction)}
+    cells = {
+        f"{about.name} (centre, {about.averaged})": getattr(results.elements, name) * about.scale
+        for name, about in ELEMENT_FIELDS.items()
+    }
+    return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
 
 
 def ground_mesh(results: Results) -> meshio.Mesh:
@@ -132,7 +106,5 @@ def _mesh(
     """Return a mesh of VTK's biquadratic quadrilaterals at z = 0, whose order of nodes is ours, with data."""
     import meshio
 
-    points = np.column_stack([nodes, np.zeros(len(nodes))])
-    return meshio.Mesh(
-        points, [("quad9", elements)], point_data=data, cell_data={name: [values] for name, values in cells.items()}
-    )
+    by_cell = {name: [values] for name, values in cells.items()}
+    return meshio.Mesh(in_space(nodes), [("quad9", elements)], point_data=data, cell_data=by_cell)

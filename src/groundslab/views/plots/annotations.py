@@ -16,8 +16,8 @@ from groundslab.views.plots.symbols import white_outline
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.results import Array
 
 Point = tuple[float, float]
 
@@ -81,14 +81,14 @@ def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleL
     for word, value, where, whose in find_extremes(panel):
         called, shown = ("uplift", -value) if uplift and word == "smallest" else (word, value)
         governs = f" ({plain_text(whose, 40)})" if whose else ""
-        facts.append(f"{called} {number(shown)} {panel.quantity.unit} at {format_place(where)}{governs}")
+        facts.append(f"{called} {number(shown)} {panel.quantity.field.unit} at {format_place(where)}{governs}")
     if not facts:
         facts.append("zero everywhere")
     if panel.line_force is not None:
         facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {format_place(panel.line_force[1])}")
     if panel.quantity.name in ("pressure", "gap") and panel.share is not None:
         facts.append(f"{number(100 * panel.share)} % of the plate in contact")
-    title = panel.quantity.meaning[0].upper() + panel.quantity.meaning[1:]
+    title = panel.quantity.field.meaning[0].upper() + panel.quantity.field.meaning[1:]
     lines = [TitleLine(each, BASE, GREY, "bold") for each in (_wrapped(panel.source, width) if with_source else [])]
     lines += [TitleLine(each, BASE, INK, "bold") for each in _wrapped(title, width)]
     return [*lines, *(TitleLine(each, SMALL, GREY, "normal") for each in _joined(facts, width))]

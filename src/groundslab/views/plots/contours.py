@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.colors import Colormap, Normalize
     from matplotlib.tri import Triangulation
 
-    from groundslab.results.results import Array, Integers
+    from groundslab.arrays import Array, Integers
 
 #: About so many bands of color.
 BANDS = 13

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from groundslab.results.results import Step
+    from groundslab.results.record import Step
     from groundslab.views.plots.request import IterationHistory, PlotRequest
 
 #: Boxes of the curves [mm].

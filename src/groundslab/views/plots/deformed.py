@@ -19,8 +19,8 @@ from groundslab.views.plots.style import GREY, INK, PAGE_HEIGHT, PAGE_WIDTH, PT,
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from groundslab.arrays import Array, Integers
     from groundslab.model.model import Model
-    from groundslab.results.results import Array, Integers
     from groundslab.views.plots.contours import ColorScale
     from groundslab.views.plots.request import PlotRequest
 

@@ -9,16 +9,17 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from groundslab.design.envelope import envelope
-from groundslab.design.tables.quantities import extreme, nodal, place
-from groundslab.results.contact_zone import contact_function, contact_share, has_line_force
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
+from groundslab.design.tables.quantities import nodal
+from groundslab.results.contact_zone import contact_function, has_line_force
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
 from groundslab.views.plots.contours import ColorScale, make_scale
-from groundslab.views.plots.request import NON_NEGATIVE, NON_POSITIVE, PlotQuantity
+from groundslab.views.plots.request import PlotQuantity
 from groundslab.views.plots.symbols import takes_part_in
 
 if TYPE_CHECKING:
+    from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
-    from groundslab.results.results import Array, Integers, Results
+    from groundslab.results.results import Results
     from groundslab.views.plots.request import PlotRequest, PlottedCombination
 
 NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
@@ -68,7 +69,7 @@ def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: 
         plate.elements,
         _line_force(quantity, [results]),
         contact_function(results),
-        contact_share(plate),
+        plate.contact_share,
         takes_part_in(results.factors),
         combination.certified,
     )
@@ -82,8 +83,7 @@ def _line_force(quantity: PlotQuantity, several: Sequence[Results]) -> tuple[flo
     for plate in (results.plate for results in several):
         on_edge = np.flatnonzero(plate.edge_length > 0)
         nodes, values = plate.nodes[on_edge], plate.line_force[on_edge] * PLATE_FIELDS[LINE_FORCE].scale
-        node = extreme(nodes, values, 1)
-        found.append((float(values[node]), place(nodes, node)))
+        found.append(extreme(nodes, values, 1))
     return max(found)
 
 
@@ -95,8 +95,8 @@ def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombi
     plate = combinations[0].results.plate
     takes_part = takes_part_in(factors)
     for word, values, by, nothing in (
-        ("Largest", found.greatest, found.greatest_by, quantity.name in NON_POSITIVE),
-        ("Smallest", found.least, found.least_by, quantity.name in NON_NEGATIVE),
+        ("Largest", found.greatest, found.greatest_by, quantity.field.sign == "not positive"),
+        ("Smallest", found.least, found.least_by, quantity.field.sign == "not negative"),
     ):
         if not nothing:
             source = f"{word} of the {len(combinations)} {state} combination{'s' if len(combinations) > 1 else ''}"
@@ -120,7 +120,7 @@ def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:
     found = {}
     for name in dict.fromkeys(panel.quantity.name for panel in panels):
         own = [panel for panel in panels if panel.quantity.name == name]
-        found[name] = make_scale([panel.values for panel in own], signed=own[0].quantity.signed)
+        found[name] = make_scale([panel.values for panel in own], signed=own[0].quantity.field.sign == "any")
     return found
 
 
@@ -139,10 +139,10 @@ def find_extremes(panel: Panel) -> list[Extreme]:
     nodes, values = panel.nodes, panel.values
     size = np.abs(values).max()
     for word, sign in (("largest", 1), ("smallest", -1)):
-        node = extreme(nodes, values, sign)
+        node = extreme_node(nodes, values, sign)
         if abs(values[node]) > 1e-9 * size:
             whose = "" if panel.governs is None else panel.governs[0][panel.governs[1][node]]
-            found.append(Extreme(word, float(values[node]), place(nodes, node), whose))
+            found.append(Extreme(word, float(values[node]), place_of(nodes, node), whose))
     if len(found) == 2 and found[0].value - found[1].value <= 1e-9 * size:
         del found[1]
     return found

@@ -8,67 +8,42 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from groundslab.design.tables.quantities import AMOUNTS
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
-from groundslab.results.results import Combined, Results, Step
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, ResultField
+from groundslab.results.record import Step
+from groundslab.results.results import Combined, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.views.plots.style import math_symbol
 
-DESIGN = "design moment of Wood and Armer for {} bars along {}"
-#: Symbol and meaning of what is made of the fields.
-DERIVED = {
-    "m_1": (math_symbol("m_1"), "larger principal moment"),
-    "m_2": (math_symbol("m_2"), "smaller principal moment"),
-    "bottom_x": (r"$m^*_{x,\mathrm{bottom}}$", DESIGN.format("bottom", "x")),
-    "bottom_y": (r"$m^*_{y,\mathrm{bottom}}$", DESIGN.format("bottom", "y")),
-    "top_x": (r"$m^*_{x,\mathrm{top}}$", DESIGN.format("top", "x")),
-    "top_y": (r"$m^*_{y,\mathrm{top}}$", DESIGN.format("top", "y")),
-}
-#: What is never below zero by its nature, and what is never above.
-NON_NEGATIVE = frozenset({"gap", "penetration", "bottom_x", "bottom_y"})
-NON_POSITIVE = frozenset({"top_x", "top_y"})
-#: Where colors run one way unless values below zero do occur: uplift, ground that pulls.
-ONE_SIDED = NON_NEGATIVE | NON_POSITIVE | {"settlement", "pressure"}
 #: What is drawn downwards, as it lies.
 DOWNWARDS = frozenset({"settlement"})
 
 
 @dataclass(frozen=True, slots=True)
 class PlotQuantity:
-    """What is drawn: its name, symbol as a formula, unit of display, and meaning."""
+    """A quantity of the plate that is drawn: its name and its entry in the table of quantities."""
 
     name: str
-    symbol: str
-    unit: str
-    scale: float  # from SI to the unit of display
-    meaning: str
+    field: ResultField
+
+    @property
+    def symbol(self) -> str:
+        """Return the symbol as a formula."""
+        if self.field.symbol:
+            return math_symbol(self.field.symbol)
+        face, _, axis = self.name.partition("_")
+        return rf"$m^*_{{{axis},\mathrm{{{face}}}}}$"
 
     @property
     def label(self) -> str:
         """Return symbol and unit, for axes and color bars."""
-        unit = self.unit.replace("kNm", "kN m")
-        return f"{self.symbol} [{unit}]"
-
-    @property
-    def signed(self) -> bool:
-        """Return whether colors part at zero in any case."""
-        return self.name not in ONE_SIDED
-
-
-def _plot_quantity(name: str) -> PlotQuantity:
-    about = AMOUNTS[name]
-    if name in DERIVED:
-        formula, meaning = DERIVED[name]
-    else:
-        formula, meaning = math_symbol(PLATE_FIELDS[name].symbol), PLATE_FIELDS[name].meaning
-    return PlotQuantity(name, formula, about.unit, about.scale, meaning)
+        return f"{self.symbol} [{self.field.unit.replace('kNm', 'kN m')}]"
 
 
 #: A force along the edge is no field over the plate; plans of the pressure tell its largest.
-QUANTITIES = {name: _plot_quantity(name) for name in AMOUNTS if name != LINE_FORCE}
+QUANTITIES = {name: PlotQuantity(name, field) for name, field in RANGED_FIELDS.items() if name != LINE_FORCE}
 #: Symbols serve as names too.
 SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
 

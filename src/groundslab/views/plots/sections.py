@@ -10,8 +10,9 @@ import numpy as np
 
 from groundslab.design.envelope import envelope
 from groundslab.design.section_cuts import SectionCut, along
-from groundslab.design.tables.quantities import LISTED, listed
+from groundslab.design.tables.quantities import listed
 from groundslab.errors import InputError, Issue
+from groundslab.results.fields import POINT_FIELDS
 from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.panels import NOT_CERTIFIED
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from groundslab.results.results import Array
+    from groundslab.arrays import Array
     from groundslab.views.plots.request import PlotRequest, PlottedCombination, SectionLine
 
 #: Boxes of the curves [mm].
@@ -73,7 +74,7 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
         except InputError as error:
             missed += [replace(issue, location=f"line {line.name}".rstrip()) for issue in error.issues]
             continue
-        values = [dict(zip(LISTED, listed(section.values), strict=True)) for section in sections]
+        values = [dict(zip(POINT_FIELDS, listed(section.values), strict=True)) for section in sections]
         names = tuple(each.name for each in request.combinations)
         rows = {quantity.name: np.stack([each[quantity.name] for each in values]) for quantity in request.quantities}
         band = bool(request.envelope) or len(names) > len(CYCLE)
@@ -174,7 +175,7 @@ def _draw_curves(axes: Axes, quantity: PlotQuantity, curves: LineCurves, *, last
     if curves.band:
         for part in parts:
             axes.fill_between(s[part], values[0, part], values[1, part], color=FAINT, linewidth=0, zorder=0.5)
-    title = quantity.meaning[0].upper() + quantity.meaning[1:]
+    title = quantity.field.meaning[0].upper() + quantity.field.meaning[1:]
     facts = plain_text(_describe_extremes(quantity, curves), int((PAGE_WIDTH - LEFT) / text_width("n", SMALL)))
     draw_title(axes, [TitleLine(title, BASE, INK, "bold"), TitleLine(facts, SMALL, GREY, "normal")])
     axes.set(xlim=(0.0, float(np.hypot(*np.subtract(curves.line.end, curves.line.start)))), ylabel=quantity.label)
@@ -199,5 +200,5 @@ def _describe_extremes(quantity: PlotQuantity, curves: LineCurves) -> str:
         curve, sample = divmod(where, values.shape[1])
         place = f"at s = {number(curves.section.s[sample])} m"
         whose = f" ({curves.names[curve]})" if len(curves.names) > 1 and not curves.band else ""
-        facts.append(f"{word} {number(values[curve, sample])} {quantity.unit} {place}{whose}")
+        facts.append(f"{word} {number(values[curve, sample])} {quantity.field.unit} {place}{whose}")
     return ";  ".join(facts)

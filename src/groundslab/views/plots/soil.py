@@ -35,9 +35,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from groundslab.arrays import Array
     from groundslab.model.ground import AnyGround
     from groundslab.model.model import Model
-    from groundslab.results.results import Array
     from groundslab.views.plots.request import PlotRequest, PlottedCombination
 
 

@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
+from groundslab.units import format_number
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -96,7 +97,7 @@ def plain_text(text: str, width: int = 200, lines: int = 1) -> str:
 
 def number(value: float) -> str:
     """Return a number with four significant digits and a true minus sign."""
-    return f"{value + 0.0:.4g}".replace("-", "\N{MINUS SIGN}")
+    return format_number(value, 4, trim=True, fixed=(1e-4, 1e4), minus="\N{MINUS SIGN}")
 
 
 def format_place(place: tuple[float, float]) -> str:

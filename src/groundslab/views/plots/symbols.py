@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from matplotlib.tri import Triangulation
     from shapely.geometry.base import BaseGeometry
 
+    from groundslab.arrays import Array
     from groundslab.geometry.plan import Ring
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
-    from groundslab.results.results import Array
 
     Entries = dict[str, Any]
 

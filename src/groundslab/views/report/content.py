@@ -10,8 +10,9 @@ from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.design.tables import tables_of
 from groundslab.design.tables.design_checks import Design, design_of
-from groundslab.results.results import Certificate
+from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import described
+from groundslab.units import format_number
 from groundslab.views.report.drawings import (
     MOST_COLUMNS,
     MOST_HISTORIES,
@@ -36,7 +37,7 @@ from groundslab.views.report.table_layout import (
     without_empty,
 )
 from groundslab.views.summary import combinations, single
-from groundslab.views.summary.terminal import number, shown_row
+from groundslab.views.summary.terminal import shown_row
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -281,7 +282,7 @@ def _history(found: Sequence[Entry]) -> Grid:
     rows = []
     for results in (entry.results for entry in found if entry.results is not None):
         for step in results.steps:
-            gamma = "-" if step.gamma is None else number(step.gamma)
+            gamma = "-" if step.gamma is None else format_number(step.gamma)
             counts = (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)
             cells = (Cell(str(each), "number") for each in counts)
             rows.append((Cell(results.combination), *cells, Cell("*" if step.finest else "")))

@@ -9,7 +9,7 @@ from typing import Literal
 
 from groundslab.design.tables.table import Cell as Value
 from groundslab.design.tables.table import Table
-from groundslab.views.summary.terminal import number
+from groundslab.units import format_number
 
 Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 
@@ -96,7 +96,7 @@ def digest_of(table: Table) -> Grid | None:
             row = [Cell(str(one)), Cell(column.name, "words"), Cell(column.unit)]
             for value, i in (min(known, key=_first), max(known, key=_first)):
                 place = [] if along is None else [_cell(along.values[i])]
-                row += [Cell(number(value), "number"), *place, Cell(str(combination[i]))]
+                row += [Cell(format_number(value), "number"), *place, Cell(str(combination[i]))]
             rows.append(tuple(row))
     s = [] if along is None else [Head("s", along.unit, number=True)]
     ends = [head for end in ("least", "greatest") for head in (Head(end, number=True), *s, Head("combination"))]
@@ -134,7 +134,7 @@ def _cell(value: Value, column: str = "") -> Cell:
         return Cell(value, "words" if column == "quantity" else "")
     if value is None:
         return Cell("")
-    return Cell(str(value) if isinstance(value, int) else number(value), "number")
+    return Cell(str(value) if isinstance(value, int) else format_number(value), "number")
 
 
 GREEK = {

@@ -10,13 +10,15 @@ import numpy as np
 from groundslab._version import __version__
 from groundslab.errors import GroundslabError
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
-from groundslab.views.summary import combinations, single
+from groundslab.views.summary import combinations
 
 if TYPE_CHECKING:
-    from groundslab.results.results import Array, Combined, PlateResult, Results
+    from groundslab.arrays import Array
+    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.results import Combined, Results
     from groundslab.views.summary.combinations import Entry
 
 FORMAT = 2
@@ -24,8 +26,6 @@ FORMAT = 2
 SHOWN = (
     "settlement", "pressure", "gap", "penetration", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y",
 )  # fmt: skip
-#: Of these the sign tells the face in tension, or the direction.
-TWO_SIDED = {"moment_x", "moment_y", "moment_xy", "shear_x", "shear_y"}
 
 
 def scene_of(combined: Combined, most: int | None = None) -> Scene:
@@ -81,7 +81,7 @@ def _fields_of(plates: list[PlateResult]) -> list[str]:
 def _about(name: str, plates: list[PlateResult]) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
     about = PLATE_FIELDS[name]
-    signed = name in TWO_SIDED or any(goes_below_zero(getattr(plate, name)) for plate in plates)
+    signed = about.sign == "any" or any(goes_below_zero(getattr(plate, name)) for plate in plates)
     return {
         "name": name,
         "symbol": about.symbol,
@@ -129,8 +129,7 @@ def _extremes(results: Results, names: list[str]) -> Iterator[tuple[str, dict[st
 
 def _range(nodes: Array, values: Array) -> dict[str, list[float]]:
     """Return the least and the greatest value with their places [m]."""
-    low, at_low = single.extreme(nodes, values, "smallest")
-    high, at_high = single.extreme(nodes, values, "largest")
+    (low, at_low), (high, at_high) = (extreme(nodes, values, sign) for sign in (-1, 1))
     return {"min": [low + 0.0, *at_low], "max": [high + 0.0, *at_high]}
 
 

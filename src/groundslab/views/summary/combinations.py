@@ -1,21 +1,19 @@
-"""Several combinations side by side, as plain data for the terminal and for JSON."""
+"""The main figures of all combinations: each combination, and the extremes over them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, is_dataclass, replace
-from math import isfinite
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from groundslab.errors import NotCertified, NotConverged
-from groundslab.results.contact_zone import contact_share, goes_below_zero
+from groundslab.errors import NotCertified
+from groundslab.results.contact_zone import goes_below_zero
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import single
 from groundslab.views.summary.single import Row, SummarySection
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from groundslab.errors import GroundslabError
     from groundslab.model.loads.load_cases import Combination
     from groundslab.results.results import Combined, Results
@@ -60,6 +58,11 @@ def entries(combined: Combined) -> list[Entry]:
     return found
 
 
+def only(found: Sequence[Entry]) -> Results | None:
+    """Return the results of the only combination, certified or not; None if there are several, or no results."""
+    return found[0].results if len(found) == 1 else None
+
+
 def require_finite(combined: Combined) -> None:
     """Raise GroundslabError if any number of any combination's results is infinite or not a number."""
     for entry in entries(combined):
@@ -75,7 +78,7 @@ def figures(results: Results) -> Figures:
         load=results.certificate.load,
         settlement=float(plate.settlement.max()),
         uplift=-low if goes_below_zero(plate.settlement) else 0.0,
-        contact=contact_share(plate),
+        contact=plate.contact_share,
         iterations=len(results.steps),
     )
 
@@ -136,74 +139,3 @@ def worst(combined: Combined) -> tuple[Extreme, ...]:
             if row.key not in rows or _governs(row, rows[row.key].row):
                 rows[row.key] = Extreme(row, entry.number)
     return tuple(rows.values())
-
-
-def to_json(combined: Combined, folders: Mapping[str, str], files: Sequence[str] = ()) -> dict[str, Any]:
-    """Return the summary of several combinations as data for JSON; folders are those of the combinations by name.
-
-    Numbers as in the summary of a single one. An extreme names the combination that governs it.
-    """
-    found = entries(combined)
-    document = single.json_head(combined.model.title, not combined.refused)
-    require_finite(combined)
-    document |= single.json_design(combined)
-    if any(entry.results is not None for entry in found):
-        document |= single.json_sections(description(combined))
-    names = {entry.number: entry.combination.name for entry in found}
-    document["extremes"] = {
-        section.key: {extreme.row.key: _named(extreme, names) for extreme in rows}
-        | ({"notes": list(section.notes)} if section.notes else {})
-        for section, rows in extremes(combined)
-    }
-    document["certificate"] = {extreme.row.key: _named(extreme, names) for extreme in worst(combined)}
-    document["combinations"] = [_combination(entry, folders.get(entry.combination.name)) for entry in found]
-    document["files"] = list(files)
-    return document
-
-
-def json_text(combined: Combined, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> str:
-    """Return the JSON summary of several combinations as text."""
-    return single.dumps(to_json(combined, folders or {}, files))
-
-
-def _named(extreme: Extreme, names: dict[int, str]) -> dict[str, Any]:
-    """Return an extreme as data for JSON, with the name of its combination."""
-    value = single.json_row(extreme.row)
-    return (value if isinstance(value, dict) else {"value": value}) | {"combination": names[extreme.number]}
-
-
-def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:
-    """Return one combination as data for JSON: its results, or why it has none."""
-    document: dict[str, Any] = {
-        "name": entry.combination.name,
-        "limit_state": entry.combination.limit_state,
-        "factors": dict(entry.combination.factors),
-        "certified": entry.refused is None,
-    }
-    if entry.refused is not None:
-        document["refused"] = _refusal(entry.refused)
-    if entry.results is not None:
-        if folder is not None:
-            document["folder"] = folder
-        sections = [*single.figures(entry.results), single.certificate_section(entry.results.certificate)]
-        document |= single.json_sections(sections) | single.json_analysis(entry.results)
-    return document
-
-
-def _refusal(error: GroundslabError) -> dict[str, Any]:
-    """Return as data for JSON why a combination has no certified result."""
-    document: dict[str, Any] = {"error": type(error).__name__, "reason": str(error)}
-    if isinstance(error, NotConverged):
-        document |= {"what": error.what, "history": [_plain(step) for step in error.history]}
-    return document
-
-
-def _plain(value: Any) -> Any:
-    """Return an entry of a history as data for JSON; numbers that JSON cannot hold become words."""
-    if is_dataclass(value) and not isinstance(value, type):
-        value = asdict(value)
-    if isinstance(value, Mapping):
-        return {str(name): _plain(each) for name, each in value.items()}
-    if isinstance(value, np.generic):
-        value = value.item()
-    return str(value) if isinstance(value, float) and not isfinite(value) else value

@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     from rich.status import Status
 
     from groundslab.model.loads.load_cases import Combination
-    from groundslab.results.results import Step
+    from groundslab.results.record import Step
 
 
-class Shown:
+class StatusLine:
     """The line on the terminal: called with each step, and told which combination the steps belong to."""
 
     def __init__(self, status: Status, count: int) -> None:
@@ -42,13 +42,13 @@ class Shown:
 
 
 @contextmanager
-def progress(console: Console | None = None, count: int = 1) -> Iterator[Shown]:
+def progress(console: Console | None = None, count: int = 1) -> Iterator[StatusLine]:
     """Show a line on standard error (or the given console) for an analysis of `count` combinations."""
     from rich.console import Console
 
     console = console or Console(stderr=True)
     with console.status("analysis begins") as status:
-        yield Shown(status, count)
+        yield StatusLine(status, count)
 
 
 def line(step: Step) -> str:

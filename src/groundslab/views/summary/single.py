@@ -1,47 +1,27 @@
-"""The figures of a result that a reader wants first, as plain data for the terminal and for JSON."""
+"""The main figures of one combination in sections of rows, for the terminal, JSON, the report and the workbench."""
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab._version import __version__
-from groundslab.results.contact_zone import contact_share, goes_below_zero, has_line_force, require_finite
-from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import alone
+from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
+from groundslab.results.fields import PLATE_FIELDS, extreme
+from groundslab.units import UNITS, Unit
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
+    from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.results import Array, Certificate, Combined, Results, SupportResult
+    from groundslab.results.record import Certificate
+    from groundslab.results.results import Results, SupportResult
 
-#: The version of the JSON summary's layout; it grows when a key changes its name or meaning.
-FORMAT = 1
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12
 #: Of more supports than these only the extremes are shown.
 MOST_SUPPORTS = 12
 
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """A unit of display, the SI unit that it stands for, and the factor from SI to display."""
-
-    shown: str
-    si: str
-    scale: float
-
-
-METRE = Unit("m", "m", 1.0)
-AREA = Unit("m2", "m2", 1.0)
-MODULUS = Unit("MPa", "Pa", 1e-6)
-STIFFNESS = Unit("MPa/m", "Pa/m", 1e-6)
-SHEAR_STIFFNESS = Unit("MPa m", "Pa m", 1e-6)
-FORCE = Unit("kN", "N", 1e-3)
-PERCENT = Unit("%", "1", 1e2)
 
 #: What is said of borders that the mesh does not follow.
 CROSSED = (
@@ -49,9 +29,6 @@ CROSSED = (
     "ground with shear it takes all or nothing. With mesh.size instead of mesh.counts the mesh follows borders that "
     "are not finer than a thousandth of the plan."
 )
-
-#: The SI unit behind each unit of display in PLATE_FIELDS.
-SI = {"mm": "m", "mrad": "rad", "kPa": "Pa", "kNm/m": "N m/m", "kN/m": "N/m"}
 
 #: What the figures of the certificate mean, in words.
 CERTIFICATE_WORDS = {
@@ -108,41 +85,6 @@ def figures(results: Results) -> list[SummarySection]:
     return [_settlement(results), _contact(results), *supports, _section_forces(results)]
 
 
-def to_json(results: Results, files: Sequence[str] = ()) -> dict[str, Any]:
-    """Return the summary as data for JSON, with the names of the files that stand beside it.
-
-    Every number with a dimension is an object {"value", "unit"} in SI units, with "place" = [x, y] in metres
-    where it is an extreme; counts, ratios and words stand for themselves. Lists over layers run downwards.
-    """
-    document = json_head(results.model.title, results.certificate.holds)
-    document |= json_design(alone(results))
-    document |= {"combination": results.combination, "limit_state": results.limit_state}
-    document |= json_sections(summary(results))
-    document |= json_analysis(results)
-    document["files"] = list(files)
-    return document
-
-
-def json_head(title: str, certified: bool) -> dict[str, Any]:
-    """Return how every summary in JSON begins."""
-    return {
-        "program": "groundslab",
-        "version": __version__,
-        "format": FORMAT,
-        "title": title,
-        "certified": certified,
-    }
-
-
-def json_design(combined: Combined) -> dict[str, Any]:
-    """Return what can be judged of the design as data for JSON."""
-    from groundslab.design.tables.design_checks import design_of
-
-    design = design_of(combined)
-    checks = [asdict(check) for check in design.checks]
-    return {"design": {"status": design.status, "headline": design.headline, "checks": checks}}
-
-
 def certified_words(count: int) -> str:
     """Return in words what a certificate of so many results says, and what it does not say."""
     which = f"The results of all {count} combinations are" if count > 1 else "The result is"
@@ -150,58 +92,6 @@ def certified_words(count: int) -> str:
         f"{which} certified: equilibrium and contact conditions are satisfied on this mesh. "
         "This is no approval of the design."
     )
-
-
-def json_sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
-    """Return sections of the summary as data for JSON, by their keys."""
-    document: dict[str, Any] = {}
-    for section in sections:
-        document[section.key] = {row.key: json_row(row) for row in section.rows}
-        if section.notes:
-            document[section.key]["notes"] = list(section.notes)
-    return document
-
-
-def json_analysis(results: Results) -> dict[str, Any]:
-    """Return the constants that an analysis ended with and its steps as data for JSON."""
-    constants = results.constants
-    return {
-        "constants": {
-            "k0": [_quantity(value, STIFFNESS) for value in constants.k0],
-            "k1": [_quantity(value, SHEAR_STIFFNESS) for value in constants.k1],
-            "gamma": constants.gamma,
-            "gamma_iterations": constants.gamma_iterations,
-        },
-        "history": [asdict(step) for step in results.steps],
-    }
-
-
-def json_text(results: Results, files: Sequence[str] = ()) -> str:
-    """Return the JSON summary as text."""
-    return dumps(to_json(results, files))
-
-
-def dumps(document: dict[str, Any]) -> str:
-    """Return data as the text of a JSON file."""
-    import json
-
-    # Plain Python numbers and NumPy's look alike in a Results; JSON knows the plain ones only.
-    return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
-
-
-def extreme(nodes: Array, values: Array, kind: Literal["largest", "smallest"]) -> tuple[float, tuple[float, float]]:
-    """Return the largest or smallest of the nodal values and its place [m].
-
-    Of values that are equal but for rounding, as on a symmetric plate, the one nearest to the centre is
-    named, and of these the one with the largest x, then y.
-    """
-    signed = values if kind == "largest" else -values
-    equal = np.flatnonzero(signed >= signed.max() - 1e-9 * np.abs(values).max())
-    # Rounded to nanometres, so that mirrored places are equally far, and no place is at -0.0.
-    places = np.round(nodes[equal], 9) + 0.0
-    x, y = places.T
-    first = np.lexsort((-y, -x, np.round(np.hypot(x, y), 9)))[0]
-    return float(values[equal[first]]), (float(x[first]), float(y[first]))
 
 
 def _plate(results: Results) -> SummarySection:
@@ -213,11 +103,11 @@ def _plate(results: Results) -> SummarySection:
     held = [f"{side} {kind}" for side in ("left", "right", "bottom", "top") if (kind := getattr(edges, side)) != "free"]
     directions = [name for name, used in zip("xy", results.symmetry, strict=True) if used]
     rows = (
-        Row("length_x", "length along x", plate.sides[0], METRE),
-        Row("length_y", "length along y", plate.sides[1], METRE),
-        Row("area", "area", float(results.plate.area.sum()), AREA),
-        Row("thickness", "thickness", plate.thickness, METRE, "t"),
-        Row("E", "Young's modulus", plate.E, MODULUS, "E"),
+        Row("length_x", "length along x", plate.sides[0], UNITS["m"]),
+        Row("length_y", "length along y", plate.sides[1], UNITS["m"]),
+        Row("area", "area", float(results.plate.area.sum()), UNITS["m2"]),
+        Row("thickness", "thickness", plate.thickness, UNITS["m"], "t"),
+        Row("E", "Young's modulus", plate.E, UNITS["MPa"], "E"),
         Row("nu", "Poisson's ratio", plate.nu, None, "nu"),
         Row("supports", "supported edges", ", ".join(held) or "none"),
         Row("element", "element", plate.element),
@@ -240,8 +130,8 @@ def description_of_ground(results: Results) -> SummarySection:
     if results.model.beyond.kind != "none" and not results.model.ground_reaches:
         rows.append(Row("beyond", "beyond the plate", "no effect, as the ground carries no shear"))
     for name, unit, meaning, values in (
-        ("k0", STIFFNESS, "compression", constants.k0),
-        ("k1", SHEAR_STIFFNESS, "shear", constants.k1),
+        ("k0", UNITS["MPa/m"], "compression", constants.k0),
+        ("k1", UNITS["MPa m"], "shear", constants.k1),
     ):
         for number, value in enumerate(values, 1):
             key, where = (f"{name}_{number}", f", layer {number}") if several else (name, "")
@@ -254,15 +144,15 @@ def description_of_ground(results: Results) -> SummarySection:
 
 def _borders(results: Results) -> tuple[Row, ...]:
     """Return the areas of soil zones and voids whose borders the mesh does not follow."""
-    from groundslab.results.coverage import crossed_borders
+    from groundslab.results.soil_profile import crossed_borders
 
     return tuple(
         row
         for each in crossed_borders(results)
         for row in (
-            Row(f"{each.name}.drawn", f"{each.name} as drawn", each.drawn, AREA),
-            Row(f"{each.name}.meshed", f"{each.name} on the mesh", each.meshed, AREA),
-            Row(f"{each.name}.crossed", f"elements across the border of {each.name}", each.crossed, AREA),
+            Row(f"{each.name}.drawn", f"{each.name} as drawn", each.drawn, UNITS["m2"]),
+            Row(f"{each.name}.meshed", f"{each.name} on the mesh", each.meshed, UNITS["m2"]),
+            Row(f"{each.name}.crossed", f"elements across the border of {each.name}", each.crossed, UNITS["m2"]),
         )
     )
 
@@ -277,74 +167,73 @@ def cut_loads(model: Model) -> list[SummarySection]:
     rows = []
     for each in clipped[:MOST_CUT]:
         name = f"loads[{each.number}]" + (f" {each.name}" if each.name else "")
-        rows.append(Row(f"share_{each.number}", f"{name}, off the plate", each.share, PERCENT))
-        rows.append(Row(f"force_{each.number}", f"{name}, does not act", each.force, FORCE))
+        rows.append(Row(f"share_{each.number}", f"{name}, off the plate", each.share, UNITS["%"]))
+        rows.append(Row(f"force_{each.number}", f"{name}, does not act", each.force, UNITS["kN"]))
     if len(clipped) > MOST_CUT:
         rows.append(Row("more", "further loads that are cut off", len(clipped) - MOST_CUT))
-    rows.append(Row("sum_of_forces", "all that does not act", sum(each.force for each in clipped), FORCE))
+    rows.append(Row("sum_of_forces", "all that does not act", sum(each.force for each in clipped), UNITS["kN"]))
     note = "Areas and lines act where they lie on the plate. Forces without the factors of combinations."
     return [SummarySection("cut_loads", "Loads cut off at the edge of the plate", tuple(rows), (note,))]
 
 
+def _extreme(name: str, key: str, label: str, nodes: Array, values: Array, sign: int, symbol: str = "{}") -> Row:
+    """Return the largest (sign 1) or smallest (sign -1) of values (n,) of a field with its place."""
+    about = PLATE_FIELDS[name]
+    value, place = extreme(nodes, values, sign)
+    return Row(key, label, value, about.display, symbol.format(about.symbol), place)
+
+
 def _settlement(results: Results) -> SummarySection:
     """Return the largest and the smallest settlement; a smallest one below zero is called uplift."""
-    plate, unit = results.plate, _unit("settlement")
-    largest, place = extreme(plate.nodes, plate.settlement, "largest")
-    smallest, place_of_smallest = extreme(plate.nodes, plate.settlement, "smallest")
-    rows = [Row("largest", "largest settlement", largest, unit, "w", place)]
-    if goes_below_zero(plate.settlement):
-        rows.append(Row("largest_uplift", "largest uplift", -smallest, unit, "-w", place_of_smallest))
+    nodes, w = results.plate.nodes, results.plate.settlement
+    rows = [_extreme("settlement", "largest", "largest settlement", nodes, w, 1)]
+    if goes_below_zero(w):
+        rows.append(_extreme("settlement", "largest_uplift", "largest uplift", nodes, -w, 1, "-{}"))
     else:
-        rows.append(Row("smallest", "smallest settlement", smallest, unit, "w", place_of_smallest))
+        rows.append(_extreme("settlement", "smallest", "smallest settlement", nodes, w, -1))
     return SummarySection("settlement", "Settlement", tuple(rows))
 
 
 def _contact(results: Results) -> SummarySection:
     """Return how much of the plate rests on the ground, the largest gap and the pressures."""
     plate = results.plate
-    share = contact_share(plate)
-    gap, place = extreme(plate.nodes, plate.gap, "largest")
-    rows = [Row("share", "plate's area in contact", share, PERCENT)]
-    rows.append(Row("largest_gap", "largest gap", gap, _unit("gap"), "g", place if gap > 0 else None))
-    rows += _pressures(plate.nodes, plate.pressure, "pressure")
+    gap = _extreme("gap", "largest_gap", "largest gap", plate.nodes, plate.gap, 1)
+    rows = [
+        Row("share", "plate's area in contact", plate.contact_share, UNITS["%"]),
+        gap if gap.value else replace(gap, place=None),
+        *_pressures(plate.nodes, plate.pressure, "pressure"),
+    ]
     notes: tuple[str, ...] = ()
     if has_line_force(results):
         on_edge = plate.edge_length > 0
         rows += _pressures(plate.nodes[on_edge], plate.line_force[on_edge], "line_force", "edge line force")
-        notes = (
-            "Along the plate's edge the ground's shear acts by a line force beside the pressure. At corners of the "
-            "plate it grows slowly as the mesh is refined.",
-        )
+        notes = (EDGE_NOTE,)
     return SummarySection("contact", "Contact", tuple(rows), notes)
 
 
 def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") -> list[Row]:
     """Return the largest of the pressures or line forces at nodes, and the largest tension if the ground pulls."""
-    symbol, unit, tension = PLATE_FIELDS[name].symbol, _unit(name), name.replace("pressure", "tension")
-    largest, place = extreme(nodes, values, "largest")
-    rows = [Row(f"largest_{name}", f"largest {words}", largest, unit, symbol, place)]
-    smallest, place = extreme(nodes, values, "smallest")
+    rows = [_extreme(name, f"largest_{name}", f"largest {words}", nodes, values, 1)]
     if goes_below_zero(values):
-        pulling = words.replace("pressure", "tension") if tension != name else f"{words} that pulls"
-        key = f"largest_{tension}" if tension != name else f"largest_pulling_{name}"
-        rows.append(Row(key, f"largest {pulling}", -smallest, unit, f"-{symbol}", place))
+        key, label = "largest_tension", "largest tension"
+        if name != "pressure":
+            key, label = f"largest_pulling_{name}", f"largest {words} that pulls"
+        rows.append(_extreme(name, key, label, nodes, -values, 1, "-{}"))
     return rows
 
 
 def _section_forces(results: Results) -> SummarySection:
     """Return the extreme moments and shear forces with their places."""
-    plate, rows = results.plate, []
-    kinds: tuple[Literal["largest", "smallest"], ...] = ("largest", "smallest")
-    for name in ("moment_x", "moment_y"):
-        for kind in kinds:
-            value, place = extreme(plate.nodes, getattr(plate, name), kind)
-            rows.append(Row(f"{kind}_{name}", f"{kind} moment", value, _unit(name), PLATE_FIELDS[name].symbol, place))
+    plate, model = results.plate, results.model
+    rows = [
+        _extreme(name, f"{kind}_{name}", f"{kind} moment", plate.nodes, getattr(plate, name), sign)
+        for name in ("moment_x", "moment_y")
+        for kind, sign in (("largest", 1), ("smallest", -1))
+    ]
     for name, words in (("moment_xy", "twisting moment"), ("shear_x", "shear force"), ("shear_y", "shear force")):
-        value, place = extreme(plate.nodes, np.abs(getattr(plate, name)), "largest")
-        symbol = f"|{PLATE_FIELDS[name].symbol}|"
-        rows.append(Row(f"largest_{name}", f"largest {words}", value, _unit(name), symbol, place))
+        sizes = np.abs(getattr(plate, name))
+        rows.append(_extreme(name, f"largest_{name}", f"largest {words}", plate.nodes, sizes, 1, "|{}|"))
     notes: tuple[str, ...] = ()
-    model = results.model
     loads = [load.on(model.columns) for load in model.loads if load.kind == "point"]
     if any(load.width_x is None and load.diameter is None for load in loads):
         notes = (
@@ -360,16 +249,16 @@ def _supports(results: Results) -> SummarySection:
     """Return what the supports carry: each of a few, else the largest and the smallest force and their sum."""
     totals = [(support.total, support) for support in results.supports if len(support.nodes)]
     rows = [
-        Row(f"force_{number}", f"force of {support.name}", total, FORCE, "", _middle(support))
+        Row(f"force_{number}", f"force of {support.name}", total, UNITS["kN"], "", _middle(support))
         for number, (total, support) in enumerate(totals, start=1)
     ]
     if len(totals) > MOST_SUPPORTS:
         (low, least), (high, most) = min(totals, key=lambda each: each[0]), max(totals, key=lambda each: each[0])
         rows = [
-            Row("largest_force", f"largest force, of {most.name}", high, FORCE, "", _middle(most)),
-            Row("smallest_force", f"smallest force, of {least.name}", low, FORCE, "", _middle(least)),
+            Row("largest_force", f"largest force, of {most.name}", high, UNITS["kN"], "", _middle(most)),
+            Row("smallest_force", f"smallest force, of {least.name}", low, UNITS["kN"], "", _middle(least)),
         ]
-    rows.append(Row("sum_of_forces", "all supports together", sum(total for total, _ in totals), FORCE))
+    rows.append(Row("sum_of_forces", "all supports together", sum(total for total, _ in totals), UNITS["kN"]))
     return SummarySection("supports", "Supports: forces, upwards positive", tuple(rows))
 
 
@@ -382,8 +271,8 @@ def _middle(support: SupportResult) -> tuple[float, float]:
 def certificate_section(certificate: Certificate) -> SummarySection:
     """Return the figures that say how well equilibrium and contact conditions are satisfied, each with its verdict."""
     rows = [
-        Row("load", "sum of the loads", certificate.load, FORCE),
-        Row("reaction", "sum of the reactions", certificate.reaction, FORCE),
+        Row("load", "sum of the loads", certificate.load, UNITS["kN"]),
+        Row("reaction", "sum of the reactions", certificate.reaction, UNITS["kN"]),
     ]
     limits = certificate.limits()
     for name, value in certificate.limited().items():
@@ -396,25 +285,3 @@ def certificate_section(certificate: Certificate) -> SummarySection:
             "smaller.",
         )
     return SummarySection("certificate", "Certificate", tuple(rows), notes)
-
-
-def _unit(name: str) -> Unit:
-    """Return the unit of a field of the plate."""
-    field = PLATE_FIELDS[name]
-    return Unit(field.unit, SI[field.unit], field.scale)
-
-
-def _quantity(value: float, unit: Unit) -> dict[str, Any]:
-    """Return a number with a dimension as JSON data."""
-    return {"value": value, "unit": unit.si}
-
-
-def json_row(row: Row) -> Any:
-    """Return the value of a row as JSON data."""
-    if row.ok is not None:
-        return {"value": row.value, "tolerance": row.tolerance, "ok": row.ok}
-    if row.unit is None or row.unit.si == "1":
-        return row.value
-    assert isinstance(row.value, (int, float))
-    place = {} if row.place is None else {"place": list(row.place)}
-    return _quantity(row.value, row.unit) | place

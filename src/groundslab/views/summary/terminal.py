@@ -2,81 +2,91 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
-from groundslab.results.results import alone
+from groundslab.units import format_number
 from groundslab.views.summary import combinations
 from groundslab.views.summary.single import Row, SummarySection, certified_words, summary
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from rich.console import Console
     from rich.text import Text
 
     from groundslab.design.tables.design_checks import Design, Status
-    from groundslab.results.results import Combined, Results, Step
+    from groundslab.results.record import Step
+    from groundslab.results.results import Combined, Results
     from groundslab.views.summary.combinations import Entry, Extreme
 
 #: Widths of the columns of words and of values; unit and place follow, 78 in all.
 LABEL, VALUE = 36, 12
 
 
-def print_summary(results: Results, console: Console) -> None:
-    """Print everything that ``summary`` returns, the convergence history and the verdict."""
-    from rich.text import Text
+def print_summary(combined: Combined, console: Console) -> None:
+    """Print the summary and the verdict.
 
-    from groundslab.design.tables.design_checks import design_of
-
-    sections, design = summary(results), design_of(alone(results))
-    _head(results.model.title, design, console)
-    console.print(Text(f"{results.combination} ({results.limit_state})", style="dim"))
-    for section in sections:
-        _section(section, [_line(row) for row in section.rows], console)
-    console.print()
-    print_history(results.steps, console)
-    console.print()
-    if results.certificate.holds:
-        _certified(1, design, console)
-    else:
-        console.print(Text("FAILED: the certificate does not hold; do not use the result.", style="bold red"))
-
-
-def print_overview(combined: Combined, console: Console) -> None:
-    """Print what all combinations have in common, each on its lines, the extremes over all, and the verdict."""
-    from rich.text import Text
-
+    Of an only combination all its figures and the convergence history; of several what they have in common, each on its
+    lines, and the extremes over all.
+    """
     from groundslab.design.tables.design_checks import design_of
 
     combinations.require_finite(combined)
-    design = design_of(combined)
+    found, design = combinations.entries(combined), design_of(combined)
+    only = combinations.only(found)
     _head(combined.model.title, design, console)
-    for section in combinations.description(combined):
-        _section(section, [_line(row) for row in section.rows], console)
-    found = combinations.entries(combined)
+    if only is not None:
+        _print_only(only, console)
+    else:
+        _print_several(combined, found, console)
     console.print()
-    console.print(Text("Combinations", style="bold cyan"))
+    if not combined.refused:
+        _print_certified(len(found), design, console)
+        return
+    failed = "FAILED: the certificate does not hold; do not use the result."
+    if only is None:
+        numbers = ", ".join(str(entry.number) for entry in found if entry.refused is not None)
+        failed = f"FAILED: {len(combined.refused)} of {len(found)} combinations have no certified result: {numbers}."
+    _print_lines([failed], "bold red", console)
+
+
+def _print_only(results: Results, console: Console) -> None:
+    """Print the figures of an only combination and its convergence history."""
+    _print_lines([f"{results.combination} ({results.limit_state})"], "dim", console)
+    for section in summary(results):
+        _print_section(section, [_line(row) for row in section.rows], console)
+    console.print()
+    print_history(results.steps, console)
+
+
+def _print_several(combined: Combined, found: Sequence[Entry], console: Console) -> None:
+    """Print what combinations have in common, each on its lines, and the extremes over all."""
+    for section in combinations.description(combined):
+        _print_section(section, [_line(row) for row in section.rows], console)
+    console.print()
+    _print_lines(["Combinations"], "bold cyan", console)
     for heading in (("load", "settlement", "uplift", "contact", "iteration"), ("kN", "mm", "mm", "%", "steps")):
-        console.print(Text("   " + "".join(f"{word:>12}" for word in heading), style="dim"))
+        _print_lines(["   " + "".join(f"{word:>12}" for word in heading)], "dim", console)
     for entry in found:
         for line in _entry(entry):
             console.print(line, soft_wrap=True)
     for section, rows in combinations.extremes(combined):
-        _section(replace(section, title=f"{section.title}: extremes"), [_extreme(row) for row in rows], console)
+        titled = replace(section, title=f"{section.title}: extremes")
+        _print_section(titled, [_extreme(row) for row in rows], console)
     worst = SummarySection("certificate", "Certificate: the worst of each figure", ())
-    _section(worst, [_extreme(row) for row in combinations.worst(combined)], console)
-    console.print(Text("  The number before each line is that of the combination that governs.", style="dim"))
-    console.print()
-    if not combined.refused:
-        _certified(len(found), design, console)
-        return
-    numbers = ", ".join(str(entry.number) for entry in found if entry.refused is not None)
-    words = f"FAILED: {len(combined.refused)} of {len(found)} combinations have no certified result: {numbers}."
-    console.print(Text(words, style="bold red"), soft_wrap=True)
+    _print_section(worst, [_extreme(row) for row in combinations.worst(combined)], console)
+    _print_lines(["  The number before each line is that of the combination that governs."], "dim", console)
+
+
+def _print_lines(lines: Iterable[str], style: str, console: Console) -> None:
+    """Print lines of text in one style."""
+    from rich.text import Text
+
+    for line in lines:
+        console.print(Text(line, style=style), soft_wrap=True)
 
 
 def _entry(entry: Entry) -> Iterator[Text]:
@@ -91,8 +101,8 @@ def _entry(entry: Entry) -> Iterator[Text]:
     yield from (Text(f"    {line}", style="bold") for line in more)
     if entry.results is not None:
         f = combinations.figures(entry.results)
-        values = [number(f.load / 1e3), number(f.settlement * 1e3), number(f.uplift * 1e3), number(f.contact * 100)]
-        line = Text("   " + "".join(f"{value:>12}" for value in (*values, f.iterations)))
+        figures = (f.load / 1e3, f.settlement * 1e3, f.uplift * 1e3, f.contact * 100)
+        line = Text("   " + "".join(f"{value:>12}" for value in (*map(format_number, figures), f.iterations)))
         if entry.refused is None:
             line.append("  ok", style="green")
         yield line
@@ -110,16 +120,13 @@ def _extreme(extreme: Extreme) -> Text:
 
 
 def _head(title: str, design: Design, console: Console) -> None:
-    """Print the title, who says it, and what fails in the design."""
-    from rich.text import Text
-
-    console.print(Text(title or "(no title)", style="bold"))
-    console.print(Text(f"groundslab {__version__}", style="dim"))
-    for line in textwrap.wrap(design.headline, 78):
-        console.print(Text(line, style=_STYLES[design.status]), soft_wrap=True)
+    """Print the title, the version, and what fails in the design."""
+    _print_lines([title or "(no title)"], "bold", console)
+    _print_lines([f"groundslab {__version__}"], "dim", console)
+    _print_lines(textwrap.wrap(design.headline, 78), _STYLES[design.status], console)
     for check in design.open:
-        for line in textwrap.wrap(f"- {check.name}: {check.words}", 76, subsequent_indent="  "):
-            console.print(Text(f"  {line}", style=_STYLES[check.status]), soft_wrap=True)
+        lines = textwrap.wrap(f"- {check.name}: {check.words}", 76, subsequent_indent="  ")
+        _print_lines([f"  {line}" for line in lines], _STYLES[check.status], console)
 
 
 _STYLES: dict[Status, str] = {
@@ -127,24 +134,20 @@ _STYLES: dict[Status, str] = {
 }  # fmt: skip
 
 
-def _certified(count: int, design: Design, console: Console) -> None:
+def _print_certified(count: int, design: Design, console: Console) -> None:
     """Print what the certificate of so many results says, and again what fails in the design."""
-    from rich.text import Text
-
-    for line in textwrap.wrap(certified_words(count), 78):
-        console.print(Text(line, style="green"), soft_wrap=True)
+    _print_lines(textwrap.wrap(certified_words(count), 78), "green", console)
     if design.open:
-        for line in textwrap.wrap(f"{design.headline} See the first lines.", 78):
-            console.print(Text(line, style=_STYLES[design.status]), soft_wrap=True)
+        _print_lines(textwrap.wrap(f"{design.headline} See the first lines.", 78), _STYLES[design.status], console)
 
 
-def _section(section: SummarySection, lines: Sequence[Text], console: Console) -> None:
+def _print_section(section: SummarySection, lines: Sequence[Text], console: Console) -> None:
     """Print lines under their heading, and the notes below."""
     from rich.padding import Padding
     from rich.text import Text
 
     console.print()
-    console.print(Text(section.title, style="bold cyan"))
+    _print_lines([section.title], "bold cyan", console)
     for line in lines:
         console.print(line, soft_wrap=True)
     for note in section.notes:
@@ -152,47 +155,23 @@ def _section(section: SummarySection, lines: Sequence[Text], console: Console) -
 
 
 def print_history(steps: Sequence[Step], console: Console) -> None:
-    """Print one line for each step of the iteration; steps on the mesh that was asked for carry a star."""
+    """Print one line for each step of the iteration; steps on the finest mesh carry a star."""
     from rich.padding import Padding
     from rich.table import Table
-    from rich.text import Text
 
-    console.print(Text("Convergence history", style="bold cyan"))
+    _print_lines(["Convergence history"], "bold cyan", console)
     table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="dim")
     for heading in (
-        "mesh\nunknowns",
-        "load\nincrement",
-        "\ngamma",
-        "contact\niteration",
-        "nodes in\ncontact",
-    ):
+        "mesh\nunknowns", "load\nincrement", "\ngamma", "contact\niteration", "nodes in\ncontact", "nodes\nchanged", "",
+    ):  # fmt: skip
         table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("nodes\nchanged", justify="right", no_wrap=True)
-    table.add_column("", no_wrap=True)
     for step in steps:
-        gamma = "-" if step.gamma is None else number(step.gamma)
-        counts = (step.iteration, step.in_contact, step.changed)
-        cells = (
-            str(step.unknowns),
-            str(step.increment),
-            gamma,
-            *map(str, counts),
-            "*" if step.finest else "",
-        )
-        table.add_row(*(Text(cell) for cell in cells))
+        gamma = "-" if step.gamma is None else format_number(step.gamma)
+        counts = map(str, (step.iteration, step.in_contact, step.changed))
+        table.add_row(str(step.unknowns), str(step.increment), gamma, *counts, "*" if step.finest else "")
     console.print(Padding(table, (0, 0, 0, 2)))
     if any(step.finest for step in steps):
-        console.print(Text("  * on the mesh that was asked for", style="dim"))
-
-
-def number(value: float) -> str:
-    """Return a number with five significant digits, without an exponent where that is readable."""
-    if value == 0:
-        return "0"
-    if not 1e-3 <= abs(value) < 1e7:
-        return f"{value:.4e}"
-    decimals = max(0, 4 - math.floor(math.log10(abs(value))))
-    return f"{value:.{decimals}f}"
+        _print_lines(["  * on the finest mesh"], "dim", console)
 
 
 def _line(row: Row, taken: int = 0) -> Text:
@@ -230,7 +209,7 @@ def shown_row(row: Row) -> Shown:
         return Shown(row.value)
     if row.ok is not None:
         return Shown(f"{row.value:.1e}")
-    scale, unit = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.shown)
-    figure = str(row.value) if isinstance(row.value, int) else number(row.value * scale)
+    scale, unit = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.name)
+    figure = str(row.value) if isinstance(row.value, int) else format_number(row.value * scale)
     place = "" if row.place is None else "({:.3f}, {:.3f})".format(*(round(x, 3) + 0.0 for x in row.place))
     return Shown(figure, unit, place)

@@ -24,7 +24,8 @@ from groundslab.errors import GroundslabError, InputError
 
 if TYPE_CHECKING:
     from groundslab.model.loads.load_cases import Combination
-    from groundslab.results.results import Combined, Step
+    from groundslab.results.record import Step
+    from groundslab.results.results import Combined
 
 #: At most one word about the progress in so many seconds.
 PAUSE = 0.1

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from groundslab.views.summary import combinations, single
-from groundslab.views.summary.terminal import number
+from groundslab.units import format_number
+from groundslab.views.summary import combinations, json_summary, single
 
 if TYPE_CHECKING:
     from groundslab.results.results import Combined
@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 def summary_of(combined: Combined) -> dict[str, Any]:
     """Return the design and what is told of each combination; raises GroundslabError if a number is not finite."""
     combinations.require_finite(combined)
-    return single.json_design(combined) | {
-        "combinations": [_combination(entry) for entry in combinations.entries(combined)]
+    return {
+        "design": json_summary.design(combined),
+        "combinations": [_combination(entry) for entry in combinations.entries(combined)],
     }
 
 
@@ -48,7 +49,7 @@ def _section(section: SummarySection) -> dict[str, Any]:
 
 def _row(row: Row) -> dict[str, Any]:
     """Return a line of the summary: its value as words, numbers with five digits; ok says whether it is in order."""
-    unit = "" if row.unit is None else row.unit.shown
+    unit = "" if row.unit is None else row.unit.name
     if row.ok is not None:
         assert not isinstance(row.value, str)
         value, note = f"{row.value:.1e}", f"{'ok' if row.ok else 'FAILED'} (limit {row.tolerance:.0e})"
@@ -56,7 +57,7 @@ def _row(row: Row) -> dict[str, Any]:
         value, note = row.value, ""
     else:
         plain = isinstance(row.value, int)
-        value = str(row.value) if plain else number(row.value * (1.0 if row.unit is None else row.unit.scale))
+        value = str(row.value) if plain else format_number(row.value * (1.0 if row.unit is None else row.unit.scale))
         note = "" if row.place is None else "at ({:.3f}, {:.3f}) m".format(*(round(x, 3) + 0.0 for x in row.place))
     about = {"key": row.key, "label": row.label, "symbol": row.symbol, "value": value, "unit": unit, "note": note}
     return about | ({"ok": row.ok} if row.ok is not None else {})

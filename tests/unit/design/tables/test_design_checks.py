@@ -19,7 +19,8 @@ from groundslab.errors import NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.results import Combined
 from groundslab.views.report.html import html_of
-from groundslab.views.summary import combinations, single, terminal
+from groundslab.views.summary import terminal
+from groundslab.views.summary.json_summary import json_text
 from groundslab.workbench.solver.summary import summary_of
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
@@ -64,10 +65,7 @@ def words(design: Design, name: str) -> str:
 def printed(combined: Combined) -> str:
     """Return what the terminal shows."""
     console = Console(file=io.StringIO(), width=80)
-    if len(combined.combinations) > 1:
-        terminal.print_overview(combined, console)
-    else:
-        terminal.print_summary(next(iter(combined.results.values())), console)
+    terminal.print_summary(combined, console)
     assert isinstance(console.file, io.StringIO)
     return console.file.getvalue()
 
@@ -182,9 +180,7 @@ def test_failure_comes_first_on_the_terminal(of: Combined) -> None:
 @pytest.mark.parametrize("of", [FAILING, ALONE], ids=["several", "one"])
 def test_failure_comes_first_in_json(of: Combined) -> None:
     """The design stands before any figure, with its verdict, its words, and each check."""
-    results = next(iter(of.results.values()))
-    text = combinations.json_text(of) if len(of.combinations) > 1 else single.json_text(results)
-    document = json.loads(text)
+    document = json.loads(json_text(of))
     assert list(document)[:6] == ["program", "version", "format", "title", "certified", "design"]
     assert document["certified"] is True
     assert document["design"]["status"] == "fails"

@@ -11,15 +11,15 @@ import pytest
 from shapely import box
 
 import groundslab
-from groundslab.design.tables import column_loads, tables_of, thickness
+from groundslab.design.tables import column_loads, tables_of
 from groundslab.design.tables.envelopes import fields_of_envelope
-from groundslab.design.tables.quantities import AMOUNTS, LISTED
 from groundslab.design.tables.table import Table, table_of
 from groundslab.errors import InputError, NoEquilibrium
 from groundslab.model.combinations import combinations_of
 from groundslab.model.model import Model
+from groundslab.results.fields import POINT_FIELDS, RANGED_FIELDS
 from groundslab.results.results import Combined, SupportResult
-from groundslab.views.files.vtk import array_name, plate_mesh
+from groundslab.views.files.vtk import plate_mesh
 from helpers.plates import parted, plate_of, straight
 from helpers.synthetic import LENGTH_X, LENGTH_Y, results
 
@@ -134,7 +134,7 @@ def test_extremes_and_their_places() -> None:
     assert (one["x of the greatest"], one["y of the greatest"]) == (0, 0)
     assert (one["x of the least"], one["y of the least"]) == (4.8, 0)
     assert set(found["combination"]) == {"most", "least", "in use"}
-    assert len(found) == 3 * (len(AMOUNTS) - 1)  # no line force on springs
+    assert len(found) == 3 * (len(RANGED_FIELDS) - 1)  # no line force on springs
 
 
 def test_envelope_keeps_limit_states_apart() -> None:
@@ -334,7 +334,7 @@ def test_loads_on_a_part() -> None:
         {"kind": "point", "P": 1e6, "column": "A", "case": "Q"},
     ]
     model = described(loads=loads, columns=COLUMNS[:1])
-    found = column_loads.others(model, results(n=6).plate, box(-1, -1, 1, 1), "A")
+    found = column_loads.others(results(n=6, model=model), box(-1, -1, 1, 1), "A")
     # q bends: int 300 x^2 dA = 400 N
     assert found["G"] == pytest.approx(1e3 * 4 + 400 + 25e3 * 0.4 * 4)
     # half of the footprint: its half of P, and of the moment int_0^0.5 12 M x dx = 1.5 M, taken off on the left
@@ -349,7 +349,9 @@ def test_thickness_by_zone() -> None:
     zone = {"shape": {"kind": "rectangle", "x": (2, 6), "y": (0, 4)}, "thickness": 0.7}
     outline = {"kind": "rectangle", "x": (0, 6), "y": (0, 4)}
     plate = {"outline": outline, "thickness": 0.4, "E": 30e9, "nu": 0.2, "zones": [zone]}
-    found = thickness.of_nodes(described(plate=plate), plate_of(mesh))
+    of = results(model=described(plate=plate), plate=plate_of(mesh))
+    found, section = of.elements.at_nodes(of.plate)
+    assert section.tolist() == right.astype(int).tolist()
     assert found.tolist() == np.where(right, 0.7, 0.4).tolist()
 
 
@@ -548,8 +550,8 @@ def test_all_refused() -> None:
 def test_names_are_those_of_the_files_for_paraview() -> None:
     """Columns are called as the arrays of plate.vtu are."""
     there = set(plate_mesh(results()).point_data)
-    assert {about.name for about in LISTED.values()} <= there
-    assert LISTED["settlement"].name == array_name("settlement") == "settlement w [mm]"
+    assert {about.name for about in POINT_FIELDS.values()} <= there
+    assert POINT_FIELDS["settlement"].name == "settlement w [mm]"
 
 
 def test_table_as_text() -> None:

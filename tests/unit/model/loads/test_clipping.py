@@ -227,7 +227,7 @@ def test_summary_and_report_tell_what_does_not_act(tmp_path: Path, combinations:
 def test_the_summary_on_the_terminal_has_a_section_of_what_is_cut_off() -> None:
     """The lines give share and force of each load; without any such load there is no section."""
     model = loads(CASE)
-    section = next(each for each in single.summary(solve(model)) if each.key == "cut_loads")
+    section = next(each for each in single.summary(solve(model).only) if each.key == "cut_loads")
     assert [(row.label, row.value) for row in section.rows] == [
         ("loads[2] rack, off the plate", pytest.approx(0.5)),
         ("loads[2] rack, does not act", pytest.approx(20e3)),
@@ -269,7 +269,7 @@ def test_loads_around_a_column_are_those_on_the_plate() -> None:
             AreaLoad(q=1e3, shape=Circle(centre=(3, 0), radius=1)),
         ]
     )
-    plate = solve(loaded.replace(mesh=Mesh(size=0.5), contact={"tensionless": False})).plate
+    results = solve(loaded.replace(mesh=Mesh(size=0.5), contact={"tensionless": False})).only
     part = shapely.box(2, 0, 3, 2)
-    force = column_loads.others(loaded, plate, part, "")
+    force = column_loads.others(results, part, "")
     assert force[""] == pytest.approx(1e3 * (math.pi / 2 + math.pi / 4), rel=1e-6)

@@ -51,7 +51,7 @@ def debris(folder: Path) -> list[str]:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """Return a folder that holds results."""
-    return results_folder.write(OLD, tmp_path / "room" / "raft")
+    return results_folder.save_results(OLD, tmp_path / "room" / "raft")
 
 
 class TestWrite:
@@ -60,7 +60,7 @@ class TestWrite:
     @pytest.mark.parametrize("plot", [False, True])
     def test_summary_lists_exactly_the_files(self, tmp_path: Path, plot: bool) -> None:
         """The folder holds what the summary lists, a picture only when asked for; nothing lies beside it."""
-        folder = results_folder.write(OLD, tmp_path / "deep" / "down" / "raft", plot=plot)
+        folder = results_folder.save_results(OLD, tmp_path / "deep" / "down" / "raft", plot=plot)
         files = FILES | ({"picture.png"} if plot else set())
         assert set(contents(folder)) == files == set(json.loads((folder / "summary.json").read_text())["files"])
         assert debris(folder) == []
@@ -69,8 +69,8 @@ class TestWrite:
 
     def test_replaces_earlier_results_whole(self, folder: Path) -> None:
         """Files of the earlier results that the new ones lack are gone."""
-        results_folder.write(OLD, folder, plot=True)
-        results_folder.write(NEW, folder)
+        results_folder.save_results(OLD, folder, plot=True)
+        results_folder.save_results(NEW, folder)
         assert set(contents(folder)) == FILES
         synthetic.assert_same(npz.load(folder / "results.npz"), NEW)
         assert debris(folder) == []
@@ -79,13 +79,13 @@ class TestWrite:
         """An empty folder may be written to, also if a file manager has been there."""
         (tmp_path / "raft").mkdir()
         (tmp_path / "raft" / ".DS_Store").touch()
-        assert set(contents(results_folder.write(OLD, tmp_path / "raft"))) == FILES
+        assert set(contents(results_folder.save_results(OLD, tmp_path / "raft"))) == FILES
 
     def test_follows_a_link_to_a_folder(self, tmp_path: Path) -> None:
         """A link stays a link, and the folder that it leads to holds the results."""
         (tmp_path / "real").mkdir()
         _link(tmp_path / "link", tmp_path / "real")
-        assert results_folder.write(OLD, tmp_path / "link") == (tmp_path / "real").resolve()
+        assert results_folder.save_results(OLD, tmp_path / "link") == (tmp_path / "real").resolve()
         assert (tmp_path / "link").is_symlink()
         assert set(contents(tmp_path / "real")) == FILES
 
@@ -103,7 +103,7 @@ class TestSeveral:
 
     def test_a_folder_for_each_that_has_results(self, tmp_path: Path) -> None:
         """The summary names every file, in folders too; a combination without results has none."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft", plot=True)
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft", plot=True)
         each = {"plate.vtu", "ground.vtu", "results.npz", "picture.png"}
         shared = {"plate.pvd", "ground.pvd", "combinations.csv", "envelope.vtu", "case.toml", "summary.json"} | TABLES
         files = shared | {f"{room}/{name}" for room in self.EACH for name in each}
@@ -113,7 +113,7 @@ class TestSeveral:
     def test_comes_back(self, tmp_path: Path) -> None:
         """Results, combinations, model and refusals are read back; what is not certified stays refused."""
         wanted = synthetic.combined()
-        found = results_folder.load(results_folder.write(wanted, tmp_path / "raft"))
+        found = results_folder.load_results(results_folder.save_results(wanted, tmp_path / "raft"))
         assert (found.model, found.combinations) == (wanted.model, wanted.combinations)
         assert found.results.keys() == wanted.results.keys()
         for name, results in wanted.results.items():
@@ -126,13 +126,13 @@ class TestSeveral:
 
     def test_one_comes_back_as_all_there_are(self, folder: Path) -> None:
         """A folder of one combination is read as the one of several, certified or not."""
-        found = results_folder.load(folder)
+        found = results_folder.load_results(folder)
         (combination,) = found.combinations
         assert (combination.name, dict(combination.factors), found.refused) == ("all loads", {"": 1.0}, {})
         synthetic.assert_same(found["all loads"], OLD)
         bad = synthetic.results(certificate=replace(synthetic.CERTIFICATE, residual=1.0))
-        results_folder.write(bad, folder)
-        assert isinstance(results_folder.load(folder).refused["all loads"], NotCertified)
+        results_folder.save_results(bad, folder)
+        assert isinstance(results_folder.load_results(folder).refused["all loads"], NotCertified)
 
     def test_errors_come_back_with_their_history(self, tmp_path: Path) -> None:
         """What did not converge keeps its name and steps, also such as JSON cannot hold; other errors their kind."""
@@ -142,7 +142,9 @@ class TestSeveral:
             "uncertified": NotConverged("contact", history, {"u": OLD.plate.settlement}),
             "wind alone": SingularMatrix("no stiffness"),
         }
-        found = results_folder.load(results_folder.write(replace(combined, refused=refused), tmp_path / "raft")).refused
+        found = results_folder.load_results(
+            results_folder.save_results(replace(combined, refused=refused), tmp_path / "raft")
+        ).refused
         one, other = found["uncertified"], found["wind alone"]
         assert isinstance(one, NotConverged)
         assert one.what == "contact"
@@ -152,7 +154,7 @@ class TestSeveral:
 
     def test_collections_hold_what_is_certified(self, tmp_path: Path) -> None:
         """The times of a ParaView collection are the numbers; its files are there; the uncertified one is left out."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         for name in ("plate", "ground"):
             sets = ElementTree.parse(folder / f"{name}.pvd").getroot().findall("./Collection/DataSet")
             assert [each.get("timestep") for each in sets] == ["1", "2"]
@@ -161,7 +163,7 @@ class TestSeveral:
 
     def test_list_of_combinations(self, tmp_path: Path) -> None:
         """The list has a row for each, solved or not, with its factors."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         with (folder / "combinations.csv").open(encoding="utf-8", newline="") as file:
             rows = list(csv.DictReader(file))
         assert [row["number"] for row in rows] == ["1", "2", "3", "4"]
@@ -173,14 +175,14 @@ class TestSeveral:
     @pytest.mark.parametrize("place", ["02-nul", "own", "01-grosse-1-2-dead-wind/deeper"])
     def test_foreign_things_in_folders_within(self, tmp_path: Path, place: str) -> None:
         """What somebody put into a folder below protects the whole; litter of file managers does not."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         (folder / "02-nul" / ".DS_Store").touch()
-        results_folder.write(synthetic.combined(), folder)
+        results_folder.save_results(synthetic.combined(), folder)
         (folder / place).mkdir(exist_ok=True)
         (folder / place / "notes.txt").write_text("mine")
         before = tree(folder)
         with pytest.raises(InputError) as caught:
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         (issue,) = caught.value.issues
         named = f"{place}/notes.txt" if place == "02-nul" else place
         assert Path(issue.location) == folder / named
@@ -189,26 +191,26 @@ class TestSeveral:
 
     def test_a_folder_within_that_is_a_link_now(self, tmp_path: Path) -> None:
         """A link in place of a combination's folder is not ours, and what it leads to stays."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         (folder / "02-nul").rename(tmp_path / "elsewhere")
         _link(folder / "02-nul", tmp_path / "elsewhere")
         with pytest.raises(InputError, match="02-nul"):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         assert (tmp_path / "elsewhere" / "plate.vtu").is_file()
 
     def test_the_user_stands_in_a_folder_within(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """Nor is the working directory pulled away if it lies deeper."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         monkeypatch.chdir(folder / "02-nul")
         with pytest.raises(InputError, match="stand in"):
             results_folder.check(folder)
 
     def test_one_replaces_several_and_the_reverse(self, tmp_path: Path) -> None:
         """Nothing is left of what stood there before, in either direction."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
-        results_folder.write(NEW, folder)
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
+        results_folder.save_results(NEW, folder)
         assert tree(folder) == FILES
-        results_folder.write(synthetic.combined(), folder)
+        results_folder.save_results(synthetic.combined(), folder)
         assert not FILES - TABLES - {"case.toml", "summary.json"} & tree(folder)
 
     def test_every_file_is_on_the_disk(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -220,7 +222,7 @@ class TestSeveral:
             fsync(handle)
 
         monkeypatch.setattr(os, "fsync", seen)
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         assert {(folder / name).stat().st_ino for name in tree(folder)} <= set(synced)
 
     @pytest.mark.parametrize(
@@ -245,16 +247,16 @@ class TestSeveral:
         """Nothing, something else, a summary of something else and archives that do not belong are refused."""
         for none in (tmp_path / "none", tmp_path):
             with pytest.raises(InputError, match="summary"):
-                results_folder.load(none)
-        several = results_folder.write(synthetic.combined(), tmp_path / "several")
+                results_folder.load_results(none)
+        several = results_folder.save_results(synthetic.combined(), tmp_path / "several")
         shutil.copy(folder / "results.npz", several / "02-nul" / "results.npz")
         with pytest.raises(InputError, match="another case"):
-            results_folder.load(several)
+            results_folder.load_results(several)
         for wrong in ([{}], 3, [{"name": 3}]):
             text = json.dumps({"program": "groundslab", "files": ["a"], "combinations": wrong})
             (several / "summary.json").write_text(text)
             with pytest.raises(InputError):
-                results_folder.load(several)
+                results_folder.load_results(several)
 
 
 class TestDamaged:
@@ -265,7 +267,7 @@ class TestDamaged:
         """Whatever became of a file: reading, report and plot name the folder, with exit code 2 and no traceback."""
         damage.FILES[how](folder)
         with pytest.raises(InputError, match="raft"):
-            results_folder.load(folder)
+            results_folder.load_results(folder)
         for command, ending in (("report", "html"), ("plot", "png")):
             out = folder.with_name(f"a.{ending}")
             assert main.main([command, str(folder), "--out", str(out)]) == 2
@@ -281,9 +283,9 @@ class TestDamaged:
                 continue
             damage.with_array(folder / "results.npz", name, damage.ARRAYS[how])
             with pytest.raises(InputError, match="archive"):
-                results_folder.load(folder)
+                results_folder.load_results(folder)
             (folder / "results.npz").write_bytes(whole)
-        assert results_folder.load(folder)
+        assert results_folder.load_results(folder)
 
     @pytest.mark.parametrize("by", [-1, 25, 10**12])
     def test_elements_with_nodes_that_are_not_there(self, folder: Path, by: int) -> None:
@@ -293,7 +295,7 @@ class TestDamaged:
             whole = archived.read_bytes()
             damage.with_array(archived, name, lambda a: np.where(a == 0, by, a))
             with pytest.raises(InputError, match="nodes that are not there"):
-                results_folder.load(folder)
+                results_folder.load_results(folder)
             archived.write_bytes(whole)
 
     @pytest.mark.parametrize("change", [lambda a: a[:, ::-1], lambda a: a[:, [0] * 9]])
@@ -301,18 +303,18 @@ class TestDamaged:
         """Elements that are turned over, or one point, are no mesh."""
         damage.with_array(folder / "results.npz", "plate.elements", change)
         with pytest.raises(InputError, match=r"no area|no element"):
-            results_folder.load(folder)
+            results_folder.load_results(folder)
 
     def test_a_certificate_cannot_be_better_than_perfect(self, folder: Path) -> None:
         """Figures below zero would pass each limit; they are no figures of a certificate."""
         damage.with_about(folder / "results.npz", ("certificate", "residual"), -1.0)
         with pytest.raises(InputError, match="certificate"):
-            results_folder.load(folder)
+            results_folder.load_results(folder)
 
     @pytest.mark.parametrize("value", ["text", None, [], {"a": 1}])
     def test_summaries(self, tmp_path: Path, value: Any) -> None:
         """Whatever stands in place of any value of a summary, it is read as it was meant, or refused."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         path = folder / "summary.json"
         whole = path.read_text()
         read = {"name", "limit_state", "factors", "folder", "refused"}
@@ -323,16 +325,16 @@ class TestDamaged:
             damage.put(document, place, value)
             path.write_text(json.dumps(document))
             with suppress(InputError):
-                assert len(results_folder.load(folder).combinations) == 4
+                assert len(results_folder.load_results(folder).combinations) == 4
 
     def test_folders_of_combinations_elsewhere(self, tmp_path: Path) -> None:
         """A summary cannot lead out of its folder."""
-        folder = results_folder.write(synthetic.combined(), tmp_path / "raft")
+        folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         (folder / "02-nul").rename(tmp_path / "02-nul")
         text = (folder / "summary.json").read_text()
         (folder / "summary.json").write_text(text.replace('"folder": "02-nul"', '"folder": "../02-nul"'))
         with pytest.raises(InputError, match="02-nul"):
-            results_folder.load(folder)
+            results_folder.load_results(folder)
 
 
 class TestElsewhere:
@@ -385,7 +387,7 @@ class TestRefuse:
             _link(folder / "notes.txt", folder / "plate.vtu")
         names = {path.name for path in folder.iterdir()}
         with pytest.raises(InputError, match=r"notes\.txt"):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         assert {path.name for path in folder.iterdir()} == names
         synthetic.assert_same(npz.load(folder / "results.npz"), OLD)
         assert debris(folder) == []
@@ -395,7 +397,7 @@ class TestRefuse:
         (folder / "plate.vtu").rename(tmp_path / "elsewhere.vtu")
         _link(folder / "plate.vtu", tmp_path / "elsewhere.vtu")
         with pytest.raises(InputError, match=r"plate\.vtu"):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
 
     @pytest.mark.parametrize(
         "name",
@@ -413,10 +415,10 @@ class TestRefuse:
         before = tree(folder.parent)
         if name.startswith("..") or "/../" in name:
             # they lie outside of it or are called otherwise there, and stay
-            results_folder.write(NEW, folder) if name.startswith("..") else None
+            results_folder.save_results(NEW, folder) if name.startswith("..") else None
         else:
             with pytest.raises(InputError):
-                results_folder.write(NEW, folder)
+                results_folder.save_results(NEW, folder)
             assert tree(folder.parent) == before
         assert mine.read_text() == "mine"
 
@@ -428,7 +430,7 @@ class TestRefuse:
         summary["files"].append(name)
         (folder / "summary.json").write_text(json.dumps(summary))
         with pytest.raises(InputError, match=Path(name).name):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         assert (folder / name).read_bytes() == b"\0 mine"
         assert debris(folder) == []
 
@@ -438,7 +440,7 @@ class TestRefuse:
         state = Increment(0.5, OLD.plate, OLD.elements, OLD.ground)
         first = replace(combined.results["NUL"], increments=(state,) * 100)
         results = combined.results | {"NUL": first}
-        folder = results_folder.write(replace(combined, results=results), tmp_path / "raft", plot=True)
+        folder = results_folder.save_results(replace(combined, results=results), tmp_path / "raft", plot=True)
         assert "02-nul/increments/100-plate.vtu" in tree(folder)
         assert all(map(is_path, tree(folder)))
         assert all(is_path(f"{folder_name(number, 'x' * 300, 12345)}/plate.vtu") for number in (1, 12345))
@@ -455,7 +457,7 @@ class TestRefuse:
             results_folder.check(deep / ("x" * min(250, missing - 30)))
         for length in (236, 255):
             for results in (OLD, NEW):
-                folder = results_folder.write(results, tmp_path / "long" / ("x" * length))
+                folder = results_folder.save_results(results, tmp_path / "long" / ("x" * length))
                 assert results_folder.check(folder) == folder
                 assert debris(folder) == [] or length == 255
                 synthetic.assert_same(npz.load(folder / "results.npz"), results)
@@ -468,7 +470,7 @@ class TestRefuse:
             (tmp_path / "summary.json").write_text(summary)
         before = contents(tmp_path)
         with pytest.raises(InputError) as caught:
-            results_folder.write(NEW, tmp_path)
+            results_folder.save_results(NEW, tmp_path)
         assert {Path(issue.location).name for issue in caught.value.issues} == set(before)
         assert contents(tmp_path) == before
 
@@ -477,7 +479,7 @@ class TestRefuse:
         (tmp_path / "raft").write_text("mine")
         for target in (tmp_path / "raft", tmp_path / "raft" / "results"):
             with pytest.raises(InputError, match="a file"):
-                results_folder.write(NEW, target)
+                results_folder.save_results(NEW, target)
         assert (tmp_path / "raft").read_text() == "mine"
 
     def test_a_link_to_itself(self, tmp_path: Path) -> None:
@@ -510,7 +512,7 @@ class TestRefuse:
 
         monkeypatch.setattr(os, "mkdir", refuse)
         with pytest.raises(InputError, match="Permission denied"):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         synthetic.assert_same(npz.load(folder / "results.npz"), OLD)
 
     def test_somebody_elses_previous(self, folder: Path) -> None:
@@ -519,7 +521,7 @@ class TestRefuse:
         other.mkdir()
         (other / "mine.txt").write_text("mine")
         with pytest.raises(InputError, match="in the way"):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         assert contents(other) == {"mine.txt": b"mine"}
 
     def test_results_that_cannot_be_shown(self, folder: Path) -> None:
@@ -527,7 +529,7 @@ class TestRefuse:
         bad = synthetic.results(constants=synthetic.Constants((float("nan"),), (0.0,), None, 0))
         before = contents(folder)
         with pytest.raises(GroundslabError, match="not finite"):
-            results_folder.write(bad, folder)
+            results_folder.save_results(bad, folder)
         assert contents(folder) == before
         assert debris(folder) == []
 
@@ -548,7 +550,7 @@ class TestFailures:
 
         monkeypatch.setattr(os, "rename", once)
         with pytest.raises(InputError, match="in use"):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         assert contents(folder) == before
         assert debris(folder) == []
 
@@ -561,7 +563,7 @@ class TestFailures:
         before = contents(folder)
         monkeypatch.setattr(os, "fsync", full)
         with pytest.raises(InputError, match="No space left"):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         assert contents(folder) == before
         assert debris(folder) == []
 
@@ -580,7 +582,7 @@ class TestFailures:
             then = time.time() - hours * 3600
             os.utime(path / "plate.vtu", (then, then))
             os.utime(path, (then, then))
-        results_folder.write(NEW, folder)
+        results_folder.save_results(NEW, folder)
         assert debris(folder) == sorted(set(names) - {".raft.partial-00000000"})
 
 
@@ -610,7 +612,7 @@ class TestRecover:
         folder.mkdir()
         (folder / "notes.txt").write_text("mine")
         with pytest.raises(InputError):
-            results_folder.write(NEW, folder)
+            results_folder.save_results(NEW, folder)
         assert contents(aside) == before
         assert contents(folder) == {"notes.txt": b"mine"}
 
@@ -635,7 +637,7 @@ def fatal(*arguments, **options):
         die()
     return value
 setattr(os, function, fatal)
-store.write(synthetic.combined() if "several" in sys.argv else synthetic.results(lifts=False), folder)
+store.save_results(synthetic.combined() if "several" in sys.argv else synthetic.results(lifts=False), folder)
 """
 
 
@@ -673,7 +675,7 @@ def test_a_killed_run_leaves_whole_results(
         assert set(contents(folder)) == FILES
         synthetic.assert_same(npz.load(folder / "results.npz"), NEW)
     assert all(".partial-" in name for name in debris(folder))
-    results_folder.write(NEW, folder)
+    results_folder.save_results(NEW, folder)
     synthetic.assert_same(npz.load(folder / "results.npz"), NEW)
 
 
@@ -691,7 +693,7 @@ def test_a_killed_run_of_several_leaves_whole_results(
     tmp_path: Path, before: str, function: str, number: int, moment: str, survives: str, needs_recovery: bool
 ) -> None:
     """The same where each combination has a folder, in place of one or of several."""
-    folder = results_folder.write(OLD if before == "one" else synthetic.combined(), tmp_path / "raft")
+    folder = results_folder.save_results(OLD if before == "one" else synthetic.combined(), tmp_path / "raft")
     (folder / ".DS_Store").touch()
     old = tree(folder)
     arguments = [function, str(number), moment, str(folder), "several"]
@@ -700,11 +702,11 @@ def test_a_killed_run_of_several_leaves_whole_results(
     assert results_folder.recover(folder) is needs_recovery
     if survives == "old":
         assert tree(folder) == old
-    assert results_folder.load(folder).results.keys() == (
+    assert results_folder.load_results(folder).results.keys() == (
         {"all loads"} if before == "one" and survives == "old" else synthetic.combined().results.keys()
     )
     assert all(".partial-" in name for name in debris(folder) if survives == "old")
-    results_folder.write(NEW, folder)
+    results_folder.save_results(NEW, folder)
     assert tree(folder) == FILES
 
 

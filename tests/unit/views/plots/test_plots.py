@@ -16,7 +16,7 @@ import pytest
 
 import groundslab
 from groundslab.cli import main
-from groundslab.design.tables.quantities import AMOUNTS, nodal
+from groundslab.design.tables.quantities import nodal
 from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
 from groundslab.model.columns import Column
@@ -30,6 +30,7 @@ from groundslab.model.shapes import Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole
 from groundslab.results.contact_zone import contact_function
+from groundslab.results.fields import RANGED_FIELDS
 from groundslab.results.results import Combined, Results, alone
 from groundslab.views import plots
 from groundslab.views.files import results_folder
@@ -213,8 +214,8 @@ class TestPlan:
             assert (axes.get_xlabel(), axes.get_ylabel()) == ("x [m]", "y [m]")
             assert axes.get_aspect() == 1.0
             (bar,) = axes.child_axes
-            assert bar.get_ylabel() == f"{quantity.symbol} [{AMOUNTS[quantity.name].unit.replace('kNm', 'kN m')}]"
-            assert any(text.get_text().lower() == quantity.meaning.lower() for text in axes.texts)
+            assert bar.get_ylabel() == f"{quantity.symbol} [{RANGED_FIELDS[quantity.name].unit.replace('kNm', 'kN m')}]"
+            assert any(text.get_text().lower() == quantity.field.meaning.lower() for text in axes.texts)
 
     def test_bars_cover_the_values_that_are_drawn(self) -> None:
         """The color bar's range holds the quantity's values in its unit of display."""
@@ -863,7 +864,7 @@ class TestCommand:
     @pytest.fixture
     def folder(self, tmp_path: Path) -> Path:
         """Return a folder of results of several combinations."""
-        return results_folder.write(synthetic.combined(), tmp_path / "raft-results")
+        return results_folder.save_results(synthetic.combined(), tmp_path / "raft-results")
 
     def test_writes_a_pdf_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """The file is named after the folder and what it shows, and told on standard error."""

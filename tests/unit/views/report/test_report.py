@@ -22,7 +22,9 @@ from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import Combined, Constants, SupportResult
+from groundslab.results.record import Constants
+from groundslab.results.results import Combined, SupportResult, alone
+from groundslab.units import format_number
 from groundslab.views import report
 from groundslab.views.files import results_folder
 from groundslab.views.plots import export, plot, soil
@@ -40,7 +42,7 @@ from groundslab.views.report.input_echo import echo
 from groundslab.views.report.table_layout import MOST_COLUMNS, digest_of, grid_of, parts_of, pieces_of, pieces_of_words
 from groundslab.views.scene.binary import LEVELS, unpacked, values_of
 from groundslab.views.summary import single
-from groundslab.views.summary.terminal import number, shown_row
+from groundslab.views.summary.terminal import shown_row
 from helpers import synthetic
 from helpers.pages import Element, page
 
@@ -287,7 +289,7 @@ class TestNumbers:
             assert part.one("h3").text == table.title
             assert all(note in part.text for note in table.notes)
             cells = [
-                "" if value is None else number(value) if isinstance(value, float) else str(value)
+                "" if value is None else format_number(value) if isinstance(value, float) else str(value)
                 for value in table.columns[-1].values
             ]
             whole = [rows for _, rows in grids(part) if len(rows) == len(table)]
@@ -299,9 +301,9 @@ class TestNumbers:
         rows = {tuple(row[:2]): row for _, found in grids(root.one("section", id="extremes")) for row in found}
         second = plain.combinations[1].name
         assert rows["largest settlement", "w"] == [
-            "largest settlement", "w", number(56.0), "mm", "(0.000, 0.000)", second,
+            "largest settlement", "w", format_number(56.0), "mm", "(0.000, 0.000)", second,
         ]  # fmt: skip
-        assert rows["largest moment", "mx"][2:4] == [number(100.0), "kNm/m"]
+        assert rows["largest moment", "mx"][2:4] == [format_number(100.0), "kNm/m"]
 
     def test_figures_are_written_as_in_the_summary(self) -> None:
         """Value, unit and place of each extreme are the texts of the summary's rows."""
@@ -352,7 +354,7 @@ class TestNumbers:
 
     def test_without_uplift_none_governs(self) -> None:
         """Where all of the plate bears, no uplift is shown."""
-        assert "uplift" not in find_governing(results_folder.alone(synthetic.results(lifts=False)))
+        assert "uplift" not in find_governing(alone(synthetic.results(lifts=False)))
 
 
 def harmful(root: Element) -> list[str]:
@@ -446,8 +448,8 @@ class TestSize:
             "combination",
         ]
         settlements = table["settlement w"]
-        assert rows[0][3] == number(min(settlements))
-        assert rows[0][6] == number(max(settlements))
+        assert rows[0][3] == format_number(min(settlements))
+        assert rows[0][6] == format_number(max(settlements))
         assert rows[0][8] == combined.combinations[1].name
         assert len(list(found.all("details"))) > 0
         monkeypatch.setattr("groundslab.views.report.content.MOST_IN_FILE", 50)
@@ -706,7 +708,7 @@ class TestFiles:
     @pytest.fixture
     def folder(self, tmp_path: Path) -> Path:
         """Return a folder of results."""
-        return results_folder.write(synthetic.results(model=synthetic.model()), tmp_path / "raft-results")
+        return results_folder.save_results(synthetic.results(model=synthetic.model()), tmp_path / "raft-results")
 
     def test_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """Without --out the report stands beside the folder under its name, which standard error tells."""
@@ -773,7 +775,7 @@ class TestFiles:
         self, plain: Combined, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:
         """The command says that not all is well; the report is made, so the exit code is 0."""
-        results_folder.write(plain, tmp_path / "several")
+        results_folder.save_results(plain, tmp_path / "several")
         assert cli.main(["report", str(tmp_path / "several")]) == 0
         assert "1 of 3 combinations" in capsys.readouterr().err
 

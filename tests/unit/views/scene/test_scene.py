@@ -14,8 +14,7 @@ from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import Combined
-from groundslab.views.files import results_folder
+from groundslab.results.results import Combined, alone
 from groundslab.views.scene.binary import LEVELS, Blocks, Scene, packed, unpacked, values_of
 from groundslab.views.scene.fields import scene_of
 from groundslab.views.scene.plan import plan_of
@@ -143,7 +142,7 @@ class TestScene:
     def test_fields_are_the_results(self) -> None:
         """Every field is the result's in units of display, to half a level of its range; so are mesh and extremes."""
         results = synthetic.results(3, shear=True)
-        scene = unpacked(packed(scene_of(results_folder.alone(results))))
+        scene = unpacked(packed(scene_of(alone(results))))
         plate = results.plate
         assert np.array_equal(values_of(scene, scene.head["mesh"]["elements"]), plate.elements)
         assert np.array_equal(values_of(scene, scene.head["mesh"]["section"]), results.elements.section)
@@ -163,18 +162,14 @@ class TestScene:
 
     def test_the_edge_line_force_has_extremes_where_there_is_one(self) -> None:
         """They are those along the edge, beside those of the pressure, which knows nothing of them."""
-        found = scene_of(results_folder.alone(synthetic.results(4, shear=True))).head["combinations"][0]["extremes"]
+        found = scene_of(alone(synthetic.results(4, shear=True))).head["combinations"][0]["extremes"]
         assert found["pressure"]["max"] == pytest.approx([synthetic.K0 * 0.028 / 1e3, 0, 0])
         assert found["line_force"]["max"][0] == 500
-        assert (
-            "line_force" not in scene_of(results_folder.alone(synthetic.results(4))).head["combinations"][0]["extremes"]
-        )
+        assert "line_force" not in scene_of(alone(synthetic.results(4))).head["combinations"][0]["extremes"]
 
     def test_signs(self) -> None:
         """Moments are always signed; settlements and pressures only where one of them is negative."""
-        lifted, pressed = (
-            scene_of(results_folder.alone(synthetic.results(lifts=lifts))).head for lifts in (True, False)
-        )
+        lifted, pressed = (scene_of(alone(synthetic.results(lifts=lifts))).head for lifts in (True, False))
         told = [{field["name"]: field["signed"] for field in head["fields"]} for head in (lifted, pressed)]
         assert [each["settlement"] for each in told] == [True, False]
         assert [each["pressure"] for each in told] == [False, False]
@@ -184,7 +179,7 @@ class TestScene:
         """Penetration is a field where there is any."""
         plain = synthetic.results()
         sunk = replace(plain, plate=replace(plain.plate, penetration=np.maximum(plain.plate.settlement, 0)))
-        assert "penetration" in fields(scene_of(results_folder.alone(sunk)), 1)
+        assert "penetration" in fields(scene_of(alone(sunk)), 1)
 
     def test_combinations_with_and_without_a_result(self) -> None:
         """Each says what acts, its values, and why it is refused; one that is not certified is not called so."""
@@ -234,7 +229,7 @@ class TestScene:
         plain = synthetic.results()
         broken = replace(plain, plate=replace(plain.plate, gap=np.full_like(plain.plate.gap, np.nan)))
         with pytest.raises(GroundslabError, match="not finite"):
-            scene_of(results_folder.alone(broken))
+            scene_of(alone(broken))
 
 
 class TestPacking:
@@ -243,7 +238,7 @@ class TestPacking:
     def test_layout(self) -> None:
         """Length, head, zeros, data; all offsets are multiples of 8, within the file too."""
         model = synthetic.model(title='</script>"\u2028é').replace(loads=[UniformLoad(q=1.0, name="Größe")])
-        scene = scene_of(results_folder.alone(synthetic.results(model=model)))
+        scene = scene_of(alone(synthetic.results(model=model)))
         content = packed(scene)
         length = int.from_bytes(content[:4], "little")
         assert json.loads(content[4 : 4 + length].decode()) == scene.head

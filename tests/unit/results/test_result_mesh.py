@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from groundslab.fem.mesh import grid, sides_along
-from groundslab.results.discontinuities import apart
+from groundslab.results.result_mesh import split_at
 
 MESH = grid(np.arange(5.0), np.arange(5.0))
 CENTRES = MESH.nodes[MESH.elements[:, 8]]
@@ -17,7 +17,7 @@ def groups_at(
 ) -> set[frozenset[int]]:
     """Return the sets of elements that belong together at a node, with creases along lines."""
     creases = sides_along(MESH, MESH.elements, lines)
-    number = apart(MESH.elements, creases, len(MESH.nodes))
+    number = split_at(MESH.elements, creases, len(MESH.nodes))
     node = int(np.flatnonzero((MESH.nodes == place).all(axis=1))[0])
     at = [(element, number[element, local]) for element, local in zip(*np.nonzero(MESH.elements == node), strict=True)]
     return {frozenset(int(e) for e, n in at if n == label) for _, label in at}
@@ -43,7 +43,7 @@ def test_sides_of_walls(place: tuple[float, float], lines: list, groups: list[se
 def test_without_creases_all_belong_together() -> None:
     """The number is 0 everywhere off the creases."""
     creases = sides_along(MESH, MESH.elements, [((2.0, 0.0), (2.0, 1.0))])
-    number = apart(MESH.elements, creases, len(MESH.nodes))
+    number = split_at(MESH.elements, creases, len(MESH.nodes))
     on = np.isin(MESH.elements, creases)
     assert not number[~on].any()
     assert len(creases) == 1

@@ -1,0 +1,165 @@
+"""The commands that read or make case files: check, new, dxf, schema."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab.cli.console import EXIT_OK, print_stderr, print_stdout
+from groundslab.errors import InputError, Issue
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Sequence
+
+    from groundslab.case.dxf.layers import Layers
+    from groundslab.model.model import Model
+
+
+def describe_dxf(dxf: argparse.ArgumentParser) -> None:
+    """Add what the command dxf understands."""
+    dxf.add_argument("drawing", metavar="DRAWING", help="drawing (DXF)")
+    dxf.add_argument(
+        "--layers",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="WHAT=NAME",
+        help="names of layers; WHAT is outline, openings, zones, columns, point_loads, line_loads or area_loads, whose "
+        "usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, LOADS, LOAD_LINE and LOAD_AREA",
+    )
+    dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one that it names)')
+    dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
+
+
+def check_case(options: argparse.Namespace) -> int:
+    """Read a case file, or a study file with its case; wrong ones raise InputError."""
+    from groundslab.case import casefile
+
+    text = casefile.read(options.case)
+    tables = casefile.tables(text, options.case)
+    if "sampling" in tables:
+        from groundslab import study
+
+        print_stdout("\n".join(study.described(Path(options.case))))
+        return EXIT_OK
+    model = casefile.from_table(tables)
+    from groundslab.analysis import driver
+
+    driver.check(model)
+    plate = model.plate
+    lines = [
+        f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "
+        f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
+    ]
+    lines += _columns_and_supports(model) + _cases_and_combinations(model) + _remarks(model)
+    print_stdout("\n".join(lines))
+    return EXIT_OK
+
+
+def _columns_and_supports(model: Model) -> list[str]:
+    """Return the columns and supports of a model in words, a line each."""
+    lines = []
+    for column in model.columns:
+        if column.diameter is not None:
+            size = f"diameter {column.diameter:g} m"
+        else:
+            size = f"{column.width_x:g} m x {column.width_y:g} m"
+        lines.append(f"  column {column.name}: {size} at ({column.x:g}, {column.y:g}) m")
+    for number, support in enumerate(model.supports, 1):
+        places = [(support.x, support.y)] if support.kind == "point" else support.points
+        where = " to ".join(f"({x:g}, {y:g})" for x, y in places)
+        firm = "rigid" if support.stiffness is None else "elastic"
+        lines.append(f"  support {support.name or number}: {support.kind}, {firm}, acts {support.acts}, at {where} m")
+    return lines
+
+
+def _cases_and_combinations(model: Model) -> list[str]:
+    """Return the load cases of a model and what is solved of them in words, a line each."""
+    if not model.cases:
+        return []
+    from groundslab.model.combinations import combinations_of
+    from groundslab.views.summary.combinations import factors_text
+
+    lines = []
+    for case in model.cases:
+        count = sum(load.case == case.name for load in model.loads)
+        lines.append(f"  case {case.name}: {case.action}, {count} load{'' if count == 1 else 's'}")
+    return lines + [
+        f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in combinations_of(model)
+    ]
+
+
+def _remarks(model: Model) -> list[str]:
+    """Return what is allowed and yet worth knowing, a line each."""
+    from groundslab.model.loads.clipping import clipped_loads
+
+    return [f"  remark: {each.words()}" for each in clipped_loads(model.plate, model.loads)]
+
+
+def write_starter(options: argparse.Namespace) -> int:
+    """Write a case file to start from; an existing file is left alone."""
+    from groundslab.case import casefile
+
+    _write_or_print(casefile.starter(), options.file)
+    if options.file is not None:
+        print_stderr(f"wrote {options.file}; next: groundslab solve {options.file}")
+    return EXIT_OK
+
+
+def convert_drawing(options: argparse.Namespace) -> int:
+    """Make a case file from a drawing; an existing file is left alone."""
+    from groundslab.case import dxf as drawings
+
+    drawing = drawings.read(options.drawing, _layers(options.layers), options.unit)
+    _write_or_print(drawings.to_case(drawing, Path(options.drawing).stem), options.out)
+    print_stderr(drawings.report_text(drawing).rstrip("\n"))
+    if options.out is not None:
+        print_stderr(f"\nwrote {options.out}; next: fill in what it asks for, then groundslab check {options.out}")
+    return EXIT_OK
+
+
+def _layers(pairs: Sequence[str]) -> Layers:
+    """Return the layers that WHAT=NAME name, the others under their usual names."""
+    from dataclasses import fields
+
+    from groundslab.case.dxf.layers import Layers
+    from groundslab.schema.wording import describe, listed, suggestion
+
+    known = [each.name for each in fields(Layers)]
+    names: dict[str, str] = {}
+    issues = []
+    for pair in pairs:
+        what, sign, name = pair.partition("=")
+        if not sign or what not in known:
+            expected = f"WHAT=NAME, WHAT being {listed(known)}"
+            issues.append(Issue("--layers", describe(pair), expected, suggestion(what, known)))
+        elif what in names:
+            issues.append(Issue("--layers", f"{what} twice", "one layer for it"))
+        names[what] = name
+    if issues:
+        raise InputError(issues)
+    return Layers(**names)
+
+
+def _write_or_print(text: str, file: str | None) -> None:
+    """Write a text to a new file, or print it if there is none; an existing file is left alone."""
+    if file is None:
+        print_stdout(text.rstrip("\n"))
+        return
+    from groundslab.storage import atomic
+
+    try:
+        atomic.write(Path(file), text.encode(), new=True)
+    except FileExistsError:
+        raise InputError([Issue(file, "a file that exists", "a name that is free", "choose another name")]) from None
+
+
+def print_schema(_: argparse.Namespace) -> int:
+    """Print the JSON schema of a case file."""
+    import json
+
+    from groundslab.model.model import json_schema
+
+    print_stdout(json.dumps(json_schema(), indent=2))
+    return EXIT_OK

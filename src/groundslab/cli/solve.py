@@ -1,0 +1,152 @@
+"""The command solve: what it understands, and what it does."""
+
+from __future__ import annotations
+
+import os
+import sys
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab.cli.console import EXIT_NO_RESULT, EXIT_OK, print_stderr, print_stdout
+from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
+
+if TYPE_CHECKING:
+    import argparse
+    from contextlib import AbstractContextManager
+
+    from groundslab.model.model import Model
+    from groundslab.results.results import Combined
+    from groundslab.views.summary.progress import StatusLine
+
+
+def describe(solve: argparse.ArgumentParser) -> None:
+    """Add what the command solve understands."""
+    solve.epilog = (
+        "Every combination of loads is solved: those that the case lists, those that it has made by EN 1990, or, with "
+        "neither, each load case by itself. If one of them, listed or not, has no certified result, the reason is "
+        "printed, the results of the others are kept, and the exit code is 1."
+    )
+    solve.add_argument("case", help="case file (TOML)")
+    solve.add_argument("--out", metavar="DIR", help="folder for the results (default: <case>-results beside the case)")
+    solve.add_argument("--json", action="store_true", help="print the summary as JSON, and nothing else")
+    solve.add_argument("--plot", action="store_true", help="add picture.png to the results of each combination")
+    solve.add_argument("--quiet", action="store_true", help="print neither summary nor progress")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Analyze a case, keep the results in a folder, print the summary."""
+    from groundslab.case import casefile
+    from groundslab.views.files import results_folder
+
+    case = Path(options.case)
+    model = casefile.load(case)
+    folder = Path(options.out) if options.out is not None else case.with_name(f"{case.stem}-results")
+    # Checked now, since an analysis may take long and its results would be lost.
+    target = results_folder.check(folder)
+    if target in Path(os.path.realpath(case)).parents:
+        found = f"{folder}, which holds the case file"
+        raise InputError([Issue("--out", found, "another folder", "it would be replaced")])
+    helper = _is_helper(model)
+    results = _solve(model, quiet=options.quiet or helper)
+    if helper:
+        return EXIT_OK
+    uncertified = any(isinstance(error, NotCertified) for error in results.refused.values())
+    if results.results or uncertified:
+        _save(results, folder, options)
+    if results.refused:
+        _print_refused(results)
+        return EXIT_NO_RESULT
+    if not options.quiet:
+        _print_design(results)
+    return EXIT_OK
+
+
+def _solve(model: Model, quiet: bool) -> Combined:
+    """Return the results, those of an only combination that is not certified among them."""
+    from groundslab.analysis.driver import solve
+    from groundslab.model.combinations import combinations_of
+    from groundslab.results.results import alone
+
+    with _progress(quiet, len(combinations_of(model))) as status:
+        try:
+            return solve(model, status, status.begin if status is not None else None)
+        except NotCertified as error:
+            return alone(error.results)
+
+
+def _is_helper(model: Model) -> bool:
+    """Return whether this process only helps another one to solve, which prints and writes for all of an MPI run."""
+    if model.analysis.solver != "mumps":
+        return False
+    from groundslab.solvers import factorization
+
+    factorization.choose("mumps")
+    from groundslab.solvers import mumps
+
+    return not mumps.leads()
+
+
+def _save(results: Combined, folder: Path, options: argparse.Namespace) -> None:
+    """Write results into the folder and print their summary; if the folder cannot be written, keep them elsewhere."""
+    from groundslab.views.files import results_folder
+
+    try:
+        results_folder.save_results(results, folder, plot=options.plot)
+    except (GroundslabError, OSError, MemoryError):
+        # The disk is no reason to lose the answer.
+        _print_summary(results, options)
+        kept = results_folder.write_elsewhere(results, folder)
+        print_stderr(f"{folder} cannot be written" + (f"; the results are kept in {kept}" if kept is not None else ""))
+        raise
+    _print_summary(results, options)
+    if not (options.quiet or options.json):
+        names = ", ".join(sorted(path.name for path in folder.iterdir()))
+        print_stderr(f"results in {folder}: {names}")
+
+
+def _print_summary(results: Combined, options: argparse.Namespace) -> None:
+    """Print the summary to standard output, as text or as JSON."""
+    if options.json:
+        from groundslab.views.summary.json_summary import json_text
+
+        print_stdout(json_text(results))
+    elif not options.quiet:
+        from rich.console import Console
+
+        from groundslab.views.summary.terminal import print_summary
+
+        console = Console()
+        # Captured, since rich ends the program when a pipe breaks.
+        with console.capture() as captured:
+            print_summary(results, console)
+        print_stdout(captured.get().rstrip("\n"))
+
+
+def _print_design(results: Combined) -> None:
+    """Print what fails in the design of certified results: the exit code is that of the analysis."""
+    from groundslab.design.tables.design_checks import design_of
+
+    design = design_of(results)
+    if design.open:
+        print_stderr(f"{design.headline} The analysis itself is certified (exit code 0).")
+
+
+def _print_refused(results: Combined) -> None:
+    """Print why combinations have no certified result, and which if there are several."""
+    if len(results.combinations) == 1:
+        print_stderr(f"error: {next(iter(results.refused.values()))}")
+        return
+    for name, error in results.refused.items():
+        print_stderr(f'error: combination "{name}": {error}')
+    count = len(results.combinations)
+    print_stderr(f"error: {len(results.refused)} of {count} combinations have no certified result")
+
+
+def _progress(quiet: bool, count: int) -> AbstractContextManager[StatusLine | None]:
+    """Return a context whose value shows each step on a terminal; without a terminal it does nothing."""
+    if quiet or not sys.stderr.isatty():
+        return nullcontext()
+    from groundslab.views.summary.progress import progress
+
+    return progress(count=count)

@@ -1,0 +1,155 @@
+"""What an analysis records beside the fields: the ground's constants, the convergence history, the certificate."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Constants:
+    """The ground's constants that the analysis ended with, from the top layer downwards.
+
+    Attributes
+    ----------
+    k0 : tuple of float
+        Stiffness of each layer against compression [Pa/m].
+    k1 : tuple of float
+        Stiffness of each layer against shear [Pa m].
+    gamma : float or None
+        Decay of the mode over the depth; None if the ground has no such mode.
+    gamma_iterations : int
+        Iterations that gamma took.
+    """
+
+    k0: tuple[float, ...]
+    k1: tuple[float, ...]
+    gamma: float | None
+    gamma_iterations: int
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step of the convergence history.
+
+    Attributes
+    ----------
+    unknowns : int
+        Unknowns of the mesh that the step ran on.
+    increment : int
+        Increment of the load, from 1.
+    gamma : float or None
+        Decay of the mode of the ground.
+    iteration : int
+        Iteration of the contact, from 1.
+    in_contact : int
+        Nodes in contact.
+    changed : int
+        Nodes that open or close after this step.
+    finest : bool
+        Whether this is the finest mesh, whose results are kept.
+    """
+
+    unknowns: int
+    increment: int
+    gamma: float | None
+    iteration: int
+    in_contact: int
+    changed: int
+    finest: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Certificate:
+    """How well a result satisfies equilibrium and contact conditions, computed independently of the solver's matrices.
+
+    All figures but load and reaction are ratios. Of several load increments the worst counts.
+
+    Attributes
+    ----------
+    residual : float
+        Largest unbalanced force at a node, over the largest nodal force.
+    load, reaction : float
+        Sum of the loads, and of the contact forces and the supports' reactions [N].
+    force_balance : float
+        Difference of load and reaction, over the sum of the loads' sizes.
+    moment_balance : float
+        The same for the moments about both axes, over load size times plate size.
+    ground_balance : float
+        Contact forces against what the ground carries down and out, over the load size.
+    worst_gap : float
+        Largest violation of gap >= 0, over the largest settlement.
+    worst_pressure : float
+        Largest violation of pressure >= 0, over the largest nodal contact force.
+    worst_product : float
+        Largest pressure times gap, over largest contact force times largest settlement.
+    gamma_change : float
+        Relative change of gamma in the last step.
+    margin_effect : float or None
+        Infinite ground only: largest change of the settlement with a wider meshed margin, over the largest settlement.
+    """
+
+    residual: float
+    load: float
+    reaction: float
+    force_balance: float
+    moment_balance: float
+    ground_balance: float
+    worst_gap: float
+    worst_pressure: float
+    worst_product: float
+    gamma_change: float
+    margin_effect: float | None
+
+    TOLERANCE = 1e-6
+    MARGIN_TOLERANCE = 0.01
+
+    @property
+    def holds(self) -> bool:
+        """Whether no figure exceeds its limit."""
+        return not self.too_large()
+
+    def too_large(self) -> dict[str, float]:
+        """Return the figures that exceed their limits, NaN included.
+
+        Returns
+        -------
+        dict of str to float
+            The figures by name.
+        """
+        figures, limits = self.limited(), self.limits()
+        return {name: value for name, value in figures.items() if not value <= limits[name]}
+
+    def limited(self) -> dict[str, float]:
+        """Return the figures that have a limit.
+
+        Returns
+        -------
+        dict of str to float
+            The figures by name.
+        """
+        margin = {} if self.margin_effect is None else {"margin_effect": self.margin_effect}
+        return self.must_vanish() | margin
+
+    def limits(self) -> dict[str, float]:
+        """Return the limit of each figure that has one.
+
+        Returns
+        -------
+        dict of str to float
+            The limits by name.
+        """
+        return dict.fromkeys(self.must_vanish(), self.TOLERANCE) | {"margin_effect": self.MARGIN_TOLERANCE}
+
+    def must_vanish(self) -> dict[str, float]:
+        """Return the figures that are zero for an exact solution.
+
+        Returns
+        -------
+        dict of str to float
+            The figures by name.
+        """
+        names = (
+            "residual", "force_balance", "moment_balance", "ground_balance",
+            "worst_gap", "worst_pressure", "worst_product", "gamma_change",
+        )  # fmt: skip
+        return {name: getattr(self, name) for name in names}

@@ -1,0 +1,172 @@
+"""The summary as JSON: summary.json, and what ``groundslab solve --json`` prints.
+
+Every number with a dimension is an object {"value", "unit"} in SI units, with "place" = [x, y] in meters where it is an
+extreme, and "combination" where it is one over several; counts, ratios and words stand for themselves. Lists over
+layers run downwards.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, is_dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab._version import __version__
+from groundslab.errors import NotConverged
+from groundslab.units import UNITS, Unit
+from groundslab.views.summary import combinations, single
+
+if TYPE_CHECKING:
+    from groundslab.errors import GroundslabError
+    from groundslab.results.results import Combined, Results
+    from groundslab.views.summary.combinations import Entry, Extreme
+    from groundslab.views.summary.single import Row, SummarySection
+
+#: The version of the layout; it grows when a key changes its name or meaning.
+FORMAT = 1
+
+
+def to_json(combined: Combined, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> dict[str, Any]:
+    """Return the summary as data for JSON, with the names of the files that stand beside it.
+
+    `folders` are those of the combinations by name. The results of an only combination stand at the top.
+    """
+    found = combinations.entries(combined)
+    combinations.require_finite(combined)
+    document: dict[str, Any] = {
+        "program": "groundslab",
+        "version": __version__,
+        "format": FORMAT,
+        "title": combined.model.title,
+        "certified": not combined.refused,
+        "design": design(combined),
+    }
+    only = combinations.only(found)
+    document |= _several(combined, found, folders or {}) if only is None else _only(only)
+    document["files"] = list(files)
+    return document
+
+
+def json_text(combined: Combined, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> str:
+    """Return the summary as the text of a JSON file."""
+    # numbers of NumPy look like Python's; JSON knows the latter only
+    document = to_json(combined, folders, files)
+    return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
+
+
+def design(combined: Combined) -> dict[str, Any]:
+    """Return what can be judged of the design as data for JSON."""
+    from groundslab.design.tables.design_checks import design_of
+
+    found = design_of(combined)
+    checks = [asdict(check) for check in found.checks]
+    return {"status": found.status, "headline": found.headline, "checks": checks}
+
+
+def _only(results: Results) -> dict[str, Any]:
+    """Return the results of an only combination."""
+    document: dict[str, Any] = {"combination": results.combination, "limit_state": results.limit_state}
+    return document | _sections(single.summary(results)) | _analysis(results)
+
+
+def _several(combined: Combined, found: Sequence[Entry], folders: Mapping[str, str]) -> dict[str, Any]:
+    """Return what all combinations have in common, the extremes over them, and each by itself."""
+    document: dict[str, Any] = {}
+    if any(entry.results is not None for entry in found):
+        document |= _sections(combinations.description(combined))
+    names = {entry.number: entry.combination.name for entry in found}
+    document["extremes"] = {
+        section.key: {extreme.row.key: _named(extreme, names) for extreme in rows}
+        | ({"notes": list(section.notes)} if section.notes else {})
+        for section, rows in combinations.extremes(combined)
+    }
+    document["certificate"] = {extreme.row.key: _named(extreme, names) for extreme in combinations.worst(combined)}
+    document["combinations"] = [_combination(entry, folders.get(entry.combination.name)) for entry in found]
+    return document
+
+
+def _sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
+    """Return sections of the summary as data for JSON, by their keys."""
+    document: dict[str, Any] = {}
+    for section in sections:
+        document[section.key] = {row.key: _row(row) for row in section.rows}
+        if section.notes:
+            document[section.key]["notes"] = list(section.notes)
+    return document
+
+
+def _analysis(results: Results) -> dict[str, Any]:
+    """Return the constants that an analysis ended with and its steps as data for JSON."""
+    constants = results.constants
+    return {
+        "constants": {
+            "k0": [_quantity(value, UNITS["MPa/m"]) for value in constants.k0],
+            "k1": [_quantity(value, UNITS["MPa m"]) for value in constants.k1],
+            "gamma": constants.gamma,
+            "gamma_iterations": constants.gamma_iterations,
+        },
+        "history": [asdict(step) for step in results.steps],
+    }
+
+
+def _named(extreme: Extreme, names: dict[int, str]) -> dict[str, Any]:
+    """Return an extreme as data for JSON, with the name of its combination."""
+    value = _row(extreme.row)
+    return (value if isinstance(value, dict) else {"value": value}) | {"combination": names[extreme.number]}
+
+
+def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:
+    """Return one combination as data for JSON: its results, or why it has none."""
+    document: dict[str, Any] = {
+        "name": entry.combination.name,
+        "limit_state": entry.combination.limit_state,
+        "factors": dict(entry.combination.factors),
+        "certified": entry.refused is None,
+    }
+    if entry.refused is not None:
+        document["refused"] = _refusal(entry.refused)
+    if entry.results is not None:
+        if folder is not None:
+            document["folder"] = folder
+        sections = [*single.figures(entry.results), single.certificate_section(entry.results.certificate)]
+        document |= _sections(sections) | _analysis(entry.results)
+    return document
+
+
+def _refusal(error: GroundslabError) -> dict[str, Any]:
+    """Return as data for JSON why a combination has no certified result."""
+    document: dict[str, Any] = {"error": type(error).__name__, "reason": str(error)}
+    if isinstance(error, NotConverged):
+        document |= {"what": error.what, "history": [_plain(step) for step in error.history]}
+    return document
+
+
+def _plain(value: Any) -> Any:
+    """Return an entry of a history as data for JSON; numbers that JSON cannot hold become words."""
+    if is_dataclass(value) and not isinstance(value, type):
+        value = asdict(value)
+    if isinstance(value, Mapping):
+        return {str(name): _plain(each) for name, each in value.items()}
+    if isinstance(value, np.generic):
+        value = value.item()
+    return str(value) if isinstance(value, float) and not isfinite(value) else value
+
+
+def _quantity(value: float, unit: Unit) -> dict[str, Any]:
+    """Return a number with a dimension as JSON data."""
+    return {"value": value, "unit": unit.si}
+
+
+def _row(row: Row) -> Any:
+    """Return the value of a row as JSON data."""
+    if row.ok is not None:
+        return {"value": row.value, "tolerance": row.tolerance, "ok": row.ok}
+    if row.unit is None or row.unit.si == "1":
+        return row.value
+    assert isinstance(row.value, (int, float))
+    place = {} if row.place is None else {"place": list(row.place)}
+    return _quantity(row.value, row.unit) | place
