@@ -24,7 +24,7 @@ from groundslab.units import QuantityError, parse
 from groundslab.views.files import results_folder
 from groundslab.views.plots.style import plain_text
 from groundslab.views.report.drawings import draw_case
-from groundslab.views.report.input_echo import InputTable, echo
+from groundslab.views.report.input_tables import InputTable, input_tables
 from groundslab.views.scene.plan import plan_of
 from helpers import damage, synthetic
 from helpers.pages import page
@@ -75,7 +75,7 @@ def in_si(numbers: dict[str, list[Any]], dimension: str) -> list[float]:
 @given(rich_models(whole=True))
 def test_all_that_a_case_says_is_told(model: Model) -> None:
     """Each quantity stands in the echo to five digits, and each name as it is; nothing is left out."""
-    texts, numbers = told(echo(model))
+    texts, numbers = told(input_tables(model))
     known: dict[str, list[float]] = {}
     for key, value in leaves(model):
         if isinstance(key, Quantity):

@@ -95,7 +95,7 @@ def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleL
 
 
 def title_height(head: Sequence[TitleLine]) -> float:
-    """Return how much room [mm] lines above a plan take."""
+    """Return the height [mm] of the lines above a plan."""
     return 3.0 + sum(1.3 * line.size * PT for line in head)
 
 
@@ -143,7 +143,7 @@ INSIDE: tuple[Point, ...] = ((-1, -1), (1, -1), (-1, 1), (1, 1), (0, -1), (0, 1)
 def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> None:
     """Name the columns, with_source the thickness of zones, mark the extremes by rings with their values.
 
-    The words cover neither each other nor the columns, as far as there is room.
+    The words cover neither each other nor the columns, as far as there is space.
     """
     x0, x1, y0, y1 = (per_meter * bound for bound in model.plate.bounds)
     placement = LabelPlacement((x0, x1, y0, y1))

@@ -197,7 +197,7 @@ def _label_loads(axes: Axes, plan: Data, labels: _Labels) -> None:
 
 
 def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) -> None:
-    """Draw dimension lines below and at the left: from corner to corner where there is room, and of the plate."""
+    """Draw dimension lines below and at the left: from corner to corner where there is space, and of the plate."""
     x0, x1, y0, y1 = model.plate.bounds
     ring = model.plate.ring()
     corners = ring.points if ring.straight else ()

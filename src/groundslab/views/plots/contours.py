@@ -77,7 +77,7 @@ TRIANGLES = np.array(
 )  # fmt: skip
 #: With more elements than this the colors in SVG and PDF files are pixels, so that the files stay small.
 MOST_ELEMENTS = 20_000
-#: Room for a label of the bar along it [mm].
+#: Space for a label of the bar along it [mm].
 LABEL = 4.6
 
 

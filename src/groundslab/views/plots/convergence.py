@@ -126,7 +126,7 @@ def _gamma(axes: Axes, steps: Sequence[Step]) -> None:
 
 
 def _share_axis(boxes: Sequence[Axes], history: IterationHistory, name: str) -> None:
-    """Give the axes of one way their common axis, shade the meshes and tell their unknowns, mark load increments."""
+    """Share the axis of steps, shade the meshes and name their unknowns, mark load increments."""
     from matplotlib.ticker import MaxNLocator
 
     count = len(history.steps)

@@ -34,7 +34,7 @@ MOST_SIDES = 1_200
 TICK = 13.0
 #: From where one looks [degrees].
 ELEVATION, AZIMUTH = 28.0, -62.0
-#: Room on the right of a panel, for the bar [mm].
+#: Space on the right of a panel, for the bar [mm].
 RIGHT = 36.0
 #: How much of the box the plate may take, the rest being left for the words at the axes.
 PART_WIDE, PART_HIGH = 0.82, 0.74
@@ -250,8 +250,8 @@ def _set_axes(axes: Any, model: Model, settlement: Array, factor: float, box: tu
     for axis, side in ((axes.xaxis, sides[0]), (axes.yaxis, sides[1])):
         axis.set_major_locator(MaxNLocator(nbins=max(1, min(8, int(side * per_meter / TICK))), steps=steps))
     # labels as far apart as they are high, and a half more
-    room = per_meter * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
-    ticks = MaxNLocator(nbins=max(1, min(5, int(room))), steps=steps).tick_values(
+    space = per_meter * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
+    ticks = MaxNLocator(nbins=max(1, min(5, int(space))), steps=steps).tick_values(
         -high / factor * 1e3, -low / factor * 1e3
     )
     kept = [tick for tick in ticks if low - 1e-9 <= -tick * factor / 1e3 <= high + 1e-9]

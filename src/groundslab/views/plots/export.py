@@ -44,9 +44,9 @@ def check(path: str | Path) -> Path:
 
 
 def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> None:
-    """Write figures into a file, whole or not at all: into a PDF as pages, into another one a single figure.
+    """Write figures into a file, completely or not at all: into a PDF as pages, else a single figure.
 
-    An existing file is replaced only if groundslab drew it. Nothing in the file tells when it was written.
+    An existing file is replaced only if groundslab drew it. The file holds no date.
     """
     target = check(path)
     content = to_bytes(figures, file_format(path), dpi)

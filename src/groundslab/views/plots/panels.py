@@ -43,7 +43,7 @@ class Panel:
 
 
 def build_panels(request: PlotRequest) -> list[Panel]:
-    """Return the panels that are asked for: by combination, then by quantity."""
+    """Return the panels of a request: by combination, then by quantity."""
     if request.envelope:
         return [
             panel
@@ -76,7 +76,7 @@ def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: 
 
 
 def _line_force(quantity: PlotQuantity, several: Sequence[Results]) -> tuple[float, tuple[float, float]] | None:
-    """Return the largest edge line force of several results, to be told beside their pressure, and its place."""
+    """Return the largest edge line force of several results, which is named beside their pressure, and its place."""
     if quantity.name != "pressure" or not any(map(has_line_force, several)):
         return None
     found = []
@@ -88,7 +88,7 @@ def _line_force(quantity: PlotQuantity, several: Sequence[Results]) -> tuple[flo
 
 
 def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombination], state: str) -> Iterator[Panel]:
-    """Yield the largest and the smallest values of a quantity over combinations, as far as they tell anything."""
+    """Yield the largest and smallest values of a quantity over combinations, but for those always zero."""
     found = envelope({each.name: nodal(each.results, quantity.name) for each in combinations})
     line_force = _line_force(quantity, [each.results for each in combinations])
     factors = [pair for each in combinations for pair in each.results.factors if pair[1]]

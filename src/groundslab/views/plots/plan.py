@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.views.plots.request import PlotRequest
 
-#: Room around the box of a plan [mm]: axis on the left, bar on the right, axis below.
+#: Space around the box of a plan [mm]: axis on the left, bar on the right, axis below.
 LEFT, RIGHT, BELOW = 13.0, 22.0, 10.5
-#: Usual room above it, for two lines of words [mm].
+#: Usual space above it, for two lines of words [mm].
 ABOVE = 10.0
 #: A plan so high relative to its width, or less, has no other beside it.
 FLAT = 0.35
@@ -37,7 +37,7 @@ PADDING = 0.02
 def draw_panels(
     model: Model, panels: Sequence[Panel], scales: dict[str, ColorScale], columns: int, width: float, rows: int = 1
 ) -> Figure:
-    """Return panels on one sheet of some width [mm], in columns; so small that some rows have room on a page."""
+    """Return panels on one sheet of some width [mm], in columns; so small that some rows fit on a page."""
     page = Page(width)
     alike = len({panel.source for panel in panels}) == 1
     certified = all(panel.certified for panel in panels)
@@ -93,11 +93,11 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 
 def panels_per_page(ratio: float) -> tuple[int, int]:
     """Return how many columns and rows of plans, so high relative to their width, a page of A4 holds."""
-    room = PAGE_HEIGHT - 30
+    space = PAGE_HEIGHT - 30
     best = 1, 1
     for columns in (1, 2):
         for rows in (1, 2, 3, 4):
-            width = min(PAGE_WIDTH / columns - LEFT - RIGHT, (room / rows - ABOVE - BELOW) / ratio)
+            width = min(PAGE_WIDTH / columns - LEFT - RIGHT, (space / rows - ABOVE - BELOW) / ratio)
             if columns * rows > best[0] * best[1] and width * max(1.0, ratio) >= LEAST:
                 best = columns, rows
     return best

@@ -42,14 +42,14 @@ class PlotQuantity:
         return f"{self.symbol} [{self.field.unit.replace('kNm', 'kN m')}]"
 
 
-#: A force along the edge is no field over the plate; plans of the pressure tell its largest.
+#: A force along the edge is no field over the plate; plans of the pressure name its largest.
 QUANTITIES = {name: PlotQuantity(name, field) for name, field in RANGED_FIELDS.items() if name != LINE_FORCE}
 #: Symbols serve as names too.
 SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
 
 
 def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
-    """Return what is chosen_kind for by names or symbols, each once; raises InputError for names that are not known."""
+    """Return the quantities with some names or symbols, each once; raises InputError for unknown names."""
     issues = [
         Issue("FIELD", quote(name), f"one of {listed(QUANTITIES)}", suggestion(name, [*QUANTITIES, *SYMBOLS]))
         for name in names
@@ -136,7 +136,7 @@ def parse_request(
     envelope: str | None,
     line: Sequence[Any] | None,
 ) -> PlotRequest:
-    """Return what is chosen_kind for; raises InputError with all that is wrong with it.
+    """Parse and validate a plot request; raises InputError with all issues.
 
     A combination without a certified result is drawn if it is named, or if there is no other.
     """
@@ -271,7 +271,7 @@ def _iteration_histories(combined: Combined, names: tuple[str, ...]) -> tuple[It
 
 
 def _contact_steps(history: Sequence[Any]) -> tuple[Step, ...]:
-    """Return the steps of an iteration that did not converge, as far as they tell of the contact zone."""
+    """Return the steps of an iteration that did not converge, as far as they hold the contact zone."""
     steps = []
     for entry in history:
         step = entry if isinstance(entry, dict) else {}

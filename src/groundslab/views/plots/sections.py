@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 LEFT, HIGH, ABOVE, BELOW = 17.0, 40.0, 9.5, 3.0
 #: Key plan beside the words of a line [mm].
 KEY_WIDTH, KEY_HEIGHT = 34.0, 20.0
-#: Room for the axis below the last box of a line [mm].
+#: Space for the axis below the last box of a line [mm].
 AXIS = 9.0
 
 

@@ -145,7 +145,7 @@ def _own_constants(
 SIDE_BY_SIDE = 2
 #: Heights of the boxes of one row of columns, and of several rows [mm].
 HIGH, LOW = 90.0, 62.0
-#: Room for the depths, width of the column of layers, gap before a diagram [mm].
+#: Space for the depths, width of the column of layers, gap before a diagram [mm].
 LEFT, COLUMN, GAP = 13.0, 15.0, 3.5
 #: From row to row of a table, and where its columns end [mm].
 ROW = 3.9
@@ -218,9 +218,9 @@ def _draw_column(
     band = COLUMN * wide * SIDE_BY_SIDE / PAGE_WIDTH
     axes = page.add_axes(left + LEFT, top, band, high)
     _draw_layers(axes, column, depth, to_scale=to_scale)
-    room = wide - LEFT - band - 3 * GAP
+    space = wide - LEFT - band - 3 * GAP
     with_mode = any(each.psi is not None for each in column.constants)
-    width = room / 2 if with_mode else 0.7 * room
+    width = space / 2 if with_mode else 0.7 * space
     entries: dict[str, Any] = {}
     if to_scale and any(layer.E for layer in column.layers):
         most = max(float(s.E[1].max()) for each in alike for s in each.layers if s.E is not None)
@@ -320,11 +320,11 @@ def _write_tables(page: Page, column: SoilColumn, corner: tuple[float, float], w
     top = _write_table(page, left, top, heads, rows, [stretch * end for end in ENDS])
     if not column.constants:
         return top
-    whole = column.constants[0].psi is not None
+    one_mode = column.constants[0].psi is not None
     heads = ["combination", "\N{GREEK SMALL LETTER GAMMA} [-]"]
-    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if whole else []
+    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if one_mode else []
     lines: list[tuple[Any, ...]] = [
-        (each.name, each.gamma, *((float(each.k0[0]) / 1e6, float(each.k1[0]) / 1e6) if whole else ()))
+        (each.name, each.gamma, *((float(each.k0[0]) / 1e6, float(each.k1[0]) / 1e6) if one_mode else ()))
         for each in column.constants
     ]
     if len(lines) > MOST:

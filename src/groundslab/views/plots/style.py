@@ -179,8 +179,8 @@ class Page:
 
     def write_heading(self, title: str, lines: Sequence[str] = (), warning: str = "") -> float:
         """Write the title, lines below it and a warning; return how far down [mm] they reach."""
-        top, room = MARGIN, self.width - 2 * MARGIN
-        letters = int(room / text_width("n", TITLE))
+        top, space = MARGIN, self.width - 2 * MARGIN
+        letters = int(space / text_width("n", TITLE))
         if plain_text(title):
             words = plain_text(title, letters, 2)
             written = self.figure.suptitle(words, fontsize=TITLE, fontweight="bold", ha="left", va="top", color=INK)
@@ -188,7 +188,7 @@ class Page:
             self._texts.append((written, MARGIN, top))
             top += LINE * TITLE * PT * (words.count("\n") + 1) + 0.8
         for line in filter(None, lines):
-            words = plain_text(line, int(room / text_width("n", BASE)), 2)
+            words = plain_text(line, int(space / text_width("n", BASE)), 2)
             self.write(MARGIN, top, words, fontsize=BASE, color=GREY)
             top += LINE * BASE * PT * (words.count("\n") + 1) + 0.4
         if warning:

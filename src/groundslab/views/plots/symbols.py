@@ -119,7 +119,7 @@ def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
                     axes, np.array(ring), edgecolor=LOAD, linewidth=0.9 if everywhere else 1.2, zorder=4.5
                 )
                 drawn.set_linestyle((0, (3, 5) if everywhere else (4, 2)))
-                entries["load on the whole plate" if everywhere else "loaded area"] = drawn
+                entries["load on the entire plate" if everywhere else "loaded area"] = drawn
     return entries
 
 

@@ -23,18 +23,18 @@ from groundslab.views.report.drawings import (
     draw_soil,
     find_governing,
 )
-from groundslab.views.report.input_echo import InputTable, echo
+from groundslab.views.report.input_tables import InputTable, input_tables
 from groundslab.views.report.table_layout import (
     KEYS,
     MOST_IN_FILE,
     MOST_ROWS,
     Cell,
-    Grid,
-    Head,
-    digest_of,
-    grid_of,
-    parts_of,
-    without_empty,
+    TableHeader,
+    TableLayout,
+    drop_empty_columns,
+    layout_table,
+    split_columns,
+    summarize_table,
 )
 from groundslab.views.summary import combinations, single
 from groundslab.views.summary.terminal import shown_row
@@ -49,8 +49,8 @@ if TYPE_CHECKING:
 
 
 CERTIFICATE_NOTES = (
-    "All but the sums are ratios, computed anew from the solution with none of the matrices that were factorised. Each "
-    f"must be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
+    "All but the sums are ratios, computed afresh from the solution with none of the factorized matrices. Each must "
+    f"be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
     f"{Certificate.MARGIN_TOLERANCE:g} of the largest settlement.",
     "The certificate says that the discrete equations are solved, not that the mesh is fine enough.",
 )
@@ -65,17 +65,17 @@ class Verdict:
 
 
 @dataclass(frozen=True, slots=True)
-class TableGrids:
+class TableParts:
     """A table of the results, cut so that it fits on paper; too long a one is empty."""
 
     name: str
     title: str
-    grids: tuple[Grid, ...]
-    digest: Grid | None
+    grids: tuple[TableLayout, ...]
+    digest: TableLayout | None
     length: int
 
     @property
-    def whole(self) -> bool:
+    def complete(self) -> bool:
         """Return whether all of its rows are there."""
         return self.length <= MOST_IN_FILE
 
@@ -94,19 +94,19 @@ class Page:
     design: Design
     case: tuple[InputTable, ...]
     drawings: tuple[Drawing, ...]
-    constants: Grid | None
-    analysed: Grid | None
-    certificates: tuple[Grid, ...]
-    extremes: tuple[Grid, ...]
-    tables: tuple[TableGrids, ...]
-    history: Grid
+    constants: TableLayout | None
+    analysed: TableLayout | None
+    certificates: tuple[TableLayout, ...]
+    extremes: tuple[TableLayout, ...]
+    tables: tuple[TableParts, ...]
+    history: TableLayout
     histories: tuple[Drawing, ...]
     history_notes: tuple[str, ...]
     pictures: tuple[Drawing, ...]
     refused: tuple[tuple[str, str], ...]
 
 
-def page_of(combined: Combined, text: str | None = None, file: str = "case.toml") -> Page:
+def build_page(combined: Combined, text: str | None = None, file: str = "case.toml") -> Page:
     """Return what the report of a solved model says; text and file are those of its input."""
     combinations.require_finite(combined)
     found = combinations.entries(combined)
@@ -122,7 +122,7 @@ def page_of(combined: Combined, text: str | None = None, file: str = "case.toml"
         facts=tuple(_facts(combined, there)),
         verdict=_verdict(found),
         design=design_of(combined),
-        case=tuple(echo(combined.model)),
+        case=tuple(input_tables(combined.model)),
         drawings=tuple(_drawings(combined, leading)),
         constants=_constants(found) if there else None,
         analysed=_section(combinations.description(combined)[0]) if there else None,
@@ -158,33 +158,39 @@ def _verdict(found: Sequence[Entry]) -> Verdict:
     return Verdict(False, f"FAILED: {words} The results of the others are certified.")
 
 
-def _section(section: single.SummarySection) -> Grid:
+def _section(section: single.SummarySection) -> TableLayout:
     """Return a section of the summary."""
-    heads = (Head(""), Head("symbol"), Head("value", number=True), Head("unit"))
-    return without_empty(Grid(section.title, heads, tuple(map(_row, section.rows)), section.notes))
+    heads = (TableHeader(""), TableHeader("symbol"), TableHeader("value", number=True), TableHeader("unit"))
+    return drop_empty_columns(TableLayout(section.title, heads, tuple(map(_row, section.rows)), section.notes))
 
 
 def _row(row: Row) -> tuple[Cell, ...]:
     """Return a row of the summary without its place."""
     shown = shown_row(row)
-    return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit)
+    return (Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit))
 
 
-def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[Grid]:
+def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[TableLayout]:
     """Yield the extremes over all certified combinations, each with its place and the one that governs."""
     names = {entry.number: entry.combination.name for entry in found}
-    heads = [Head(""), Head("symbol"), Head("value", number=True), Head("unit"), Head("at (x, y)", "m", number=True)]
+    heads = [
+        TableHeader(""),
+        TableHeader("symbol"),
+        TableHeader("value", number=True),
+        TableHeader("unit"),
+        TableHeader("at (x, y)", "m", number=True),
+    ]
     if len(found) > 1:
-        heads.append(Head("combination"))
+        heads.append(TableHeader("combination"))
     for section, rows in combinations.extremes(combined):
         cells = []
         for each in rows:
             line = [*_row(each.row), Cell(shown_row(each.row).place, "number")]
             cells.append(tuple([*line, Cell(names[each.number])] if len(found) > 1 else line))
-        yield without_empty(Grid(section.title, tuple(heads), tuple(cells), section.notes))
+        yield drop_empty_columns(TableLayout(section.title, tuple(heads), tuple(cells), section.notes))
 
 
-def _certificates(found: Sequence[Entry]) -> list[Grid]:
+def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     """Return the certificate of each combination, one a row and cut in two; of a single one a figure a row."""
     sections = {
         entry.combination.name: single.certificate_section(entry.results.certificate)
@@ -193,18 +199,20 @@ def _certificates(found: Sequence[Entry]) -> list[Grid]:
     }
     if len(sections) == 1:
         return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, sections.values())]
-    heads: list[Head] = []
+    heads: list[TableHeader] = []
     rows = []
     for name, section in sections.items():
         shown = [(row, shown_row(row)) for row in section.rows]
-        heads = heads or [Head(row.label, each.unit, number=True) for row, each in shown]
+        heads = heads or [TableHeader(row.label, each.unit, number=True) for row, each in shown]
         cells = [Cell(each.figure, "bad" if row.ok is False else "number") for row, each in shown]
         rows.append((Cell(name), *cells, _holds(section)))
-    grid = Grid("", (Head("combination"), *heads, Head("certificate")), tuple(rows), CERTIFICATE_NOTES)
-    return parts_of(without_empty(grid), 1)
+    grid = TableLayout(
+        "", (TableHeader("combination"), *heads, TableHeader("certificate")), tuple(rows), CERTIFICATE_NOTES
+    )
+    return split_columns(drop_empty_columns(grid), 1)
 
 
-def _certificate(section: single.SummarySection) -> Grid:
+def _certificate(section: single.SummarySection) -> TableLayout:
     """Return the certificate of one combination, a figure a row with its limit."""
     rows = []
     for row in section.rows:
@@ -212,8 +220,14 @@ def _certificate(section: single.SummarySection) -> Grid:
         limit = "" if row.tolerance is None else f"{row.tolerance:.0e}"
         verdict = Cell("") if row.ok is None else Cell("holds", "good") if row.ok else Cell("FAILED", "bad")
         rows.append((Cell(row.label), Cell(shown.figure, "number"), Cell(shown.unit), Cell(limit, "number"), verdict))
-    heads = (Head(""), Head("value", number=True), Head("unit"), Head("at most", number=True), Head("certificate"))
-    return Grid("", heads, tuple(rows))
+    heads = (
+        TableHeader(""),
+        TableHeader("value", number=True),
+        TableHeader("unit"),
+        TableHeader("at most", number=True),
+        TableHeader("certificate"),
+    )
+    return TableLayout("", heads, tuple(rows))
 
 
 def _holds(section: single.SummarySection) -> Cell:
@@ -221,11 +235,11 @@ def _holds(section: single.SummarySection) -> Cell:
     return Cell("holds", "good") if all(row.ok is not False for row in section.rows) else Cell("FAILED", "bad")
 
 
-def _table(table: Table) -> TableGrids:
+def _table(table: Table) -> TableParts:
     """Return a table of the results; of too long a one its heads and notes alone."""
-    grid = grid_of(table if len(table) <= MOST_IN_FILE else _without_rows(table))
-    parts = tuple(parts_of(grid, KEYS.get(table.name, 1)))
-    return TableGrids(table.name, table.title, parts, digest_of(table), len(table))
+    grid = layout_table(table if len(table) <= MOST_IN_FILE else _without_rows(table))
+    parts = tuple(split_columns(grid, KEYS.get(table.name, 1)))
+    return TableParts(table.name, table.title, parts, summarize_table(table), len(table))
 
 
 def _without_rows(table: Table) -> Table:
@@ -233,17 +247,17 @@ def _without_rows(table: Table) -> Table:
     return replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
 
 
-def _constants(found: Sequence[Entry]) -> Grid:
+def _constants(found: Sequence[Entry]) -> TableLayout:
     """Return the constants of the ground that each combination ended with."""
-    heads: list[Head] = []
+    heads: list[TableHeader] = []
     rows = []
     for entry in found:
         if entry.results is None:
             continue
         shown = [(row, shown_row(row)) for row in single.description_of_ground(entry.results).rows[1:]]
-        heads = heads or [Head(row.label, each.unit, True, row.symbol) for row, each in shown]
+        heads = heads or [TableHeader(row.label, each.unit, True, row.symbol) for row, each in shown]
         rows.append((Cell(entry.combination.name), *(Cell(each.figure, "number") for _, each in shown)))
-    return Grid("", (Head("combination"), *heads), tuple(rows))
+    return TableLayout("", (TableHeader("combination"), *heads), tuple(rows))
 
 
 def _drawings(combined: Combined, leading: Results | None) -> Iterator[Drawing]:
@@ -268,7 +282,7 @@ def _drawings(combined: Combined, leading: Results | None) -> Iterator[Drawing]:
     yield replace(soil, caption=" ".join(notes))
 
 
-def _history(found: Sequence[Entry]) -> Grid:
+def _history(found: Sequence[Entry]) -> TableLayout:
     """Return all steps of all combinations that have results."""
     numbers = (
         "unknowns of the mesh",
@@ -278,7 +292,7 @@ def _history(found: Sequence[Entry]) -> Grid:
         "nodes in contact",
         "nodes changed",
     )
-    heads = (Head("combination"), *(Head(each, number=True) for each in numbers), Head(""))
+    heads = (TableHeader("combination"), *(TableHeader(each, number=True) for each in numbers), TableHeader(""))
     rows = []
     for results in (entry.results for entry in found if entry.results is not None):
         for step in results.steps:
@@ -286,7 +300,7 @@ def _history(found: Sequence[Entry]) -> Grid:
             counts = (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)
             cells = (Cell(str(each), "number") for each in counts)
             rows.append((Cell(results.combination), *cells, Cell("*" if step.finest else "")))
-    return Grid("", heads, tuple(rows), ("* on the final mesh.",), folded=len(rows) > MOST_ROWS)
+    return TableLayout("", heads, tuple(rows), ("* on the final mesh.",), folded=len(rows) > MOST_ROWS)
 
 
 def _history_notes(count: int) -> Iterator[str]:

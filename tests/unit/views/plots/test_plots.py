@@ -808,7 +808,7 @@ class TestPicture:
         found = entries(figure)
         assert ("contact boundary" in found) == lifts
         assert ("edge line force" in told) == shear
-        assert {"loaded area", "load on the whole plate", "point load"} <= found
+        assert {"loaded area", "load on the entire plate", "point load"} <= found
 
     def test_colors_part_at_zero_only_with_uplift(self) -> None:
         """With uplift zero has the middle color; without it the colors run one history."""

@@ -38,8 +38,15 @@ from groundslab.views.report import drawings
 from groundslab.views.report import html as document
 from groundslab.views.report.drawings import draw_case, draw_soil, find_governing
 from groundslab.views.report.html import html_of
-from groundslab.views.report.input_echo import echo
-from groundslab.views.report.table_layout import MOST_COLUMNS, digest_of, grid_of, parts_of, pieces_of, pieces_of_words
+from groundslab.views.report.input_tables import input_tables
+from groundslab.views.report.table_layout import (
+    MOST_COLUMNS,
+    layout_table,
+    split_columns,
+    split_symbol,
+    split_words,
+    summarize_table,
+)
 from groundslab.views.scene.binary import LEVELS, unpacked, values_of
 from groundslab.views.summary import single
 from groundslab.views.summary.terminal import shown_row
@@ -418,12 +425,12 @@ class TestSafety:
         """A built file that would end its element, or one that is missing, is an error that says what to do."""
         monkeypatch.setattr(document, "HERE", tmp_path)
         with pytest.raises(GroundslabError, match=r"report.js.*npm run build"):
-            document.built("report.js")
+            document.read_asset("report.js")
         (tmp_path / "static").mkdir()
         for bad in ("x = '</script>'", "<!-- x", "a\x00b"):
             (tmp_path / "static" / "report.js").write_text(bad, encoding="utf-8")
             with pytest.raises(GroundslabError, match="break the page"):
-                document.built("report.js")
+                document.read_asset("report.js")
 
 
 class TestSize:
@@ -454,7 +461,7 @@ class TestSize:
         assert len(list(found.all("details"))) > 0
         monkeypatch.setattr("groundslab.views.report.content.MOST_IN_FILE", 50)
         monkeypatch.setattr(
-            "groundslab.views.report.content.TableGrids.whole", property(lambda each: each.length <= 50)
+            "groundslab.views.report.content.TableParts.complete", property(lambda each: each.length <= 50)
         )
         cut = page(html_of(combined)).one("section", id="table-lines")
         assert "tables/lines.csv" in cut.text
@@ -499,7 +506,7 @@ class TestEcho:
 
     def test_single_keys(self) -> None:
         """Quantities come in a fitting unit, numbers as they are, choices and flags as words."""
-        told = {section.key: section for section in echo(described(["part"]))}
+        told = {section.key: section for section in input_tables(described(["part"]))}
         plate = {row[0].text: row for row in told["plate"].grids[0].rows}
         assert [cell.text for cell in plate["thickness"]] == ["thickness", "t", "400 mm", "thickness"]
         assert plate["E"][2].text == "30 GPa"
@@ -510,7 +517,7 @@ class TestEcho:
 
     def test_lists_share_a_unit(self) -> None:
         """Parts of one kind stand in one grid by their numbers in the case, each column in one unit."""
-        told = {section.key: section for section in echo(described(["part"]))}
+        told = {section.key: section for section in input_tables(described(["part"]))}
         points = next(grid for grid in told["loads"].grids if grid.title.startswith("point"))
         assert [(head.text, head.unit) for head in points.heads[:4]] == [
             ("no.", ""),
@@ -525,7 +532,7 @@ class TestEcho:
 
     def test_parts_within_parts(self) -> None:
         """Layers of boreholes stand below them, each under its name."""
-        told = {section.key: section for section in echo(described(["part"]))}
+        told = {section.key: section for section in input_tables(described(["part"]))}
         titles = [grid.title for grid in told["boreholes"].grids]
         assert titles[0] == ""
         assert [title.endswith(": layers") for title in titles[1:]] == [True] * 3
@@ -540,7 +547,9 @@ class TestEcho:
             "thickness": 0.4, "E": 30e9, "nu": 0.2,
         }  # fmt: skip
         model = Model(plate=plate, ground={"kind": "winkler", "k": 2e7}, loads=[{"kind": "uniform", "q": 1e3}])
-        texts = {cell.text for section in echo(model) for grid in section.grids for row in grid.rows for cell in row}
+        texts = {
+            cell.text for section in input_tables(model) for grid in section.grids for row in grid.rows for cell in row
+        }
         assert "polygon (0, 0) (8, 0) (8, 4) m; bulges 0, 0.5" in texts
         assert "rectangle, x = 7 to 7.5 m, y = 1 to 2 m" in texts
         assert {"(6, 1.5) m", "250"} <= texts
@@ -548,7 +557,7 @@ class TestEcho:
     def test_automatic_combinations_are_told(self) -> None:
         """What EN 1990 makes stands among the combinations, with its factors."""
         model = described(["part"], combinations=(), combine={"sets": ["ultimate"]})
-        told = {section.key: section for section in echo(model)}
+        told = {section.key: section for section in input_tables(model)}
         (grid,) = told["combinations"].grids
         assert "1.35 part 0 + 1.5 part 1" in {row[3].text for row in grid.rows}
 
@@ -670,8 +679,8 @@ class TestGrids:
     def test_wide_tables_are_cut(self) -> None:
         """Each part repeats the columns that say which row it is, and no column is lost."""
         heads = [("a", ""), *((f"c{n}", "m") for n in range(25))]
-        grid = grid_of(table_of("extremes", "Wide", heads, [["x", *range(25)]], ["note"]))
-        parts = parts_of(grid, 1)
+        grid = layout_table(table_of("extremes", "Wide", heads, [["x", *range(25)]], ["note"]))
+        parts = split_columns(grid, 1)
         assert [part.heads[0].text for part in parts] == ["a"] * 3
         assert [head.text for part in parts for head in part.heads[1:]] == [f"c{n}" for n in range(25)]
         assert all(len(part.heads) <= MOST_COLUMNS for part in parts)
@@ -679,7 +688,7 @@ class TestGrids:
 
     def test_short_tables_have_no_digest(self) -> None:
         """A table that is printed whole needs none, and one of extremes has the envelope."""
-        assert digest_of(table_of("lines", "Lines", [("combination", ""), ("line", "")], [["a", "b"]])) is None
+        assert summarize_table(table_of("lines", "Lines", [("combination", ""), ("line", "")], [["a", "b"]])) is None
 
     @pytest.mark.parametrize(
         ("symbol", "pieces"),
@@ -693,11 +702,11 @@ class TestGrids:
     )
     def test_symbols(self, symbol: str, pieces: list[tuple[str, str]]) -> None:
         """Greek letters are such, what follows an underscore is a subscript."""
-        assert pieces_of(symbol) == pieces
+        assert split_symbol(symbol) == pieces
 
     def test_symbols_within_words(self) -> None:
         """Words with an underscore are symbols, all others stay as they are."""
-        pieces = pieces_of_words("largest |m_xy| of beta_x, gamma")
+        pieces = split_words("largest |m_xy| of beta_x, gamma")
         assert "".join(base for base, _ in pieces) == "largest |m| of β, gamma"
         assert [sub for _, sub in pieces if sub] == ["xy", "x"]
 
