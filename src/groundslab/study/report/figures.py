@@ -14,6 +14,7 @@ from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.style import ACCENT, BAD, FAINT, INK, SECOND, plain_text
 
 if TYPE_CHECKING:
+    from markupsafe import Markup
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -50,7 +51,7 @@ MOST_POINTS = 500
 MOST_PANELS = 8
 
 
-def inputs(sample: Gathered) -> str:
+def inputs(sample: Gathered) -> Markup:
     """Return histograms of the inputs that vary by chance, with the densities that they were drawn from."""
 
     def draw() -> Figure:
@@ -65,7 +66,7 @@ def inputs(sample: Gathered) -> str:
     return _render("inputs", "Histograms of the inputs", draw)
 
 
-def outputs(sample: Gathered) -> str:
+def outputs(sample: Gathered) -> Markup:
     """Return histograms of the outputs, those of several designs over each other, with the bounds of limit states."""
 
     def draw() -> Figure:
@@ -82,7 +83,7 @@ def outputs(sample: Gathered) -> str:
     return _render("outputs", "Histograms of the outputs", draw)
 
 
-def exceedance(sample: Gathered, level: float = LEVEL) -> str:
+def exceedance(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return the curves of exceedance of each output with their intervals and the bounds of limit states."""
 
     def draw() -> Figure:
@@ -100,7 +101,7 @@ def exceedance(sample: Gathered, level: float = LEVEL) -> str:
     return _render("exceedance", "Curves of exceedance", draw)
 
 
-def scatter(sample: Gathered) -> str:
+def scatter(sample: Gathered) -> Markup:
     """Return each output over each input, at most MOST_POINTS points a panel and MOST_PANELS panels a side."""
     across, down = sample.varied[:MOST_PANELS], sample.outputs[:MOST_PANELS]
 
@@ -131,7 +132,7 @@ def scatter(sample: Gathered) -> str:
     return _render("scatter", "Outputs over inputs", draw)
 
 
-def sobol(sample: Gathered, level: float = LEVEL) -> str:
+def sobol(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return bars of Sobol's first-order and total indices with their intervals, a panel an output."""
 
     def draw() -> Figure:
@@ -161,7 +162,7 @@ def sobol(sample: Gathered, level: float = LEVEL) -> str:
     return _render("sobol", "Sobol indices", draw)
 
 
-def tornado(sample: Gathered, level: float = LEVEL) -> str:
+def tornado(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return tornado charts, a panel an output: swings of one input at a time, or rank correlations."""
 
     def draw() -> Figure:
@@ -181,7 +182,7 @@ def tornado(sample: Gathered, level: float = LEVEL) -> str:
     return _render("tornado", "Influence of the inputs", draw)
 
 
-def designs(sample: Gathered, level: float = LEVEL) -> str:
+def designs(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return the probability of each limit state over what the designer chose, with targets.
 
     Over the quantity if it is one number; several of them, and words, are named side by side.
@@ -219,7 +220,7 @@ def _smallest(p: list[statistics.Estimate]) -> float:
     return min(max(min(each.high for each in p), 1e-9), 0.1)
 
 
-def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Array, label: str) -> str:
+def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Array, label: str) -> Markup:
     """Return a field over the plan: nodes (k, 2), elements (m, 9), values (k,) in units of display.
 
     Colors part at zero if the values do.
@@ -245,7 +246,7 @@ def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Ar
     return _render(name, title, draw)
 
 
-def _render(name: str, label: str, draw: Callable[[], Figure]) -> str:
+def _render(name: str, label: str, draw: Callable[[], Figure]) -> Markup:
     """Return what `draw` draws as an SVG element for the page."""
     return to_inline_svg(draw, name, label, CHARTS)
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.errors import InputError, Issue
 from groundslab.study.evaluation import tables as evaluation
 from groundslab.study.evaluation.statistics import LEVEL
 from groundslab.study.report import figures
@@ -71,7 +70,9 @@ def html(
     """Return the page; every text of the study is escaped, nothing is loaded from elsewhere."""
     from importlib.resources import files
 
-    jinja2 = _jinja2()
+    import jinja2
+    from markupsafe import Markup
+
     tables = {table.name: table for table in evaluation.tables_of(sample, level)}
     folder = files("groundslab.study.report")
     template = jinja2.Environment(
@@ -80,7 +81,7 @@ def html(
     text: str = template.render(
         version=__version__,
         title=origin.title or "Study",
-        css=_safe((folder / "page.css").read_text(encoding="utf-8")),
+        css=Markup((folder / "page.css").read_text(encoding="utf-8")),
         lead=_lead(sample),
         warnings=_warnings(sample),
         parts=_parts(sample, tables, origin, maps, reliability, level),
@@ -129,7 +130,7 @@ def _parts(
     ) -> None:
         shown = [_table(tables[name]) for name in names if name in tables]
         if drawn or shown or words:
-            part = {"key": key, "title": title, "words": words, "figures": [_safe(each) for each in drawn]}
+            part = {"key": key, "title": title, "words": words, "figures": list(drawn)}
             parts.append({**part, "tables": shown})
 
     results = bool(sample.outputs) and bool(sample.solved.any())
@@ -251,21 +252,3 @@ def _named(name: Cell, unit: Cell) -> FormattedCell:
     if not unit or not cell.text:
         return cell
     return FormattedCell(f"{cell.text} {unit}" if cell.number else f"{cell.text} [{unit}]", number=cell.number)
-
-
-def _safe(markup: str) -> Any:
-    """Return markup of our own that is to stand in the page as it is."""
-    from markupsafe import Markup
-
-    return Markup(markup)
-
-
-def _jinja2() -> Any:
-    """Return Jinja2."""
-    try:
-        import jinja2
-    except ImportError:
-        hint = "pip install groundslab[study]"
-        issue = Issue("jinja2", "nothing that can be imported", "Jinja2, which makes the page", hint)
-        raise InputError([issue]) from None
-    return jinja2
