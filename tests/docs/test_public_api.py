@@ -25,7 +25,7 @@ CHECKS = {
     "PR09", "RT01", "RT03", "RT04", "RT05", "YD01",
 }  # fmt: skip
 #: Documented without numpydoc's sections so far.
-LATER = {"plot", "write_report", "open_study", "study"}
+LATER = {"open_study", "study"}
 #: Classes that public functions return, beside those that have public names.
 RETURNED = (
     *(getattr(mesh_results, name) for name in ("PlateResult", "ElementResult", "GroundResult")),

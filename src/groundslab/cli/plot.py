@@ -60,22 +60,26 @@ def draw(options: argparse.Namespace) -> str:
 
     from groundslab.views import plots
     from groundslab.views.files import results_folder
-    from groundslab.views.plots.files import check
-    from groundslab.views.plots.request import wish_of
+    from groundslab.views.plots.export import check
+    from groundslab.views.plots.request import parse_request
 
     folder = Path(os.path.realpath(options.folder))
     lines = [_coordinates(text) for text in options.line] if options.line else None
     if options.out is not None:
         check(options.out)
     combined = results_folder.load_results(options.folder)
-    wish = wish_of(combined, options.fields, options.kind, options.combination, options.envelope, lines)
-    what = "-".join(amount.name for amount in wish.amounts) if options.fields and wish.kind == "plan" else wish.kind
+    request = parse_request(combined, options.fields, options.kind, options.combination, options.envelope, lines)
+    what = (
+        "-".join(quantity.name for quantity in request.quantities)
+        if options.fields and request.kind == "plan"
+        else request.kind
+    )
     file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
     check(file)
     if folder in Path(os.path.realpath(file)).parents:
         hint = "solve could not replace the folder any more"
         raise InputError([Issue("--out", f"{file}, inside the folder of results", "a place outside it", hint)])
-    pages = len(plots.write(wish, file))
+    pages = len(plots.write(request, file))
     return f"wrote {file}" + (f", {pages} pages" if pages > 1 else "")
 
 

@@ -13,7 +13,7 @@ from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.storage import ownership
 from groundslab.views.files import results_folder
-from groundslab.views.plots import files
+from groundslab.views.plots import export
 from helpers import synthetic
 
 
@@ -27,7 +27,7 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def figures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder of a figure in each format."""
     folder = tmp_path_factory.mktemp("figures")
-    for ending in files.FORMATS:
+    for ending in export.FORMATS:
         groundslab.plot(synthetic.results(), "w", to=folder / f"a{ending}")
     return folder
 
@@ -41,7 +41,7 @@ def test_every_file_of_results_is_recognised(results: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ending", files.FORMATS)
+@pytest.mark.parametrize("ending", export.FORMATS)
 def test_figures_are_recognised_and_replaced(figures: Path, ending: str) -> None:
     """An earlier figure gives way to a new one; nothing is left beside it."""
     target, before = figures / f"a{ending}", sorted(figures.iterdir())
@@ -51,7 +51,7 @@ def test_figures_are_recognised_and_replaced(figures: Path, ending: str) -> None
     assert sorted(figures.iterdir()) == before
 
 
-@pytest.mark.parametrize("ending", files.FORMATS)
+@pytest.mark.parametrize("ending", export.FORMATS)
 def test_figures_of_others_are_never_replaced(tmp_path: Path, ending: str) -> None:
     """A figure that Matplotlib drew for somebody else, a text and an empty file stay, byte by byte."""
     from matplotlib.figure import Figure
@@ -74,7 +74,7 @@ def test_a_figure_that_somebody_wrote_notes_on_is_theirs(figures: Path, tmp_path
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ending", files.FORMATS)
+@pytest.mark.parametrize("ending", export.FORMATS)
 def test_a_full_disk_leaves_the_earlier_figure(figures: Path, ending: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The earlier file is as it was, nothing lies beside it, and the error says so."""
 

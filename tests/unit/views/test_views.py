@@ -449,10 +449,10 @@ sys.path.insert(0, {str(ROOT / "tests")!r})
 from groundslab.views.files import manifest, npz, results_folder, vtk
 from groundslab.views.summary import combinations, progress, single, terminal
 assert not {{"matplotlib", "meshio", "rich", "scipy", "pint", "pydantic"}} & set(sys.modules)
-from groundslab.views.plots import picture
+from groundslab.views import plots
 assert "matplotlib" not in sys.modules
 from helpers import synthetic
-picture.draw(synthetic.results())
+plots.plot(synthetic.results())
 assert "matplotlib.figure" in sys.modules
 assert "matplotlib.pyplot" not in sys.modules
 """

@@ -1,17 +1,20 @@
-"""The figures of a study's page, as SVG."""
+"""Figures of a study's page, as inline SVG."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from groundslab.study.evaluation import statistics, tables
 from groundslab.study.evaluation.statistics import LEVEL
-from groundslab.study.report import svg
-from groundslab.study.report.svg import ACCENT, INK, SECOND, WARN
+from groundslab.views.plots.contours import make_scale, triangulation
+from groundslab.views.plots.export import to_inline_svg
+from groundslab.views.plots.style import ACCENT, BAD, FAINT, INK, SECOND, plain_text
 
 if TYPE_CHECKING:
+    from markupsafe import Markup
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -19,6 +22,26 @@ if TYPE_CHECKING:
     from groundslab.study.evaluation.samples import Gathered, Input, Output
     from groundslab.units import Unit
 
+#: Figures are drawn so wide [in]; the page gives them what space there is.
+WIDTH = 7.2
+#: What differs from the style of plots: charts with a grid and without a frame, and no formulas.
+CHARTS: dict[str, Any] = {
+    "text.parse_math": False,
+    "axes.formatter.use_mathtext": False,
+    "font.size": 8.5,
+    "axes.labelsize": "medium",
+    "axes.titlesize": 8.5,
+    "axes.titlelocation": "left",
+    "axes.facecolor": "none",
+    "axes.edgecolor": FAINT,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": FAINT,
+    "grid.linewidth": 0.5,
+    "figure.facecolor": "none",
+}
 #: Letters of a name beside an axis.
 NARROW = 18
 #: Panels beside each other.
@@ -29,7 +52,7 @@ MOST_POINTS = 500
 MOST_PANELS = 8
 
 
-def inputs(sample: Gathered) -> str:
+def inputs(sample: Gathered) -> Markup:
     """Return histograms of the inputs that vary by chance, with the densities that they were drawn from."""
 
     def draw() -> Figure:
@@ -41,10 +64,10 @@ def inputs(sample: Gathered) -> str:
                 _density(axes, each, x)
         return figure
 
-    return svg.drawn("inputs", "Histograms of the inputs", draw)
+    return _render("inputs", "Histograms of the inputs", draw)
 
 
-def outputs(sample: Gathered) -> str:
+def outputs(sample: Gathered) -> Markup:
     """Return histograms of the outputs, those of several designs over each other, with the bounds of limit states."""
 
     def draw() -> Figure:
@@ -58,33 +81,33 @@ def outputs(sample: Gathered) -> str:
         _legend(figure, sample)
         return figure
 
-    return svg.drawn("outputs", "Histograms of the outputs", draw)
+    return _render("outputs", "Histograms of the outputs", draw)
 
 
-def exceedance(sample: Gathered, level: float = LEVEL) -> str:
+def exceedance(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return the curves of exceedance of each output with their intervals and the bounds of limit states."""
 
     def draw() -> Figure:
         figure, panels = _panels(len(sample.outputs))
         for axes, each in zip(panels, sample.outputs, strict=False):
             for number, group in enumerate(sample.groups):
-                curve, colour = tables.curve_of(sample, each, group, level), _colour(number, len(sample.groups))
-                _curve(axes, curve, colour, short(group.label), "pre" if sample.falls(each) else "post")
+                curve, color = tables.curve_of(sample, each, group, level), _color(number, len(sample.groups))
+                _curve(axes, curve, color, short(group.label), "pre" if sample.falls(each) else "post")
             axes.set_xlabel(named(each.name, each.unit))
             axes.set_ylabel("probability of less" if sample.falls(each) else "probability of more")
             _bounds(axes, sample, each)
         _legend(figure, sample)
         return figure
 
-    return svg.drawn("exceedance", "Curves of exceedance", draw)
+    return _render("exceedance", "Curves of exceedance", draw)
 
 
-def scatter(sample: Gathered) -> str:
+def scatter(sample: Gathered) -> Markup:
     """Return each output over each input, at most MOST_POINTS points a panel and MOST_PANELS panels a side."""
     across, down = sample.varied[:MOST_PANELS], sample.outputs[:MOST_PANELS]
 
     def draw() -> Figure:
-        figure = svg.figure(0.5 + 0.85 * svg.WIDTH / max(len(across), 3) * len(down), svg.WIDTH)
+        figure = _figure(0.5 + 0.85 * WIDTH / max(len(across), 3) * len(down), WIDTH)
         panels = figure.subplots(len(down), len(across), sharex="col", sharey="row", squeeze=False)
         rows = np.flatnonzero(sample.drawn)[:MOST_POINTS]
         size = 2.2 if len(rows) > 300 else 4.0
@@ -107,10 +130,10 @@ def scatter(sample: Gathered) -> str:
                     axes.set_ylabel(named(output.name, output.unit))
         return figure
 
-    return svg.drawn("scatter", "Outputs over inputs", draw)
+    return _render("scatter", "Outputs over inputs", draw)
 
 
-def sobol(sample: Gathered, level: float = LEVEL) -> str:
+def sobol(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return bars of Sobol's first-order and total indices with their intervals, a panel an output."""
 
     def draw() -> Figure:
@@ -123,13 +146,13 @@ def sobol(sample: Gathered, level: float = LEVEL) -> str:
             axes.invert_yaxis()
             if found is None:
                 continue
-            for values, shift, colour, label in (
+            for values, shift, color, label in (
                 (found.first, -0.19, ACCENT, "first order"),
                 (found.total, 0.19, SECOND, "total"),
             ):
                 middle = np.array([each.value for each in values])
                 half = np.array([[each.value - each.low, each.high - each.value] for each in values]).T
-                axes.barh(places + shift, middle, 0.36, color=colour, label=label)
+                axes.barh(places + shift, middle, 0.36, color=color, label=label)
                 axes.errorbar(middle, places + shift, xerr=half, fmt="none", ecolor=INK, elinewidth=0.8, capsize=2)
             axes.set_xlabel("share of the variance")
             axes.set_xlim(left=min(0.0, axes.get_xlim()[0]))
@@ -137,10 +160,10 @@ def sobol(sample: Gathered, level: float = LEVEL) -> str:
         _legend(figure, None)
         return figure
 
-    return svg.drawn("sobol", "Sobol indices", draw)
+    return _render("sobol", "Sobol indices", draw)
 
 
-def tornado(sample: Gathered, level: float = LEVEL) -> str:
+def tornado(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return tornado charts, a panel an output: swings of one input at a time, or rank correlations."""
 
     def draw() -> Figure:
@@ -157,10 +180,10 @@ def tornado(sample: Gathered, level: float = LEVEL) -> str:
         _legend(figure, None)
         return figure
 
-    return svg.drawn("tornado", "Influence of the inputs", draw)
+    return _render("tornado", "Influence of the inputs", draw)
 
 
-def designs(sample: Gathered, level: float = LEVEL) -> str:
+def designs(sample: Gathered, level: float = LEVEL) -> Markup:
     """Return the probability of each limit state over what the designer chose, with targets.
 
     Over the quantity if it is one number; several of them, and words, are named side by side.
@@ -185,12 +208,12 @@ def designs(sample: Gathered, level: float = LEVEL) -> str:
             _plain(axes)
             axes.set_ylim(bottom=0)
             if limit.target is not None:
-                axes.axhline(limit.target, color=WARN, linewidth=1.0, linestyle="--")
+                axes.axhline(limit.target, color=BAD, linewidth=1.0, linestyle="--")
             axes.set_title(short(limit.name))
             axes.set_ylabel("probability of failure")
         return figure
 
-    return svg.drawn("designs", "Probability of failure over the design", draw)
+    return _render("designs", "Probability of failure over the design", draw)
 
 
 def _smallest(p: list[statistics.Estimate]) -> float:
@@ -198,23 +221,21 @@ def _smallest(p: list[statistics.Estimate]) -> float:
     return min(max(min(each.high for each in p), 1e-9), 0.1)
 
 
-def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Array, label: str) -> str:
+def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Array, label: str) -> Markup:
     """Return a field over the plan: nodes (k, 2), elements (m, 9), values (k,) in units of display.
 
-    Colours part at zero if the values do.
+    Colors part at zero if the values do.
     """
-    from groundslab.views.plots.contours import triangulation
-    from groundslab.views.plots.scale import scale_of
 
     def draw() -> Figure:
         width, height = np.ptp(nodes, axis=0)
-        figure = svg.figure(min(max(svg.WIDTH * 0.78 * height / width, 1.2), 6.0) + 0.7)
+        figure = _figure(min(max(WIDTH * 0.78 * height / width, 1.2), 6.0) + 0.7)
         axes = figure.subplots()
-        scale = scale_of([values], signed=False)
-        colours, norm = scale.colours()
+        scale = make_scale([values], signed=False)
+        colors, norm = scale.color_map()
         # what lies on the last level would leave a hole
         shown = np.minimum(values, scale.levels[-1] - 1e-9 * np.ptp(scale.levels))
-        drawn = axes.tricontourf(triangulation(nodes, elements), shown, levels=scale.levels, cmap=colours, norm=norm)
+        drawn = axes.tricontourf(triangulation(nodes, elements), shown, levels=scale.levels, cmap=colors, norm=norm)
         axes.set_aspect("equal")
         axes.grid(visible=False)
         axes.set_xlabel("x [m]")
@@ -223,7 +244,19 @@ def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Ar
         figure.colorbar(drawn, ax=axes, label=label, shrink=0.9)
         return figure
 
-    return svg.drawn(name, title, draw)
+    return _render(name, title, draw)
+
+
+def _render(name: str, label: str, draw: Callable[[], Figure]) -> Markup:
+    """Return what `draw` draws as an SVG element for the page."""
+    return to_inline_svg(draw, name, label, CHARTS)
+
+
+def _figure(height: float, width: float = WIDTH) -> Figure:
+    """Return an empty figure of a height and a width [in] that needs no display."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), layout="constrained")
 
 
 def named(name: str, unit: Unit) -> str:
@@ -232,7 +265,8 @@ def named(name: str, unit: Unit) -> str:
 
 
 def short(name: str, most: int = 32) -> str:
-    """Return a name that a figure has room for: of a long one the beginning and the end."""
+    """Return a name that a figure has space for: of a long one the beginning and the end."""
+    name = plain_text(name)
     if len(name) > most:
         name = f"{name[: most - most // 3 - 1]}\u2026{name[-(most // 3) :]}"
     # Matplotlib leaves labels out of legends that begin so
@@ -243,7 +277,7 @@ def _panels(count: int, height: float = 2.1, abreast: int = ABREAST) -> tuple[Fi
     """Return a figure with a number of panels, each of a height [in]."""
     columns = 2 if count == 4 else min(max(count, 2), abreast)
     rows = -(-count // columns)
-    figure = svg.figure(height * rows + 0.25)
+    figure = _figure(height * rows + 0.25)
     made: list[Axes] = list(figure.subplots(rows, columns, squeeze=False).ravel())
     for spare in made[count:]:
         spare.remove()
@@ -254,7 +288,7 @@ def _histogram(axes: Axes, x: Array, label: str, number: int = 0, of: int = 1, n
     """Draw the density of samples (n,) as steps or bars; its bins by the square root of n, at most 40."""
     bins = int(np.clip(np.sqrt(len(x)), 5, 40))
     how: dict[str, Any] = {"histtype": "stepfilled", "alpha": 0.55} if of == 1 else {"histtype": "step"}
-    axes.hist(x, bins=bins, density=True, color=_colour(number, of), label=name, **how)
+    axes.hist(x, bins=bins, density=True, color=_color(number, of), label=name, **how)
     axes.set_xlabel(label)
     axes.set_yticks([])
     axes.locator_params(axis="x", nbins=4)
@@ -269,7 +303,7 @@ def _density(axes: Axes, each: Input, x: Array) -> None:
 
 
 def _curve(
-    axes: Axes, curve: tuple[Array, Array, Array, Array], colour: Any, name: str, step: Literal["pre", "post"]
+    axes: Axes, curve: tuple[Array, Array, Array, Array], color: Any, name: str, step: Literal["pre", "post"]
 ) -> None:
     """Draw a curve of exceedance with its intervals; logarithmic if the samples reach to one in a hundred.
 
@@ -280,8 +314,8 @@ def _curve(
     if n == 0:
         return
     at = tables.thinned(n, 2 * tables.MOST_POINTS)
-    axes.step(value[at], p[at], where=step, color=colour, linewidth=1.2, label=name)
-    axes.fill_between(value[at], low[at], high[at], step=step, color=colour, alpha=0.2, linewidth=0)
+    axes.step(value[at], p[at], where=step, color=color, linewidth=1.2, label=name)
+    axes.fill_between(value[at], low[at], high[at], step=step, color=color, alpha=0.2, linewidth=0)
     if n >= 100:
         axes.set_yscale("log")
         _plain(axes)
@@ -301,7 +335,7 @@ def _bounds(axes: Axes, sample: Gathered, output: Output) -> None:
     """Draw the bounds of the limit states of an output."""
     for limit in sample.limits:
         if limit.output == output.name:
-            axes.axvline(limit.bound * output.unit.scale, color=WARN, linewidth=1.0, linestyle="--")
+            axes.axvline(limit.bound * output.unit.scale, color=BAD, linewidth=1.0, linestyle="--")
 
 
 def _swings(axes: Axes, sample: Gathered, output: Output) -> None:
@@ -309,9 +343,9 @@ def _swings(axes: Axes, sample: Gathered, output: Output) -> None:
     base, swings = tables.swings_of(sample, output)
     scale = output.unit.scale
     for place, each in enumerate(swings):
-        for value, colour, label in ((each.low, ACCENT, "input low"), (each.high, SECOND, "input high")):
+        for value, color, label in ((each.low, ACCENT, "input low"), (each.high, SECOND, "input high")):
             if np.isfinite(value) and np.isfinite(base):
-                axes.barh(place, (value - base) * scale, 0.6, left=base * scale, color=colour, label=label)
+                axes.barh(place, (value - base) * scale, 0.6, left=base * scale, color=color, label=label)
     if np.isfinite(base):
         axes.axvline(base * scale, color=INK, linewidth=0.8)
     axes.set_yticks(range(len(swings)), [short(each.input, NARROW) for each in swings])
@@ -332,8 +366,8 @@ def _ranked(axes: Axes, sample: Gathered, output: Output, level: float) -> None:
     axes.set_xlabel("rank correlation")
 
 
-def _colour(number: int, of: int) -> Any:
-    """Return the colour of a design: the accent if there is one only, else from light to dark."""
+def _color(number: int, of: int) -> Any:
+    """Return the color of a design: the accent if there is one only, else from light to dark."""
     from matplotlib import colormaps
 
     return ACCENT if of == 1 else colormaps["viridis"](0.25 + 0.6 * number / (of - 1))

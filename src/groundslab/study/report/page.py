@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.errors import InputError, Issue
 from groundslab.study.evaluation import tables as evaluation
 from groundslab.study.evaluation.statistics import LEVEL
 from groundslab.study.report import figures
+from groundslab.units import format_number
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
@@ -45,7 +45,7 @@ class Map:
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class FormattedCell:
     """A cell of a table as the page shows it: its text, what stands small below it, whether it is a number."""
 
     text: str
@@ -71,7 +71,9 @@ def html(
     """Return the page; every text of the study is escaped, nothing is loaded from elsewhere."""
     from importlib.resources import files
 
-    jinja2 = _jinja2()
+    import jinja2
+    from markupsafe import Markup
+
     tables = {table.name: table for table in evaluation.tables_of(sample, level)}
     folder = files("groundslab.study.report")
     template = jinja2.Environment(
@@ -80,7 +82,7 @@ def html(
     text: str = template.render(
         version=__version__,
         title=origin.title or "Study",
-        css=_safe((folder / "page.css").read_text(encoding="utf-8")),
+        css=Markup((folder / "page.css").read_text(encoding="utf-8")),
         lead=_lead(sample),
         warnings=_warnings(sample),
         parts=_parts(sample, tables, origin, maps, reliability, level),
@@ -129,7 +131,7 @@ def _parts(
     ) -> None:
         shown = [_table(tables[name]) for name in names if name in tables]
         if drawn or shown or words:
-            part = {"key": key, "title": title, "words": words, "figures": [_safe(each) for each in drawn]}
+            part = {"key": key, "title": title, "words": words, "figures": list(drawn)}
             parts.append({**part, "tables": shown})
 
     results = bool(sample.outputs) and bool(sample.solved.any())
@@ -162,7 +164,7 @@ def _parts(
     add("missing", "Variants without a result", (), ["missing"])
     add("variants", "Variants", (), ["variants"])
     facts = {"title": "Origin", "heads": ["", ""], "notes": [], "folded": False}
-    facts["rows"] = [[Shown(text) for text in pair] for pair in origin.facts]
+    facts["rows"] = [[FormattedCell(text) for text in pair] for pair in origin.facts]
     parts.append({"key": "origin", "title": "Seed, versions, checksums", "words": [], "figures": [], "tables": [facts]})
     return parts
 
@@ -228,50 +230,26 @@ def _table(table: Table) -> dict[str, Any]:
     }
 
 
-def _cell(cell: Cell) -> Shown:
+def _cell(cell: Cell) -> FormattedCell:
     """Return a cell of a table."""
     if cell is None:
-        return Shown("")
+        return FormattedCell("")
     if isinstance(cell, float):
-        return Shown(_digits(cell), number=True)
-    return Shown(str(cell), number=isinstance(cell, int))
+        return FormattedCell(format_number(cell, DIGITS, trim=True, fixed=(1e-4, 1e9)), number=True)
+    return FormattedCell(str(cell), number=isinstance(cell, int))
 
 
-def _estimate(cells: Sequence[Cell]) -> Shown:
+def _estimate(cells: Sequence[Cell]) -> FormattedCell:
     """Return an estimate with its interval below it: "0.05 to 0.09"; an end that is not known is a dot."""
     if cells[0] is None:
-        return Shown("")
+        return FormattedCell("")
     value, low, high = (_cell(cell).text or "\u00b7" for cell in cells)
-    return Shown(value, f"{low} to {high}", number=True)
+    return FormattedCell(value, f"{low} to {high}", number=True)
 
 
-def _named(name: Cell, unit: Cell) -> Shown:
+def _named(name: Cell, unit: Cell) -> FormattedCell:
     """Return a name or a number with its unit as a cell."""
     cell = _cell(name)
     if not unit or not cell.text:
         return cell
-    return Shown(f"{cell.text} {unit}" if cell.number else f"{cell.text} [{unit}]", number=cell.number)
-
-
-def _digits(value: float) -> str:
-    """Return a number with DIGITS significant digits, without an exponent where zeros can do."""
-    rounded = float(f"{value:.{DIGITS}g}")
-    return f"{rounded:.0f}" if 1e4 <= abs(rounded) < 1e9 else f"{rounded:g}"
-
-
-def _safe(markup: str) -> Any:
-    """Return markup of our own that is to stand in the page as it is."""
-    from markupsafe import Markup
-
-    return Markup(markup)
-
-
-def _jinja2() -> Any:
-    """Return Jinja2."""
-    try:
-        import jinja2
-    except ImportError:
-        hint = "pip install groundslab[study]"
-        issue = Issue("jinja2", "nothing that can be imported", "Jinja2, which makes the page", hint)
-        raise InputError([issue]) from None
-    return jinja2
+    return FormattedCell(f"{cell.text} {unit}" if cell.number else f"{cell.text} [{unit}]", number=cell.number)

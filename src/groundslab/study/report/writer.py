@@ -28,10 +28,30 @@ NAMES = frozenset({PAGE} | {f"{name}.csv" for name in (*evaluation.NAMES, "relia
 
 
 def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float = LEVEL) -> tuple[Path, ...]:
-    """Write report.html and the tables as CSV into the folder `evaluation` of a study and return their paths.
+    """Write the report and the tables of a study into its folder `evaluation`.
 
-    An evaluation that is there is replaced by a whole one or not at all. If the folder holds anything that groundslab
-    did not write, or cannot be written, InputError is raised.
+    Parameters
+    ----------
+    study : Study
+        A study with at least one row.
+    reliability : sequence of Reliability, optional
+        First-order reliability of limit states, which the report and two tables then show.
+    level : float, default 0.95
+        Confidence level of the intervals, between 0 and 1.
+
+    Returns
+    -------
+    tuple of Path
+        The paths of report.html and of the tables as CSV files.
+
+    Raises
+    ------
+    InputError
+        If the study has no row, or the folder cannot be written or holds files that groundslab did not write.
+
+    Notes
+    -----
+    An earlier evaluation is replaced completely or, if writing fails, left as it was.
     """
     from groundslab.study.evaluation import form
 

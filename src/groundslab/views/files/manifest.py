@@ -39,8 +39,8 @@ def is_path(name: str) -> bool:
 
 def _of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
     """Return what writes the files of one combination, by their paths; all of them begin with `below`."""
+    from groundslab.views import plots
     from groundslab.views.files import npz, vtk
-    from groundslab.views.plots import picture
 
     writers: dict[str, Writer] = {
         f"{below}plate.vtu": partial(vtk.write_plate, results),
@@ -49,7 +49,7 @@ def _of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
     }
     writers |= _of_increments(results, below)
     if plot:
-        writers[f"{below}picture.png"] = partial(picture.write, results)
+        writers[f"{below}picture.png"] = partial(plots.write_picture, results)
     return writers
 
 

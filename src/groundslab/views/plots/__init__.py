@@ -11,10 +11,12 @@ from groundslab.results.results import Combined, Results, alone
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from groundslab.views.plots.request import Wish
+    from groundslab.views.plots.request import PlotRequest
 
 #: More panels than this are too many for one sheet.
 MOST_PANELS = 24
+#: Pixels per inch of the picture of `solve --plot`: enough for a screen, in a small file.
+PICTURE_DPI = 140
 
 
 def plot(
@@ -26,56 +28,94 @@ def plot(
     line: Sequence[Any] | None = None,
     to: str | Path | None = None,
 ) -> Figure:
-    """Return a figure of results, and write it into a file if one is named (.pdf, .svg or .png).
+    """Draw results, and write the figure into a file if one is named.
 
-    Fields are those of results.PLATE_FIELDS by name or symbol, m_1, m_2, bottom_x, bottom_y, top_x and top_y. Kinds are
-    plan (if nothing is said), deformed, lines (if a line is given), soil and convergence; docs/plots.md shows each.
-    Without a combination all certified ones are drawn. An envelope is that of a limit state; a line is x1, y1, x2, y2
-    in metres, or several of these. A PDF has pages of A4 width, other files are one sheet. A file that exists is
-    replaced only if groundslab drew it. Raises InputError.
+    Parameters
+    ----------
+    results : Results or Combined
+        Results of one or of several combinations.
+    *fields : str
+        Quantities to draw, by name or symbol: the nodal fields of the plate ("settlement" or "w", "pressure" or "p",
+        "moment_x" or "m_x", ...), the principal moments "m_1" and "m_2", and the design moments "bottom_x",
+        "bottom_y", "top_x" and "top_y". Without any, a usual choice for the kind.
+    kind : str, optional
+        "plan" (default), "deformed", "lines" (default if a line is given), "soil" or "convergence"; see docs/plots.md.
+    combination : str or sequence of str, optional
+        Names of the combinations to draw; without any, all that are certified.
+    envelope : str, optional
+        Limit state whose combinations are drawn by their largest and smallest values, for plans and lines.
+    line : sequence of float, optional
+        Section line x1, y1, x2, y2 [m], or several of these; without any, the lines of the case.
+    to : str or Path, optional
+        File to write: .pdf (pages of A4 width), .svg or .png (one sheet). An existing file is replaced only if
+        groundslab drew it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure, which notebooks show by themselves.
+
+    Raises
+    ------
+    InputError
+        If the request does not fit the results, or the file cannot be written; lists all issues at once.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> results = groundslab.solve(groundslab.load("case.toml"))
+    >>> figure = groundslab.plot(results, "settlement", "m_x")
     """
-    from groundslab.views.plots import files
-    from groundslab.views.plots.request import wish_of
+    from groundslab.views.plots import export
+    from groundslab.views.plots.request import parse_request
 
     combined = alone(results) if isinstance(results, Results) else results
-    wish = wish_of(combined, fields, kind, combination, envelope, line)
+    request = parse_request(combined, fields, kind, combination, envelope, line)
     if to is None:
-        return _sheet(wish)
-    files.check(to)
-    written = write(wish, to)
-    return written[0] if len(written) == 1 else _sheet(wish)
+        return _sheet(request)
+    export.check(to)
+    written = write(request, to)
+    return written[0] if len(written) == 1 else _sheet(request)
 
 
-def write(wish: Wish, path: str | Path) -> list[Figure]:
-    """Write what is wished for into a file, a PDF page by page and else one sheet, and return what was drawn."""
-    from groundslab.views.plots import files
-    from groundslab.views.plots.style import styled
+def write(request: PlotRequest, path: str | Path) -> list[Figure]:
+    """Draw a request into a file, a PDF page by page and else on one sheet, and return the figures."""
+    from groundslab.views.plots import export
+    from groundslab.views.plots.style import apply_style
 
-    if files.format_of(path) == "pdf":
-        with styled():
-            figures: list[Figure] = _kind(wish).pages(wish)
+    if export.file_format(path) == "pdf":
+        with apply_style():
+            figures: list[Figure] = _drawing_module(request).draw_pages(request)
     else:
-        figures = [_sheet(wish)]
-    files.save(figures, path)
+        figures = [_sheet(request)]
+    export.save(figures, path)
     return figures
 
 
-def _sheet(wish: Wish) -> Figure:
-    """Return one sheet with all that is wished for; raises InputError if that is too much."""
-    from groundslab.errors import InputError, Issue
-    from groundslab.views.plots.style import styled
+def write_picture(results: Results, path: Path) -> None:
+    """Write the picture of `solve --plot`, settlement and contact pressure in plan, as a PNG file."""
+    from groundslab.views.plots import export
 
-    count = wish.panels
+    export.save([plot(results)], path, dpi=PICTURE_DPI)
+
+
+def _sheet(request: PlotRequest) -> Figure:
+    """Return one sheet with all panels of a request; raises InputError if they are too many."""
+    from groundslab.errors import InputError, Issue
+    from groundslab.views.plots.style import apply_style
+
+    count = request.panel_count
     if count > MOST_PANELS:
         hint = "name fewer fields or combinations, or write a PDF, which has pages"
         raise InputError([Issue("combination", f"{count} panels on one sheet", f"at most {MOST_PANELS}", hint)])
-    with styled():
-        figure: Figure = _kind(wish).sheet(wish)
+    with apply_style():
+        figure: Figure = _drawing_module(request).draw_sheet(request)
     return figure
 
 
-def _kind(wish: Wish) -> Any:
+def _drawing_module(request: PlotRequest) -> Any:
     """Return the module that draws a kind."""
     from groundslab.views.plots import convergence, deformed, plan, sections, soil
 
-    return {"plan": plan, "deformed": deformed, "lines": sections, "soil": soil, "convergence": convergence}[wish.kind]
+    modules = {"plan": plan, "deformed": deformed, "lines": sections, "soil": soil, "convergence": convergence}
+    return modules[request.kind]

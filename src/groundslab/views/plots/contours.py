@@ -1,27 +1,83 @@
-"""Filled contours of nodal fields on nine-node quadrilaterals, with a colour bar."""
+"""Filled contours of nodal fields on nine-node quadrilaterals: color scales with round levels, fillings, color bars."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.results.contact_zone import goes_below_zero
 from groundslab.views.plots.style import INK, SMALL
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.colors import Colormap, Normalize
     from matplotlib.tri import Triangulation
 
     from groundslab.arrays import Array, Integers
-    from groundslab.views.plots.scale import Scale
 
-#: The eight triangles of a nine-node quadrilateral: all meet in its centre, two along each side.
+#: About so many bands of color.
+BANDS = 13
+#: A map from dark to light for one sign, and one with white in the middle: red for what is positive, blue below zero.
+ONE_SIGN, TWO_SIGNS = "viridis", "RdBu_r"
+
+
+@dataclass(frozen=True, slots=True)
+class ColorScale:
+    """The borders of the bands, ascending, in units of display; how they are colored."""
+
+    levels: Array
+    parts_at_zero: bool
+    reversed: bool = False  # the map runs from light to dark, for what is largest below zero
+
+    def color_map(self) -> tuple[Colormap, Normalize]:
+        """Return the color map, and what takes values to it."""
+        from matplotlib import colormaps
+        from matplotlib.colors import CenteredNorm, Normalize
+
+        if self.parts_at_zero:
+            norm: Normalize = CenteredNorm(0.0, float(np.abs(self.levels).max()))
+            found = colormaps[TWO_SIGNS]
+        else:
+            norm = Normalize(float(self.levels[0]), float(self.levels[-1]))
+            found = colormaps[ONE_SIGN + ("_r" if self.reversed else "")]
+        return found, norm
+
+    def colors_at(self, values: Array) -> Array:
+        """Return the colors (n, 4) of the bands that values (n,) lie in."""
+        colors, norm = self.color_map()
+        band = np.clip(np.searchsorted(self.levels, values, side="right") - 1, 0, len(self.levels) - 2)
+        rgba: Array = np.asarray(colors(norm((self.levels[band] + self.levels[band + 1]) / 2)))
+        return rgba
+
+
+def make_scale(values: Sequence[Array], *, signed: bool) -> ColorScale:
+    """Return the scale that several fields share, in units of display."""
+    from matplotlib.ticker import MaxNLocator
+
+    low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)
+    size = max(abs(low), abs(high))
+    below = goes_below_zero(np.array([low, high]))
+    if not signed and not below and low < 0.5 * high:
+        low = 0.0
+    if size == 0:
+        high = 1.0
+    elif high - low <= 1e-9 * size:
+        low, high = low - 0.5 * abs(low), high + 0.5 * abs(high)
+    levels = np.asarray(MaxNLocator(nbins=BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
+    only_below = below and not signed and high <= 1e-9 * size
+    return ColorScale(levels, (signed or below) and not only_below, only_below)
+
+
+#: The eight triangles of a nine-node quadrilateral: all meet in its center, two along each side.
 TRIANGLES = np.array(
     [[0, 4, 8], [4, 1, 8], [1, 5, 8], [5, 2, 8], [2, 6, 8], [6, 3, 8], [3, 7, 8], [7, 0, 8]]
 )  # fmt: skip
-#: With more elements than this the colours in SVG and PDF files are pixels, so that the files stay small.
+#: With more elements than this the colors in SVG and PDF files are pixels, so that the files stay small.
 MOST_ELEMENTS = 20_000
-#: Room for a label of the bar along it [mm].
+#: Space for a label of the bar along it [mm].
 LABEL = 4.6
 
 
@@ -37,15 +93,15 @@ def triangulation(nodes: Array, elements: Integers) -> Triangulation:
     return Triangulation(nodes[:, 0], nodes[:, 1], triangulate(elements))
 
 
-def fill(axes: Axes, triangles: Triangulation, values: Array, scale: Scale) -> None:
+def draw_contours(axes: Axes, triangles: Triangulation, values: Array, scale: ColorScale) -> None:
     """Fill the bands of nodal values (n,), with thin lines between them and a stronger one at zero."""
-    colours, norm = scale.colours()
+    colors, norm = scale.color_map()
     levels = scale.levels
     # what lies on the last level, or by rounding below the first one, would leave a hole
     little = 1e-9 * (levels[-1] - levels[0])
     shown = np.clip(values, levels[0], levels[-1] - little)
     many = len(triangles.triangles) > len(TRIANGLES) * MOST_ELEMENTS
-    drawn = axes.tricontourf(triangles, shown, levels=levels, cmap=colours, norm=norm, zorder=0.5)
+    drawn = axes.tricontourf(triangles, shown, levels=levels, cmap=colors, norm=norm, zorder=0.5)
     drawn.set_rasterized(many)
     between = levels[(levels > values.min()) & (levels < values.max())]
     if len(between):
@@ -56,15 +112,17 @@ def fill(axes: Axes, triangles: Triangulation, values: Array, scale: Scale) -> N
         ).set_rasterized(many)
 
 
-def bar(axes: Axes, scale: Scale, label: str, place: tuple[float, float, float, float], height: float) -> None:
-    """Draw the colour bar at a place in the axes' own coordinates; its height [mm] says how many labels it has."""
+def draw_color_bar(
+    axes: Axes, scale: ColorScale, label: str, place: tuple[float, float, float, float], height: float
+) -> None:
+    """Draw the color bar at a place in the axes' own coordinates; its height [mm] says how many labels it has."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
     levels = scale.levels
     figure = axes.get_figure(root=True)
     assert figure is not None
-    bands = ListedColormap(scale.of((levels[:-1] + levels[1:]) / 2).tolist())
+    bands = ListedColormap(scale.colors_at((levels[:-1] + levels[1:]) / 2).tolist())
     drawn = ScalarMappable(BoundaryNorm(levels, bands.N), bands)
     every = max(1, int(np.ceil(len(levels) * LABEL / height)))
     first = int(np.argmin(np.abs(levels))) % every

@@ -7,8 +7,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.views.plots.paper import MARGIN, PAGE_WIDTH, Paper
-from groundslab.views.plots.style import BAD, BASE, CYCLE, FAINT, GREY, INK, PT, SMALL, free, number, symbol
+from groundslab.views.plots.style import (
+    BAD,
+    BASE,
+    CYCLE,
+    FAINT,
+    GREY,
+    INK,
+    MARGIN,
+    PAGE_WIDTH,
+    PT,
+    SMALL,
+    Page,
+    math_symbol,
+    number,
+    plain_text,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,7 +31,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.results.record import Step
-    from groundslab.views.plots.request import Way, Wish
+    from groundslab.views.plots.request import IterationHistory, PlotRequest
 
 #: Boxes of the curves [mm].
 LEFT, HIGH, BETWEEN, ABOVE, BELOW = 17.0, 32.0, 4.0, 12.0, 12.0
@@ -25,32 +39,46 @@ LEFT, HIGH, BETWEEN, ABOVE, BELOW = 17.0, 32.0, 4.0, 12.0, 12.0
 STRIPE = "#f1f1ee"
 
 
-def sheet(wish: Wish) -> Figure:
-    """Return the ways of all combinations on one sheet."""
-    return _figure(wish, wish.ways)
+def draw_sheet(request: PlotRequest) -> Figure:
+    """Return the histories of all combinations on one sheet."""
+    return _figure(request, request.histories)
 
 
-def pages(wish: Wish) -> list[Figure]:
-    """Return the ways on pages, two on each."""
-    return [_figure(wish, wish.ways[first : first + 2]) for first in range(0, len(wish.ways), 2)]
+def draw_pages(request: PlotRequest) -> list[Figure]:
+    """Return the histories on pages, two on each."""
+    return [_figure(request, request.histories[first : first + 2]) for first in range(0, len(request.histories), 2)]
 
 
-def _figure(wish: Wish, ways: Sequence[Way]) -> Figure:
-    """Return ways one below the other."""
-    paper = Paper(PAGE_WIDTH)
-    top = paper.head(wish.combined.model.title, ["Convergence"])
-    for way in ways:
+def _figure(request: PlotRequest, histories: Sequence[IterationHistory]) -> Figure:
+    """Return histories one below the other."""
+    page = Page(PAGE_WIDTH)
+    top = page.write_heading(request.combined.model.title, ["Convergence"])
+    for history in histories:
         top += ABOVE
-        rows = [_changed, _in_contact] + ([_gamma] if any(step.gamma is not None for step in way.steps) else [])
+        rows = [_changed, _in_contact] + ([_gamma] if any(step.gamma is not None for step in history.steps) else [])
         boxes = []
         for draw in rows:
-            axes = paper.axes(LEFT, top, PAGE_WIDTH - LEFT - MARGIN - 3, HIGH)
-            draw(axes, way.steps)
+            axes = page.add_axes(LEFT, top, PAGE_WIDTH - LEFT - MARGIN - 3, HIGH)
+            draw(axes, history.steps)
             boxes.append(axes)
             top += HIGH + BETWEEN
-        _common(boxes, way, name=way.name if wish.several else "")
+        _share_axis(boxes, history, name=history.name if request.names_combinations else "")
         top += BELOW - BETWEEN
-    return paper.finish(top)
+    return page.finish(top)
+
+
+def draw_thumbnail(steps: Sequence[Step]) -> Figure:
+    """Return a small figure of the nodes that change sides in each step, for a page with many of them."""
+    from matplotlib.ticker import MaxNLocator
+
+    page = Page(66.0)
+    axes = page.add_axes(12.0, MARGIN, 51.0, 25.0)
+    if steps:
+        _changed(axes, steps)
+    axes.xaxis.set_major_locator(MaxNLocator(nbins=5, integer=True, min_n_ticks=1))
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_xlabel("step")
+    return page.finish(25.0 + 8.0 + MARGIN, signed=False)
 
 
 def meshes_of(steps: Sequence[Step]) -> list[tuple[int, slice]]:
@@ -72,7 +100,9 @@ def _changed(axes: Axes, steps: Sequence[Step]) -> None:
     """Draw how many nodes change sides after each step, to a logarithmic scale that has a place for none."""
     changed = [step.changed for step in steps]
     for _, part in meshes_of(steps):
-        axes.plot(_numbers(part), changed[part], "o-", color=CYCLE[2], markersize=3)
+        color = CYCLE[2]
+        fill = color if steps[part.start].finest else "white"
+        axes.plot(_numbers(part), changed[part], "o-", color=color, markersize=3, markerfacecolor=fill)
     axes.set_yscale("symlog", linthresh=1, linscale=0.5)
     axes.set(ylim=(-0.15, 2 * max(*changed, 1)), ylabel="changed nodes [-]")
     axes.yaxis.set_major_formatter(lambda value, _: number(value))
@@ -91,21 +121,21 @@ def _gamma(axes: Axes, steps: Sequence[Step]) -> None:
     gammas = np.array([np.nan if step.gamma is None else step.gamma for step in steps])
     for _, part in meshes_of(steps):
         axes.plot(_numbers(part), gammas[part], "^-", color=CYCLE[3], markersize=3)
-    axes.set_ylabel(f"{symbol('gamma')} [-]")
+    axes.set_ylabel(f"{math_symbol('gamma')} [-]")
     axes.margins(y=0.15)
 
 
-def _common(boxes: Sequence[Axes], way: Way, name: str) -> None:
-    """Give the axes of one way their common axis, shade the meshes and tell their unknowns, mark load increments."""
+def _share_axis(boxes: Sequence[Axes], history: IterationHistory, name: str) -> None:
+    """Share the axis of steps, shade the meshes and name their unknowns, mark load increments."""
     from matplotlib.ticker import MaxNLocator
 
-    count = len(way.steps)
+    count = len(history.steps)
     for axes in boxes:
-        for index, (_, part) in enumerate(meshes_of(way.steps)):
+        for index, (_, part) in enumerate(meshes_of(history.steps)):
             if index % 2:
                 axes.axvspan(part.start + 0.5, part.stop + 0.5, color=STRIPE, linewidth=0, zorder=0)
         for number_ in range(1, count):
-            if way.steps[number_].increment > way.steps[number_ - 1].increment:
+            if history.steps[number_].increment > history.steps[number_ - 1].increment:
                 axes.axvline(number_ + 0.5, color=GREY, linewidth=0.5, linestyle=(0, (1, 2)))
         axes.set_xlim(0.5, count + 0.5)
         axes.xaxis.set_major_locator(MaxNLocator(nbins=12, integer=True, min_n_ticks=1))
@@ -116,18 +146,18 @@ def _common(boxes: Sequence[Axes], way: Way, name: str) -> None:
             axes.spines[spine].set_visible(False)
     boxes[-1].set_xlabel("step")
     head = boxes[0]
-    for unknowns, part in meshes_of(way.steps):
+    for unknowns, part in meshes_of(history.steps):
         if unknowns and (part.stop - part.start) * 12 > count:
             head.annotate(
                 f"{unknowns} unknowns", ((part.start + part.stop + 1) / 2, 1), xycoords=("data", "axes fraction"),
                 xytext=(0, 1.2 / PT), textcoords="offset points", fontsize=SMALL - 1, color=GREY, ha="center",
             )  # fmt: skip
-    last = way.steps[-1]
-    outcome = way.outcome or f"converged in {count} step{'s' if count > 1 else ''}"
-    words = ": ".join(filter(None, [free(name, 80), outcome]))
+    last = history.steps[-1]
+    outcome = history.outcome or f"converged in {count} step{'s' if count > 1 else ''}"
+    words = ": ".join(filter(None, [plain_text(name, 80), outcome]))
     if last.gamma is not None:
         words += f"; gamma = {last.gamma:.5g}"
     head.annotate(
         words, (0, 1), xycoords="axes fraction", xytext=(0, 5 / PT), textcoords="offset points", fontsize=BASE,
-        fontweight="bold", color=BAD if way.outcome else INK, parse_math=False,
+        fontweight="bold", color=BAD if history.outcome else INK, parse_math=False,
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The deformed plate in space: settlements exaggerated, coloured by any amount, with the level that it came from."""
+"""The deformed plate in space: settlements exaggerated, colored by any quantity, with the level that it came from."""
 
 from __future__ import annotations
 
@@ -11,19 +11,18 @@ import numpy as np
 from groundslab.fem.mesh import Mesh, interpolated, whereabouts
 from groundslab.fem.shape_functions import q9
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.views.plots.contours import bar, triangulation
-from groundslab.views.plots.heads import head_of, room_above, write_above
-from groundslab.views.plots.panels import NOT_CERTIFIED, View, scales_of, view_of
-from groundslab.views.plots.paper import PAGE_HEIGHT, PAGE_WIDTH, WIDE, Paper
-from groundslab.views.plots.style import GREY, INK, PT, SMALL, number
+from groundslab.views.plots.annotations import draw_title, panel_title, title_height
+from groundslab.views.plots.contours import draw_color_bar, triangulation
+from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panel, shared_scales
+from groundslab.views.plots.style import GREY, INK, PAGE_HEIGHT, PAGE_WIDTH, PT, SMALL, WIDE, Page, number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.arrays import Array, Integers
     from groundslab.model.model import Model
-    from groundslab.views.plots.request import Wish
-    from groundslab.views.plots.scale import Scale
+    from groundslab.views.plots.contours import ColorScale
+    from groundslab.views.plots.request import PlotRequest
 
 #: The largest settlement or uplift is drawn about so large, relative to the plate's longer side.
 DEPTH = 0.14
@@ -35,56 +34,56 @@ MOST_SIDES = 1_200
 TICK = 13.0
 #: From where one looks [degrees].
 ELEVATION, AZIMUTH = 28.0, -62.0
-#: Room on the right of a view, for the bar [mm].
+#: Space on the right of a panel, for the bar [mm].
 RIGHT = 36.0
 #: How much of the box the plate may take, the rest being left for the words at the axes.
 PART_WIDE, PART_HIGH = 0.82, 0.74
-#: Light from the upper left, and how much of the colour a face turned away from it keeps.
+#: Light from the upper left, and how much of the color a face turned away from it keeps.
 LIGHT, SHADE = np.array([-0.35, -0.45, 0.82]), 0.55
 
 
 @dataclass(frozen=True, slots=True)
 class Surface:
-    """A view, and the settlement that shapes it [m]."""
+    """A panel, and the settlement that shapes it [m]."""
 
-    view: View
+    panel: Panel
     settlement: Array  # (n,)
 
 
-def sheet(wish: Wish) -> Figure:
-    """Return all views on one sheet."""
-    surfaces = _surfaces(wish)
+def draw_sheet(request: PlotRequest) -> Figure:
+    """Return all panels on one sheet."""
+    surfaces = _surfaces(request)
     columns, width = (1, PAGE_WIDTH) if len(surfaces) == 1 else (2, WIDE)
-    return _figure(wish.combined.model, surfaces, _scales(surfaces), columns, width)
+    return _figure(request.combined.model, surfaces, _scales(surfaces), columns, width)
 
 
-def pages(wish: Wish) -> list[Figure]:
-    """Return the views on pages, two on each, a combination never on the page of another."""
-    surfaces = _surfaces(wish)
+def draw_pages(request: PlotRequest) -> list[Figure]:
+    """Return the panels on pages, two on each, a combination never on the page of another."""
+    surfaces = _surfaces(request)
     scales = _scales(surfaces)
     found: list[Figure] = []
-    for of in dict.fromkeys(each.view.of for each in surfaces):
-        own = [each for each in surfaces if each.view.of == of]
+    for source in dict.fromkeys(each.panel.source for each in surfaces):
+        own = [each for each in surfaces if each.panel.source == source]
         found += [
-            _figure(wish.combined.model, own[first : first + 2], scales, 1, PAGE_WIDTH)
+            _figure(request.combined.model, own[first : first + 2], scales, 1, PAGE_WIDTH)
             for first in range(0, len(own), 2)
         ]
     return found
 
 
-def _surfaces(wish: Wish) -> list[Surface]:
+def _surfaces(request: PlotRequest) -> list[Surface]:
     return [
-        Surface(view_of(amount, each, wish.several), each.results.plate.settlement)
-        for each in wish.drawn
-        for amount in wish.amounts
+        Surface(build_panel(quantity, each, request.names_combinations), each.results.plate.settlement)
+        for each in request.combinations
+        for quantity in request.quantities
     ]
 
 
-def _scales(surfaces: Sequence[Surface]) -> dict[str, Scale]:
-    return scales_of([each.view for each in surfaces])
+def _scales(surfaces: Sequence[Surface]) -> dict[str, ColorScale]:
+    return shared_scales([each.panel for each in surfaces])
 
 
-def exaggeration_of(settlements: Sequence[Array], longest: float) -> float:
+def find_exaggeration(settlements: Sequence[Array], longest: float) -> float:
     """Return by what settlements [m] are multiplied to be seen beside a length [m]: 1, 2 or 5 times a power of ten."""
     largest = max(float(np.abs(each).max()) for each in settlements)
     if largest == 0.0:
@@ -94,36 +93,38 @@ def exaggeration_of(settlements: Sequence[Array], longest: float) -> float:
     return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
 
 
-def _figure(model: Model, surfaces: Sequence[Surface], scales: dict[str, Scale], columns: int, width: float) -> Figure:
-    """Return views on one sheet of some width [mm], in columns, all with the same exaggeration."""
-    paper = Paper(width)
-    views = [each.view for each in surfaces]
-    alike = len({view.of for view in views}) == 1
-    factor = exaggeration_of([each.settlement for each in surfaces], max(model.plate.sides))
-    told = f"deformed plate, settlements exaggerated {number(factor)} times; dashed: level before loading"
-    lines = [f"{views[0].of}: {told}" if alike and views[0].of else told[0].upper() + told[1:]]
-    top = paper.head(model.title, lines, "" if all(view.certified for view in views) else NOT_CERTIFIED)
+def _figure(
+    model: Model, surfaces: Sequence[Surface], scales: dict[str, ColorScale], columns: int, width: float
+) -> Figure:
+    """Return panels on one sheet of some width [mm], in columns, all with the same exaggeration."""
+    page = Page(width)
+    panels = [each.panel for each in surfaces]
+    alike = len({panel.source for panel in panels}) == 1
+    factor = find_exaggeration([each.settlement for each in surfaces], max(model.plate.sides))
+    caption = f"deformed plate, settlements exaggerated {number(factor)} times; dashed: level before loading"
+    lines = [f"{panels[0].source}: {caption}" if alike and panels[0].source else caption[0].upper() + caption[1:]]
+    top = page.write_heading(model.title, lines, "" if all(panel.certified for panel in panels) else NOT_CERTIFIED)
     each = width / columns
     box_width = each - RIGHT - 4
-    wide, high = _seen(_sides(model, [surface.settlement for surface in surfaces], factor)[0])
+    wide, high = _projected_size(_sides(model, [surface.settlement for surface in surfaces], factor)[0])
     box_height = min(PART_WIDE * box_width / wide * high / PART_HIGH, PAGE_HEIGHT / 2 - 35)
     legend: dict[str, Any] = {}
     for first in range(0, len(surfaces), columns):
         row = surfaces[first : first + columns]
-        heads = [head_of(surface.view, box_width + RIGHT, tell=not alike) for surface in row]
-        top += max(map(room_above, heads))
+        heads = [panel_title(surface.panel, box_width + RIGHT, with_source=not alike) for surface in row]
+        top += max(map(title_height, heads))
         for column, (surface, head) in enumerate(zip(row, heads, strict=True)):
             left = column * each + 4
-            frame = paper.axes(left, top, box_width, box_height)
+            frame = page.add_axes(left, top, box_width, box_height)
             frame.set_axis_off()
-            write_above(frame, head)
-            axes: Any = paper.axes(left, top, box_width, box_height, projection="3d")
-            scale = scales[surface.view.amount.name]
-            legend |= _space(axes, model, surface, scale, factor, (box_width, box_height))
+            draw_title(frame, head)
+            axes: Any = page.add_axes(left, top, box_width, box_height, projection="3d")
+            scale = scales[surface.panel.quantity.name]
+            legend |= _draw_surface(axes, model, surface, scale, factor, (box_width, box_height))
             place = (1 + 12 / box_width, 0.1, 3 / box_width, 0.8)
-            bar(frame, scale, surface.view.amount.label, place, 0.8 * box_height)
+            draw_color_bar(frame, scale, surface.panel.quantity.label, place, 0.8 * box_height)
         top += box_height + 3
-    return paper.finish(top, legend)
+    return page.finish(top, legend)
 
 
 def facets(nodes: Array, elements: Integers, values: Sequence[Array], parts: int) -> tuple[Array, list[Array]]:
@@ -144,27 +145,27 @@ def facets(nodes: Array, elements: Integers, values: Sequence[Array], parts: int
     return at_corners(nodes), [at_corners(each) for each in values]
 
 
-def _space(
-    axes: Any, model: Model, surface: Surface, scale: Scale, factor: float, box: tuple[float, float]
+def _draw_surface(
+    axes: Any, model: Model, surface: Surface, scale: ColorScale, factor: float, box: tuple[float, float]
 ) -> dict[str, Any]:
     """Draw a deformed plate into axes in space; return the entries in the legend."""
     from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-    view = surface.view
-    parts = max(2, round(np.sqrt(FACETS / len(view.elements))))
-    xy, (w, values) = facets(view.nodes, view.elements, [surface.settlement, view.values], parts)
+    panel = surface.panel
+    parts = max(2, round(np.sqrt(FACETS / len(panel.elements))))
+    xy, (w, values) = facets(panel.nodes, panel.elements, [surface.settlement, panel.values], parts)
     corners = np.concatenate([xy, -factor * w[..., None]], axis=2)
-    colours = scale.of(values.mean(axis=1))
-    colours[:, :3] *= _brightness(corners)[:, None]
+    colors = scale.colors_at(values.mean(axis=1))
+    colors[:, :3] *= _brightness(corners)[:, None]
     axes.computed_zorder = False
-    drawn = Poly3DCollection(corners, facecolors=colours, edgecolors=colours, linewidths=0.2, zorder=2, clip_on=False)
+    drawn = Poly3DCollection(corners, facecolors=colors, edgecolors=colors, linewidths=0.2, zorder=2, clip_on=False)
     drawn.set_rasterized(True)  # so many facets are smaller as pixels
     axes.add_collection3d(drawn)
-    if len(view.elements) <= MOST_SIDES:
-        ring = view.elements[:, [0, 4, 1, 5, 2, 6, 3, 7, 0]]
-        sides = np.concatenate([view.nodes[ring], -factor * surface.settlement[ring][..., None]], axis=2)
+    if len(panel.elements) <= MOST_SIDES:
+        ring = panel.elements[:, [0, 4, 1, 5, 2, 6, 3, 7, 0]]
+        sides = np.concatenate([panel.nodes[ring], -factor * surface.settlement[ring][..., None]], axis=2)
         axes.add_collection3d(Line3DCollection(sides, colors=INK, linewidths=0.15, alpha=0.5, zorder=3, clip_on=False))
-    entries = _border(axes, surface, factor)
+    entries = _draw_contact_border(axes, surface, factor)
     chord = DRAWN_CHORD * max(model.plate.sides)
     for ring_ in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
         flat = ring_.flat(chord)
@@ -172,7 +173,7 @@ def _space(
         (line,) = axes.plot(x, y, np.zeros(len(x)), color=GREY, linewidth=0.7, linestyle=(0, (5, 3)), zorder=4)
         line.set_clip_on(False)
         entries["level before loading"] = line
-    _frame(axes, model, surface.settlement, factor, box)
+    _set_axes(axes, model, surface.settlement, factor, box)
     return entries
 
 
@@ -186,15 +187,15 @@ def _brightness(corners: Array) -> Array:
     return found
 
 
-def _border(axes: Any, surface: Surface, factor: float) -> dict[str, Any]:
+def _draw_contact_border(axes: Any, surface: Surface, factor: float) -> dict[str, Any]:
     """Draw the border of contact on the deformed plate."""
     from matplotlib.figure import Figure
 
-    contact = surface.view.contact
+    contact = surface.panel.contact
     if contact is None or not (contact > 0).any() or not (contact < 0).any():
         return {}
-    triangles = triangulation(surface.view.nodes, surface.view.elements)
-    mesh = Mesh(surface.view.nodes, surface.view.elements)
+    triangles = triangulation(surface.panel.nodes, surface.panel.elements)
+    mesh = Mesh(surface.panel.nodes, surface.panel.elements)
     entries = {}
     found = Figure().add_subplot().tricontour(triangles, contact, levels=[0.0])
     for path in found.get_paths():
@@ -205,7 +206,7 @@ def _border(axes: Any, surface: Surface, factor: float) -> dict[str, Any]:
     return entries
 
 
-def _seen(sides: tuple[float, float, float]) -> tuple[float, float]:
+def _projected_size(sides: tuple[float, float, float]) -> tuple[float, float]:
     """Return width and height of a brick of some sides, as it is seen."""
     x, y, z = sides
     up, turn = np.radians([ELEVATION, AZIMUTH])
@@ -219,7 +220,7 @@ def _zoom(sides: tuple[float, float, float], width: float, height: float) -> flo
 
     Without zoom Matplotlib draws the brick's diagonal about as long as the box's shorter side.
     """
-    wide, high = (each / float(np.linalg.norm(sides)) * min(width, height) for each in _seen(sides))
+    wide, high = (each / float(np.linalg.norm(sides)) * min(width, height) for each in _projected_size(sides))
     return min(PART_WIDE * width / wide, PART_HIGH * height / high)
 
 
@@ -233,7 +234,7 @@ def _sides(model: Model, settlements: Sequence[Array], factor: float) -> tuple[t
     return (x, y, high - low), low
 
 
-def _frame(axes: Any, model: Model, settlement: Array, factor: float, box: tuple[float, float]) -> None:
+def _set_axes(axes: Any, model: Model, settlement: Array, factor: float, box: tuple[float, float]) -> None:
     """Give axes in space their limits, equal in all directions, and their words."""
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
@@ -245,12 +246,12 @@ def _frame(axes: Any, model: Model, settlement: Array, factor: float, box: tuple
     axes.set_proj_type("ortho")
     axes.view_init(elev=ELEVATION, azim=AZIMUTH)
     steps = [1, 2, 2.5, 5, 10]
-    per_metre = PART_WIDE * box[0] / _seen(sides)[0]
+    per_meter = PART_WIDE * box[0] / _projected_size(sides)[0]
     for axis, side in ((axes.xaxis, sides[0]), (axes.yaxis, sides[1])):
-        axis.set_major_locator(MaxNLocator(nbins=max(1, min(8, int(side * per_metre / TICK))), steps=steps))
+        axis.set_major_locator(MaxNLocator(nbins=max(1, min(8, int(side * per_meter / TICK))), steps=steps))
     # labels as far apart as they are high, and a half more
-    room = per_metre * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
-    ticks = MaxNLocator(nbins=max(1, min(5, int(room))), steps=steps).tick_values(
+    space = per_meter * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
+    ticks = MaxNLocator(nbins=max(1, min(5, int(space))), steps=steps).tick_values(
         -high / factor * 1e3, -low / factor * 1e3
     )
     kept = [tick for tick in ticks if low - 1e-9 <= -tick * factor / 1e3 <= high + 1e-9]

@@ -1,4 +1,4 @@
-"""What panels show: an amount of one combination, or its envelope over several; scales and extremes."""
+"""What panels show: a quantity of one combination, or its envelope over several; scales and extremes."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from groundslab.design.envelope import envelope
 from groundslab.design.tables.quantities import nodal
 from groundslab.results.contact_zone import contact_function, has_line_force
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
-from groundslab.views.plots.amounts import NOT_ABOVE, NOT_BELOW, Amount
-from groundslab.views.plots.scale import Scale, scale_of
-from groundslab.views.plots.symbols import in_combination
+from groundslab.views.plots.contours import ColorScale, make_scale
+from groundslab.views.plots.request import PlotQuantity
+from groundslab.views.plots.symbols import takes_part_in
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.results.results import Results
-    from groundslab.views.plots.request import Drawn, Wish
+    from groundslab.views.plots.request import PlotRequest, PlottedCombination
 
 NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
 
 
 @dataclass(frozen=True, slots=True)
-class View:
-    """One panel: an amount of one combination, or an extreme of it over several."""
+class Panel:
+    """One panel: a quantity of one combination, or an extreme of it over several."""
 
-    amount: Amount
-    of: str  # the combination, or what the extreme is taken over
+    quantity: PlotQuantity
+    source: str  # the combination, or what the extreme is taken over
     values: Array  # (n,), in units of display
     nodes: Array
     elements: Integers
@@ -42,34 +42,42 @@ class View:
     governs: tuple[tuple[str, ...], Integers] | None = None  # combinations, and the one that each value comes from
 
 
-def views_of(wish: Wish) -> list[View]:
-    """Return the panels that are asked for: by combination, then by amount."""
-    if wish.envelope:
-        return [view for amount in wish.amounts for view in _enveloped(amount, wish.drawn, wish.envelope)]
-    return [view_of(amount, each, wish.several) for each in wish.drawn for amount in wish.amounts]
+def build_panels(request: PlotRequest) -> list[Panel]:
+    """Return the panels of a request: by combination, then by quantity."""
+    if request.envelope:
+        return [
+            panel
+            for quantity in request.quantities
+            for panel in _envelope_panels(quantity, request.combinations, request.envelope)
+        ]
+    return [
+        build_panel(quantity, each, request.names_combinations)
+        for each in request.combinations
+        for quantity in request.quantities
+    ]
 
 
-def view_of(amount: Amount, drawn: Drawn, several: bool) -> View:
-    """Return the panel of an amount in one combination."""
-    results = drawn.results
+def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: bool) -> Panel:
+    """Return the panel of a quantity in one combination."""
+    results = combination.results
     plate = results.plate
-    return View(
-        amount,
-        f"{drawn.name} ({drawn.limit_state})" if several else "",
-        nodal(results, amount.name),
+    return Panel(
+        quantity,
+        f"{combination.name} ({combination.limit_state})" if named else "",
+        nodal(results, quantity.name),
         plate.nodes,
         plate.elements,
-        _line_force(amount, [results]),
+        _line_force(quantity, [results]),
         contact_function(results),
         plate.contact_share,
-        in_combination(results.factors),
-        drawn.certified,
+        takes_part_in(results.factors),
+        combination.certified,
     )
 
 
-def _line_force(amount: Amount, several: Sequence[Results]) -> tuple[float, tuple[float, float]] | None:
-    """Return the largest edge line force of several results, to be told beside their pressure, and its place."""
-    if amount.name != "pressure" or not any(map(has_line_force, several)):
+def _line_force(quantity: PlotQuantity, several: Sequence[Results]) -> tuple[float, tuple[float, float]] | None:
+    """Return the largest edge line force of several results, which is named beside their pressure, and its place."""
+    if quantity.name != "pressure" or not any(map(has_line_force, several)):
         return None
     found = []
     for plate in (results.plate for results in several):
@@ -79,22 +87,22 @@ def _line_force(amount: Amount, several: Sequence[Results]) -> tuple[float, tupl
     return max(found)
 
 
-def _enveloped(amount: Amount, drawn: Sequence[Drawn], state: str) -> Iterator[View]:
-    """Yield the largest and the smallest values of an amount over combinations, as far as they tell anything."""
-    found = envelope({each.name: nodal(each.results, amount.name) for each in drawn})
-    line_force = _line_force(amount, [each.results for each in drawn])
-    factors = [pair for each in drawn for pair in each.results.factors if pair[1]]
-    plate = drawn[0].results.plate
-    takes_part = in_combination(factors)
+def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombination], state: str) -> Iterator[Panel]:
+    """Yield the largest and smallest values of a quantity over combinations, but for those always zero."""
+    found = envelope({each.name: nodal(each.results, quantity.name) for each in combinations})
+    line_force = _line_force(quantity, [each.results for each in combinations])
+    factors = [pair for each in combinations for pair in each.results.factors if pair[1]]
+    plate = combinations[0].results.plate
+    takes_part = takes_part_in(factors)
     for word, values, by, nothing in (
-        ("Largest", found.greatest, found.greatest_by, amount.name in NOT_ABOVE),
-        ("Smallest", found.least, found.least_by, amount.name in NOT_BELOW),
+        ("Largest", found.greatest, found.greatest_by, quantity.field.sign == "not positive"),
+        ("Smallest", found.least, found.least_by, quantity.field.sign == "not negative"),
     ):
         if not nothing:
-            of = f"{word} of the {len(drawn)} {state} combination{'s' if len(drawn) > 1 else ''}"
-            yield View(
-                amount,
-                of,
+            source = f"{word} of the {len(combinations)} {state} combination{'s' if len(combinations) > 1 else ''}"
+            yield Panel(
+                quantity,
+                source,
                 values,
                 plate.nodes,
                 plate.elements,
@@ -107,12 +115,12 @@ def _enveloped(amount: Amount, drawn: Sequence[Drawn], state: str) -> Iterator[V
             )
 
 
-def scales_of(views: Sequence[View]) -> dict[str, Scale]:
-    """Return the scale of each amount, the same in all panels, by the amount's name."""
+def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:
+    """Return the scale of each quantity, the same in all panels, by the quantity's name."""
     found = {}
-    for name in dict.fromkeys(view.amount.name for view in views):
-        own = [view for view in views if view.amount.name == name]
-        found[name] = scale_of([view.values for view in own], signed=own[0].amount.signed)
+    for name in dict.fromkeys(panel.quantity.name for panel in panels):
+        own = [panel for panel in panels if panel.quantity.name == name]
+        found[name] = make_scale([panel.values for panel in own], signed=own[0].quantity.field.sign == "any")
     return found
 
 
@@ -125,15 +133,15 @@ class Extreme(NamedTuple):
     whose: str  # the combination that it comes from, where there are several
 
 
-def extremes_of(view: View) -> list[Extreme]:
+def find_extremes(panel: Panel) -> list[Extreme]:
     """Return the largest and the smallest value with their places, as far as they are not plain zeros."""
     found = []
-    nodes, values = view.nodes, view.values
+    nodes, values = panel.nodes, panel.values
     size = np.abs(values).max()
     for word, sign in (("largest", 1), ("smallest", -1)):
         node = extreme_node(nodes, values, sign)
         if abs(values[node]) > 1e-9 * size:
-            whose = "" if view.governs is None else view.governs[0][view.governs[1][node]]
+            whose = "" if panel.governs is None else panel.governs[0][panel.governs[1][node]]
             found.append(Extreme(word, float(values[node]), place_of(nodes, node), whose))
     if len(found) == 2 and found[0].value - found[1].value <= 1e-9 * size:
         del found[1]

@@ -1,4 +1,4 @@
-"""What is to be drawn: kind of figure, amounts, combinations, lines; with everything that is wrong with a wish."""
+"""Parse and validate a plot request: kind of figure, quantities, combinations, section lines."""
 
 from __future__ import annotations
 
@@ -11,15 +11,59 @@ import numpy as np
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, ResultField
 from groundslab.results.record import Step
 from groundslab.results.results import Combined, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
-from groundslab.views.plots.amounts import Amount, chosen
+from groundslab.views.plots.style import math_symbol
+
+#: What is drawn downwards, as it lies.
+DOWNWARDS = frozenset({"settlement"})
+
+
+@dataclass(frozen=True, slots=True)
+class PlotQuantity:
+    """A quantity of the plate that is drawn: its name and its entry in the table of quantities."""
+
+    name: str
+    field: ResultField
+
+    @property
+    def symbol(self) -> str:
+        """Return the symbol as a formula."""
+        if self.field.symbol:
+            return math_symbol(self.field.symbol)
+        face, _, axis = self.name.partition("_")
+        return rf"$m^*_{{{axis},\mathrm{{{face}}}}}$"
+
+    @property
+    def label(self) -> str:
+        """Return symbol and unit, for axes and color bars."""
+        return f"{self.symbol} [{self.field.unit.replace('kNm', 'kN m')}]"
+
+
+#: A force along the edge is no field over the plate; plans of the pressure name its largest.
+QUANTITIES = {name: PlotQuantity(name, field) for name, field in RANGED_FIELDS.items() if name != LINE_FORCE}
+#: Symbols serve as names too.
+SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
+
+
+def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
+    """Return the quantities with some names or symbols, each once; raises InputError for unknown names."""
+    issues = [
+        Issue("FIELD", quote(name), f"one of {listed(QUANTITIES)}", suggestion(name, [*QUANTITIES, *SYMBOLS]))
+        for name in names
+        if name not in QUANTITIES and name not in SYMBOLS
+    ]
+    if issues:
+        raise InputError(issues)
+    return tuple(QUANTITIES[name] for name in dict.fromkeys(SYMBOLS.get(name, name) for name in names))
+
 
 Kind = Literal["plan", "deformed", "lines", "soil", "convergence"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
-#: What is drawn if no amount is named.
-USUAL: dict[str, tuple[str, ...]] = {
+#: What is drawn if no quantity is named.
+DEFAULT_QUANTITIES: dict[str, tuple[str, ...]] = {
     "plan": ("settlement", "pressure"),
     "deformed": ("settlement",),
     "lines": ("settlement", "moment_x", "moment_y"),
@@ -28,7 +72,7 @@ Line = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class PlottedCombination:
     """One combination that is drawn: its results, whether they are certified."""
 
     name: str
@@ -38,7 +82,7 @@ class Drawn:
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class IterationHistory:
     """How the iteration for one combination went, up to its end or to where it was given up."""
 
     name: str
@@ -47,7 +91,7 @@ class Way:
 
 
 @dataclass(frozen=True, slots=True)
-class Cut:
+class SectionLine:
     """A section line: its name, which may be empty, and its two ends [m]."""
 
     name: str
@@ -56,79 +100,79 @@ class Cut:
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class PlotRequest:
     """What is drawn of the results of a model."""
 
     combined: Combined
     kind: Kind
-    amounts: tuple[Amount, ...]
-    drawn: tuple[Drawn, ...]
-    ways: tuple[Way, ...]  # convergence only
-    cuts: tuple[Cut, ...]  # lines only
+    quantities: tuple[PlotQuantity, ...]
+    combinations: tuple[PlottedCombination, ...]
+    histories: tuple[IterationHistory, ...]  # convergence only
+    lines: tuple[SectionLine, ...]  # lines only
     envelope: str  # a limit state, or empty
 
     @property
-    def several(self) -> bool:
+    def names_combinations(self) -> bool:
         """Return whether it must be said which combination is drawn."""
         return bool(self.combined.model.cases) or len(self.combined.combinations) > 1
 
     @property
-    def panels(self) -> int:
+    def panel_count(self) -> int:
         """Return about how many panels there are."""
         if self.kind == "convergence":
-            return len(self.ways)
+            return len(self.histories)
         if self.kind == "soil":
             return len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1
         if self.kind == "lines":
-            return len(self.amounts) * len(self.cuts)
-        return len(self.amounts) * (2 if self.envelope else len(self.drawn))
+            return len(self.quantities) * len(self.lines)
+        return len(self.quantities) * (2 if self.envelope else len(self.combinations))
 
 
-def wish_of(
+def parse_request(
     combined: Combined,
     fields: Sequence[str],
     kind: str | None,
     combination: str | Sequence[str] | None,
     envelope: str | None,
     line: Sequence[Any] | None,
-) -> Wish:
-    """Return what is asked for; raises InputError with all that is wrong with it.
+) -> PlotRequest:
+    """Parse and validate a plot request; raises InputError with all issues.
 
     A combination without a certified result is drawn if it is named, or if there is no other.
     """
-    lines = _lines(line)
-    asked = kind or ("lines" if lines else "plan")
+    lines = _parse_lines(line)
+    chosen_kind = kind or ("lines" if lines else "plan")
     names = (combination,) if isinstance(combination, str) else tuple(dict.fromkeys(combination or ()))
-    issues = _misfits(asked, fields, names, envelope, bool(lines))
+    issues = _find_conflicts(chosen_kind, fields, names, envelope, bool(lines))
     known = [each.name for each in combined.combinations]
     issues += [
         Issue("combination", describe(name), one_of(known), suggestion(name, known))
         for name in names
         if name not in known
     ]
-    amounts: tuple[Amount, ...] = ()
+    quantities: tuple[PlotQuantity, ...] = ()
     try:
-        amounts = chosen(fields or USUAL.get(asked, ()))
+        quantities = resolve(fields or DEFAULT_QUANTITIES.get(chosen_kind, ()))
     except InputError as error:
         issues += error.issues
-    cuts = tuple(Cut(each.name, each.start, each.end) for each in combined.model.output.lines)
+    section_lines = tuple(SectionLine(each.name, each.start, each.end) for each in combined.model.output.lines)
     if lines:
-        cuts = tuple(Cut("", (a, b), (c, d)) for a, b, c, d in lines)
-    elif asked == "lines" and not cuts:
-        hint = "give one as x1,y1,x2,y2 in metres, or name it under [[output.lines]] in the case"
+        section_lines = tuple(SectionLine("", (a, b), (c, d)) for a, b, c, d in lines)
+    elif chosen_kind == "lines" and not section_lines:
+        hint = "give one as x1,y1,x2,y2 in meters, or name it under [[output.lines]] in the case"
         issues.append(Issue("line", "no section line", "at least one", hint))
     if issues:
         raise InputError(issues)
-    assert asked in KINDS
-    if asked == "convergence":
-        return Wish(combined, asked, (), (), _ways(combined, names), (), "")
-    drawn = _drawn(combined, names, envelope)
-    for each in drawn:
+    assert chosen_kind in KINDS
+    if chosen_kind == "convergence":
+        return PlotRequest(combined, chosen_kind, (), (), _iteration_histories(combined, names), (), "")
+    combinations = _select_combinations(combined, names, envelope)
+    for each in combinations:
         require_finite(each.results)
-    return Wish(combined, asked, amounts, drawn, (), cuts, envelope or "")
+    return PlotRequest(combined, chosen_kind, quantities, combinations, (), section_lines, envelope or "")
 
 
-def _lines(line: Sequence[Any] | None) -> tuple[Line, ...]:
+def _parse_lines(line: Sequence[Any] | None) -> tuple[Line, ...]:
     """Return section lines of four coordinates [m] each, or of two places, given as one or as several."""
     if line is None:
         return ()
@@ -143,18 +187,18 @@ def _lines(line: Sequence[Any] | None) -> tuple[Line, ...]:
     good = values.ndim == 2 and len(values) > 0 and values.shape[1:] == (4,) and bool(np.isfinite(values).all())
     if not good or (values[:, :2] == values[:, 2:]).all(axis=1).any():
         found = "two ends at one place" if good else describe(line)
-        raise InputError([Issue("line", found, "x1, y1, x2, y2 of two different places, in metres")])
+        raise InputError([Issue("line", found, "x1, y1, x2, y2 of two different places, in meters")])
     return tuple((a, b, c, d) for a, b, c, d in values.tolist())
 
 
-def _misfits(
+def _find_conflicts(
     kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool
 ) -> list[Issue]:
     """Return what does not go together."""
     if kind not in KINDS:
         return [Issue("kind", quote(kind), f"one of {listed(KINDS)}", suggestion(kind, KINDS))]
     issues = []
-    if fields and kind not in USUAL:
+    if fields and kind not in DEFAULT_QUANTITIES:
         issues.append(Issue("FIELD", quote(fields[0]), f"none, as kind is {quote(kind)}"))
     if lines and kind != "lines":
         issues.append(Issue("line", "a line", f"none, as kind is {quote(kind)}"))
@@ -170,14 +214,16 @@ def _misfits(
     return issues
 
 
-def _drawn(combined: Combined, names: tuple[str, ...], envelope: str | None) -> tuple[Drawn, ...]:
+def _select_combinations(
+    combined: Combined, names: tuple[str, ...], envelope: str | None
+) -> tuple[PlottedCombination, ...]:
     """Return the combinations to draw: those named, those of an envelope, or all that are certified."""
     found = {}
     for each in combined.combinations:
         refused = combined.refused.get(each.name)
         results = refused.results if isinstance(refused, NotCertified) else combined.results.get(each.name)
         if results is not None:
-            found[each.name] = Drawn(each.name, each.limit_state, results, refused is None)
+            found[each.name] = PlottedCombination(each.name, each.limit_state, results, refused is None)
     missing = [name for name in names if name not in found]
     if missing:
         raise _without_results(combined, missing)
@@ -185,10 +231,10 @@ def _drawn(combined: Combined, names: tuple[str, ...], envelope: str | None) -> 
         return tuple(found[name] for name in names)
     certified = tuple(each for each in found.values() if each.certified)
     if envelope is not None:
-        wanted = tuple(each for each in certified if each.limit_state == envelope)
-        if not wanted:
+        in_state = tuple(each for each in certified if each.limit_state == envelope)
+        if not in_state:
             raise InputError([Issue("envelope", quote(envelope), "a limit state with a certified result")])
-        return wanted
+        return in_state
     if not found:
         raise _without_results(combined, list(combined.refused))
     return certified or tuple(found.values())
@@ -205,30 +251,30 @@ def _without_results(combined: Combined, names: Sequence[str]) -> InputError:
     )
 
 
-def _ways(combined: Combined, names: tuple[str, ...]) -> tuple[Way, ...]:
+def _iteration_histories(combined: Combined, names: tuple[str, ...]) -> tuple[IterationHistory, ...]:
     """Return how the iteration went for the combinations named, or for all that have a history."""
-    ways = []
+    histories = []
     for each in combined.combinations:
         if names and each.name not in names:
             continue
         refused: GroundslabError | None = combined.refused.get(each.name)
         results = refused.results if isinstance(refused, NotCertified) else combined.results.get(each.name)
         if results is not None:
-            ways.append(Way(each.name, results.steps, "" if refused is None else "not certified"))
+            histories.append(IterationHistory(each.name, results.steps, "" if refused is None else "not certified"))
         elif isinstance(refused, NotConverged):
-            steps = _steps(refused.history)
+            steps = _contact_steps(refused.history)
             if steps:
-                ways.append(Way(each.name, steps, "did not converge"))
-    if not ways:
+                histories.append(IterationHistory(each.name, steps, "did not converge"))
+    if not histories:
         raise InputError([Issue("combination", "no history of an iteration", "a combination with steps to draw")])
-    return tuple(ways)
+    return tuple(histories)
 
 
-def _steps(history: Sequence[Any]) -> tuple[Step, ...]:
-    """Return the steps of an iteration that did not converge, as far as they tell of the contact zone."""
+def _contact_steps(history: Sequence[Any]) -> tuple[Step, ...]:
+    """Return the steps of an iteration that did not converge, as far as they hold the contact zone."""
     steps = []
     for entry in history:
-        told = entry if isinstance(entry, dict) else {}
-        if {"iteration", "closed", "changed"} <= told.keys():
-            steps.append(Step(0, 1, None, told["iteration"], told["closed"], told["changed"], finest=False))
+        step = entry if isinstance(entry, dict) else {}
+        if {"iteration", "closed", "changed"} <= step.keys():
+            steps.append(Step(0, 1, None, step["iteration"], step["closed"], step["changed"], finest=False))
     return tuple(steps)

@@ -3,117 +3,248 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.views.plots.paper import MARGIN, PAGE_WIDTH, Paper
-from groundslab.views.plots.profile import Profile, Stratum, profiles_of
-from groundslab.views.plots.style import BASE, CYCLE, FAINT, GREY, INK, SMALL, STROKES, at, free, number, symbol
+from groundslab.discretize.ground import layer_of, sublayers, winkler_modulus
+from groundslab.fem.foundation import Layer
+from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.results import soil_profile
+from groundslab.views.plots.style import (
+    BASE,
+    CYCLE,
+    FAINT,
+    GREY,
+    GROUND,
+    INK,
+    MARGIN,
+    PAGE_WIDTH,
+    SMALL,
+    STROKES,
+    Page,
+    format_place,
+    math_symbol,
+    number,
+    plain_text,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from groundslab.views.plots.request import Wish
+    from groundslab.arrays import Array
+    from groundslab.model.ground import AnyGround
+    from groundslab.model.model import Model
+    from groundslab.views.plots.request import PlotRequest, PlottedCombination
 
-#: So many profiles stand side by side.
+
+@dataclass(frozen=True, slots=True)
+class PlottedLayer:
+    """A layer as it is drawn and listed; what is not known of it is None."""
+
+    thickness: float | None  # [m]
+    E: tuple[Array, Array] | None  # relative depths and moduli there [Pa]
+    nu: float | None
+    k0: tuple[float, ...]  # [Pa/m], of its parts or in different combinations; empty if it has none of its own
+    k1: tuple[float, ...]  # [Pa m]
+
+
+@dataclass(frozen=True, slots=True)
+class GroundConstants:
+    """What follows from the gamma of one combination."""
+
+    name: str  # of the combination
+    gamma: float
+    k0: Array  # [Pa/m], (1,) or one of each layer (L,)
+    k1: Array  # [Pa m]
+    z: Array | None  # depths [m] and the mode there, if the ground has one over its whole depth
+    psi: Array | None
+
+
+@dataclass(frozen=True, slots=True)
+class SoilColumn:
+    """The ground at one place: its name, its layers from the top downwards, what the combinations found."""
+
+    name: str
+    layers: tuple[PlottedLayer, ...]
+    constants: tuple[GroundConstants, ...]
+
+    @property
+    def depth(self) -> float | None:
+        """Return the depth of the rigid base [m], None if it is not known."""
+        known = [layer.thickness for layer in self.layers if layer.thickness is not None]
+        return sum(known) if len(known) == len(self.layers) else None
+
+
+def soil_columns(model: Model, combinations: Sequence[PlottedCombination]) -> list[SoilColumn]:
+    """Return the ground of each borehole, of the ground and its zones, or the one that is everywhere."""
+    kinds: list[AnyGround] = [model.ground, *(zone.ground for zone in model.soil_zones)]
+    if model.boreholes:
+        kinds = [model.ground] * len(model.boreholes)
+    given = [hole.layers for hole in model.boreholes] or [getattr(ground, "layers", ()) for ground in kinds]
+    profiles = zip(*(soil_profile.profiles_of(each.results) for each in combinations), strict=True)
+    columns = []
+    for ground, layers, own in zip(kinds, given, profiles, strict=True):
+        found = tuple(
+            _ground_constants(*pair) for pair in zip(combinations, own, strict=True) if pair[1].gamma is not None
+        )
+        if len(found) > 1 and len({each.gamma for each in found}) == 1:
+            found = (replace(found[0], name="all combinations"),)
+        columns.append(SoilColumn(own[0].name, _plotted_layers(model, ground, layers, found), found))
+    return columns
+
+
+def _ground_constants(combination: PlottedCombination, profile: soil_profile.Profile) -> GroundConstants:
+    """Return what one combination found of a column of soil."""
+    assert profile.gamma is not None
+    k0, k1 = np.array(profile.k0), np.array(profile.k1)
+    z, psi = (profile.z, profile.psi) if len(profile.z) else (None, None)
+    return GroundConstants(combination.name, profile.gamma, k0, k1, z, psi)
+
+
+def _plotted_layers(
+    model: Model, ground: AnyGround, layers: Sequence[SoilLayer | InterfaceLayer], found: Sequence[GroundConstants]
+) -> tuple[PlottedLayer, ...]:
+    """Return the layers of a described ground."""
+    if isinstance(ground, Winkler):
+        soil = ground.selvadurai
+        E = None if soil is None else (np.array([0.0, 1.0]), np.array([soil.E, soil.E]))
+        return (PlottedLayer(None if soil is None else soil.depth, E, None, (winkler_modulus(ground, model),), ()),)
+    if isinstance(ground, Pasternak):
+        return (PlottedLayer(None, None, None, (ground.k0,), (ground.k1,)),)
+    assert isinstance(ground, Vlasov | Layered)
+    plotted = []
+    for index, layer in enumerate(layers):
+        if isinstance(layer, InterfaceLayer):
+            plotted.append(PlottedLayer(None, None, None, (layer.k0,), (layer.k1,)))
+            continue
+        own = layer_of(layer)
+        k0, k1 = _own_constants(ground, own, index, found)
+        s = np.linspace(0, 1, 41 if any(own.moduli[1:]) else 2)
+        plotted.append(PlottedLayer(layer.thickness, (s, own.E(s)), layer.nu, k0, k1))
+    return tuple(plotted)
+
+
+def _own_constants(
+    ground: Vlasov | Layered, layer: Layer, index: int, found: Sequence[GroundConstants]
+) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Return k0 and k1 of a layer of a stack: of its sublayers, or in each combination; nothing for Vlasov's ground."""
+    if isinstance(ground, Vlasov):
+        return (), ()
+    if ground.coupling == "interface":
+        return tuple(float(each.k0[index]) for each in found), tuple(float(each.k1[index]) for each in found)
+    alike = ground.replace(layers=(ground.layers[index],))
+    k0, k1 = zip(*(part.stiffnesses for part in sublayers(alike, (layer,))), strict=True)
+    return tuple(map(float, k0)), tuple(map(float, k1))
+
+
+#: So many columns stand side by side.
 SIDE_BY_SIDE = 2
-#: Heights of the boxes of one row of profiles, and of several rows [mm].
+#: Heights of the boxes of one row of columns, and of several rows [mm].
 HIGH, LOW = 90.0, 62.0
-#: Room for the depths, width of the column of layers, gap before a diagram [mm].
+#: Space for the depths, width of the column of layers, gap before a diagram [mm].
 LEFT, COLUMN, GAP = 13.0, 15.0, 3.5
 #: From row to row of a table, and where its columns end [mm].
 ROW = 3.9
 ENDS = (8.0, 20.0, 38.0, 49.0, 66.0, 84.0)
 ENDS_FOUND = (30.0, 44.0, 64.0, 84.0)
-#: Fillings of the layers, light enough for black words.
-FILLS = ("#ece3d0", "#dfd3bb", "#f3eee2", "#d6c8ab")
+#: How strongly the layers are filled, weakly enough for the words on them.
+OPACITIES = (0.14, 0.26, 0.08, 0.34)
 #: Of more combinations than this only the range is listed.
 MOST = len(CYCLE)
 
 
-def sheet(wish: Wish) -> Figure:
-    """Return all profiles on one sheet."""
-    return _figure(wish, profiles_of(wish.combined.model, wish.drawn))
+def draw_sheet(request: PlotRequest) -> Figure:
+    """Return all columns on one sheet."""
+    return _figure(request, soil_columns(request.combined.model, request.combinations))
 
 
-def pages(wish: Wish) -> list[Figure]:
-    """Return the profiles on pages, two rows on each."""
-    profiles = profiles_of(wish.combined.model, wish.drawn)
+def draw_pages(request: PlotRequest) -> list[Figure]:
+    """Return the columns on pages, two rows on each."""
+    columns = soil_columns(request.combined.model, request.combinations)
     each = 2 * SIDE_BY_SIDE
-    return [_figure(wish, profiles[first : first + each]) for first in range(0, len(profiles), each)]
+    return [_figure(request, columns[first : first + each]) for first in range(0, len(columns), each)]
 
 
-def _figure(wish: Wish, profiles: Sequence[Profile]) -> Figure:
-    """Return rows of profiles."""
-    model = wish.combined.model
-    paper = Paper(PAGE_WIDTH)
+def _figure(request: PlotRequest, columns: Sequence[SoilColumn]) -> Figure:
+    """Return rows of columns below the title."""
+    model = request.combined.model
     kind = model.ground.kind
     coupling = getattr(model.ground, "coupling", "")
-    top = paper.head(model.title, [f"Ground: {kind}{', ' + coupling if coupling else ''}"])
-    high = HIGH if len(profiles) <= SIDE_BY_SIDE else LOW
-    each = PAGE_WIDTH / min(len(profiles), SIDE_BY_SIDE)
+    heading = [f"Ground: {kind}{', ' + coupling if coupling else ''}"]
+    return draw_columns(model, columns, model.title, heading, named=request.names_combinations)
+
+
+def draw_columns(
+    model: Model, columns: Sequence[SoilColumn], title: str = "", heading: Sequence[str] = (), *, named: bool = False
+) -> Figure:
+    """Return rows of columns, with a legend of combinations if they are named."""
+    page = Page(PAGE_WIDTH)
+    top = page.write_heading(title, heading)
+    high = HIGH if len(columns) <= SIDE_BY_SIDE else LOW
+    each = PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
     legend: dict[str, Any] = {}
     places = {hole.name or f"borehole {n}": (hole.x, hole.y) for n, hole in enumerate(model.boreholes, 1)}
-    for first in range(0, len(profiles), SIDE_BY_SIDE):
-        row = profiles[first : first + SIDE_BY_SIDE]
+    for first in range(0, len(columns), SIDE_BY_SIDE):
+        row = columns[first : first + SIDE_BY_SIDE]
         bottoms = []
-        for column, profile in enumerate(row):
-            left = column * each
-            where = f" at {at(places[profile.name])}" if profile.name in places else ""
-            words = free(profile.name, 30) + where
-            paper.text(left + MARGIN, top, words, fontsize=BASE, fontweight="bold", color=INK)
-            legend |= _profile(paper, profile, profiles, (left, top + 12.0), (each, high), wish.several)
-            bottoms.append(_tables(paper, profile, (left + MARGIN, top + 12.0 + high + 6.0), each))
+        for place, column in enumerate(row):
+            left = place * each
+            where = f" at {format_place(places[column.name])}" if column.name in places else ""
+            words = plain_text(column.name, 30) + where
+            page.write(left + MARGIN, top, words, fontsize=BASE, fontweight="bold", color=INK)
+            legend |= _draw_column(page, column, columns, (left, top + 12.0), (each, high), named)
+            bottoms.append(_write_tables(page, column, (left + MARGIN, top + 12.0 + high + 6.0), each))
         top = max(bottoms) + 6.0
-    return paper.finish(top, legend if len(legend) > 1 else {})
+    return page.finish(top, legend if len(legend) > 1 else {})
 
 
-def _profile(
-    paper: Paper,
-    profile: Profile,
-    alike: Sequence[Profile],
+def _draw_column(
+    page: Page,
+    column: SoilColumn,
+    alike: Sequence[SoilColumn],
     corner: tuple[float, float],
     size: tuple[float, float],
-    several: bool,
+    named: bool,
 ) -> dict[str, Any]:
-    """Draw layers, moduli and mode of a profile below a corner, of some size [mm]; return the entries in the legend."""
+    """Draw layers, moduli and mode of a column below a corner, of some size [mm]; return the entries in the legend."""
     (left, top), (wide, high) = corner, size
     deepest = max((each.depth or 0.0 for each in alike), default=0.0)
-    to_scale = profile.depth is not None
-    depth = deepest if to_scale else float(len(profile.strata))
-    column = COLUMN * wide * SIDE_BY_SIDE / PAGE_WIDTH
-    axes = paper.axes(left + LEFT, top, column, high)
-    _layers(axes, profile, depth, to_scale=to_scale)
-    room = wide - LEFT - column - 3 * GAP
-    with_mode = any(each.psi is not None for each in profile.found)
-    width = room / 2 if with_mode else 0.7 * room
+    to_scale = column.depth is not None
+    depth = deepest if to_scale else float(len(column.layers))
+    band = COLUMN * wide * SIDE_BY_SIDE / PAGE_WIDTH
+    axes = page.add_axes(left + LEFT, top, band, high)
+    _draw_layers(axes, column, depth, to_scale=to_scale)
+    space = wide - LEFT - band - 3 * GAP
+    with_mode = any(each.psi is not None for each in column.constants)
+    width = space / 2 if with_mode else 0.7 * space
     entries: dict[str, Any] = {}
-    if to_scale and any(stratum.E for stratum in profile.strata):
-        most = max(float(s.E[1].max()) for each in alike for s in each.strata if s.E is not None)
-        _moduli(paper.axes(left + LEFT + column + GAP, top, width - GAP, high), profile, depth, most)
+    if to_scale and any(layer.E for layer in column.layers):
+        most = max(float(s.E[1].max()) for each in alike for s in each.layers if s.E is not None)
+        _draw_moduli(page.add_axes(left + LEFT + band + GAP, top, width - GAP, high), column, depth, most)
     if with_mode:
-        box = paper.axes(left + LEFT + column + GAP + width, top, width - GAP, high)
-        entries = _modes(box, profile, depth, named=several)
+        box = page.add_axes(left + LEFT + band + GAP + width, top, width - GAP, high)
+        entries = _draw_modes(box, column, depth, named=named)
     return entries
 
 
-def _tops(profile: Profile, *, to_scale: bool) -> list[float]:
+def _tops(column: SoilColumn, *, to_scale: bool) -> list[float]:
     """Return the depths of the layers' tops and of the base [m]; one apart where thicknesses are not known."""
-    thickness = [stratum.thickness if to_scale and stratum.thickness else 1.0 for stratum in profile.strata]
+    thickness = [layer.thickness if to_scale and layer.thickness else 1.0 for layer in column.layers]
     return [0.0, *np.cumsum(thickness).tolist()]
 
 
-def _layers(axes: Axes, profile: Profile, depth: float, *, to_scale: bool) -> None:
+def _draw_layers(axes: Axes, column: SoilColumn, depth: float, *, to_scale: bool) -> None:
     """Draw the layers one below the other, numbered, on a hatched base."""
     from matplotlib.patches import Rectangle
 
-    tops = _tops(profile, to_scale=to_scale)
+    tops = _tops(column, to_scale=to_scale)
     for index, (upper, lower) in enumerate(pairwise(tops)):
-        fill = FILLS[index % len(FILLS)]
-        axes.add_patch(Rectangle((0, upper), 1, lower - upper, facecolor=fill, edgecolor=INK, linewidth=0.6))
+        corner, height, fill = (0, upper), lower - upper, (GROUND, OPACITIES[index % len(OPACITIES)])
+        axes.add_patch(Rectangle(corner, 1, height, facecolor=fill, edgecolor=INK, linewidth=0.6))
         axes.text(0.5, (upper + lower) / 2, str(index + 1), fontsize=SMALL, ha="center", va="center", color=INK)
     base = Rectangle((0, tops[-1]), 1, 0.035 * depth, facecolor="white", edgecolor=GREY, hatch="//////", linewidth=0.0)
     base.set_clip_on(False)
@@ -130,7 +261,7 @@ def _layers(axes: Axes, profile: Profile, depth: float, *, to_scale: bool) -> No
         axes.set_ylabel("not to scale", labelpad=1)
 
 
-def _diagram(axes: Axes, depth: float, label: str) -> None:
+def _set_depth_axes(axes: Axes, depth: float, label: str) -> None:
     """Give a diagram over the depth its axes: values above, depth downwards."""
     axes.set_ylim(depth, 0)
     axes.xaxis.set_ticks_position("top")
@@ -143,28 +274,28 @@ def _diagram(axes: Axes, depth: float, label: str) -> None:
         axes.spines[spine].set_visible(False)
 
 
-def _moduli(axes: Axes, profile: Profile, depth: float, most: float) -> None:
+def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float) -> None:
     """Draw E over the depth, as it varies within the layers."""
     from matplotlib.ticker import MaxNLocator
 
-    tops = _tops(profile, to_scale=True)
+    tops = _tops(column, to_scale=True)
     z, E = [], []
-    for (upper, lower), stratum in zip(pairwise(tops), profile.strata, strict=True):
-        if stratum.E is not None:
-            z.append(upper + stratum.E[0] * (lower - upper))
-            E.append(stratum.E[1] / 1e6)
+    for (upper, lower), layer in zip(pairwise(tops), column.layers, strict=True):
+        if layer.E is not None:
+            z.append(upper + layer.E[0] * (lower - upper))
+            E.append(layer.E[1] / 1e6)
     depths, moduli = np.concatenate(z), np.concatenate(E)
-    axes.fill_betweenx(depths, 0, moduli, color=FILLS[0], linewidth=0)
+    axes.fill_betweenx(depths, 0, moduli, color=(GROUND, OPACITIES[0]), linewidth=0)
     axes.plot(moduli, depths, color=INK, linewidth=1.2)
     axes.set_xlim(0, 1.08 * most / 1e6)
     axes.xaxis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 2.5, 5, 10]))
-    _diagram(axes, depth, "$E$ [MPa]")
+    _set_depth_axes(axes, depth, "$E$ [MPa]")
 
 
-def _modes(axes: Axes, profile: Profile, depth: float, *, named: bool) -> dict[str, Any]:
+def _draw_modes(axes: Axes, column: SoilColumn, depth: float, *, named: bool) -> dict[str, Any]:
     """Draw the mode of each combination over the depth; of many the range."""
     entries: dict[str, Any] = {}
-    found = [(each.name, each.z, each.psi) for each in profile.found if each.psi is not None and each.z is not None]
+    found = [(each.name, each.z, each.psi) for each in column.constants if each.psi is not None and each.z is not None]
     if len(found) > MOST:
         z = np.linspace(0, depth, 200)
         rows = np.stack([np.interp(z, depths, psi) for _, depths, psi in found])
@@ -173,49 +304,49 @@ def _modes(axes: Axes, profile: Profile, depth: float, *, named: bool) -> dict[s
         for index, (name, depths, psi) in enumerate(found):
             (line,) = axes.plot(psi, depths, color=CYCLE[index], linestyle=STROKES[index], linewidth=1.1)
             if named:
-                entries[free(name, 60)] = line
+                entries[plain_text(name, 60)] = line
     axes.set(xlim=(0, 1.05), xticks=[0, 0.5, 1], xticklabels=["0", "0.5", "1"])
-    _diagram(axes, depth, rf"{symbol('psi')} [-]")
+    _set_depth_axes(axes, depth, rf"{math_symbol('psi')} [-]")
     return entries
 
 
-def _tables(paper: Paper, profile: Profile, corner: tuple[float, float], wide: float) -> float:
+def _write_tables(page: Page, column: SoilColumn, corner: tuple[float, float], wide: float) -> float:
     """Write the layers and what the combinations found below a corner [mm]; return how far down that reaches."""
     (left, top), stretch = corner, (wide * SIDE_BY_SIDE / PAGE_WIDTH) ** 0.5
-    own = any(stratum.k0 for stratum in profile.strata)
+    own = any(layer.k0 for layer in column.layers)
     heads = ["layer", "h [m]", "E [MPa]", "\N{GREEK SMALL LETTER NU} [-]"]
     heads += ["k0 [MPa/m]", "k1 [MPa m]"] if own else []
-    rows = [_row(index, stratum, own=own) for index, stratum in enumerate(profile.strata, start=1)]
-    top = _table(paper, left, top, heads, rows, [stretch * end for end in ENDS])
-    if not profile.found:
+    rows = [_row(index, layer, own=own) for index, layer in enumerate(column.layers, start=1)]
+    top = _write_table(page, left, top, heads, rows, [stretch * end for end in ENDS])
+    if not column.constants:
         return top
-    whole = profile.found[0].psi is not None
+    one_mode = column.constants[0].psi is not None
     heads = ["combination", "\N{GREEK SMALL LETTER GAMMA} [-]"]
-    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if whole else []
+    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if one_mode else []
     lines: list[tuple[Any, ...]] = [
-        (each.name, each.gamma, *((float(each.k0[0]) / 1e6, float(each.k1[0]) / 1e6) if whole else ()))
-        for each in profile.found
+        (each.name, each.gamma, *((float(each.k0[0]) / 1e6, float(each.k1[0]) / 1e6) if one_mode else ()))
+        for each in column.constants
     ]
     if len(lines) > MOST:
         values = list(zip(*(line[1:] for line in lines), strict=True))
         shown = [[f"{len(lines)} combinations", *(_range(each) for each in values)]]
     else:
-        shown = [[free(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
+        shown = [[plain_text(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
     ends = [stretch * end for end in ENDS_FOUND]
-    return _table(paper, left, top + 2.5, heads, shown, ends, first_left=True)
+    return _write_table(page, left, top + 2.5, heads, shown, ends, first_left=True)
 
 
-def _row(index: int, stratum: Stratum, *, own: bool) -> list[str]:
+def _row(index: int, layer: PlottedLayer, *, own: bool) -> list[str]:
     """Return a layer as a row of the table."""
     none = "\N{EN DASH}"
     row = [
         str(index),
-        none if stratum.thickness is None else number(stratum.thickness),
-        none if stratum.E is None else _range(stratum.E[1][[0, -1]] / 1e6),
-        none if stratum.nu is None else number(stratum.nu),
+        none if layer.thickness is None else number(layer.thickness),
+        none if layer.E is None else _range(layer.E[1][[0, -1]] / 1e6),
+        none if layer.nu is None else number(layer.nu),
     ]
     if own:
-        row += [_range([k / 1e6 for k in values]) if values else none for values in (stratum.k0, stratum.k1)]
+        row += [_range([k / 1e6 for k in values]) if values else none for values in (layer.k0, layer.k1)]
     return row
 
 
@@ -227,8 +358,8 @@ def _range(values: Sequence[float] | np.ndarray[Any, Any]) -> str:
     return first if first == last else f"{first} \N{EN DASH} {last}"
 
 
-def _table(
-    paper: Paper,
+def _write_table(
+    page: Page,
     left: float,
     top: float,
     heads: Sequence[str],
@@ -241,7 +372,7 @@ def _table(
     for index, row in enumerate([heads, *rows]):
         for column, (words, end) in enumerate(zip(row, ends, strict=False)):
             to_left = first_left and column == 0
-            paper.text(
+            page.write(
                 left + (0.0 if to_left else end), top + index * ROW, words, fontsize=SMALL,
                 color=INK if index else GREY, ha="left" if to_left else "right",
             )  # fmt: skip

@@ -1,30 +1,53 @@
-"""How all figures look: sizes in millimetres of paper, one type, colours that colour-blind readers can tell apart."""
+"""The look of all figures: sizes, type, colors for color-blind readers, and the page."""
 
 from __future__ import annotations
 
+import io
 import textwrap
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
-from typing import Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from groundslab._version import __version__
+from groundslab.units import format_number
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.text import Text
 
 #: Sizes of letters in points, for a figure that is placed as large as it is.
 FOOT, SMALL, BASE, TITLE = 5.5, 7.0, 8.0, 9.5
 MM = 1 / 25.4  # of an inch
-PT = 25.4 / 72  # of a millimetre
+PT = 25.4 / 72  # of a millimeter
 
-INK, GREY, FAINT, LOAD, SUPPORT, GROUND, BAD = (
-    "#111111", "#5a5a5a", "#c8c8c8", "#b5127b", "#14703a", "#7a5230", "#b30000",
+INK, GREY, FAINT, PANEL, LOAD, SUPPORT, GROUND, ACCENT, SECOND, BAD = (
+    "#1b1f23", "#545c66", "#d3d8dd", "#f5f6f7", "#b3135f", "#16703a", "#7a5a1e", "#0b5fa5", "#c2540a", "#b3261e",
 )  # fmt: skip
-#: Colours of curves after Okabe and Ito 2008, black and the dark ones first, and the strokes that go with them.
-CYCLE = ("#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f")
+#: The same colors by their names on pages, which has them in light and dark.
+PAGE_COLORS = {
+    INK: "--gs-ink", GREY: "--gs-ink-2", FAINT: "--gs-line", PANEL: "--gs-panel", LOAD: "--gs-load",
+    SUPPORT: "--gs-support", GROUND: "--gs-soil", ACCENT: "--gs-accent", SECOND: "--second", BAD: "--gs-bad",
+    "#ffffff": "--gs-paper", "#000000": "--gs-ink",
+}  # fmt: skip
+#: Colors of curves after Okabe and Ito 2008, black and the dark ones first, and the strokes that go with them.
+CYCLE = (INK, "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f")
 STROKES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (3, 1)), (0, (2, 2)))
 
 RC: dict[str, Any] = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],
     "font.size": BASE,
+    "text.color": INK,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
     "axes.titlesize": BASE,
     "axes.labelsize": BASE,
     "axes.linewidth": 0.6,
@@ -50,20 +73,20 @@ RC: dict[str, Any] = {
 
 
 @contextmanager
-def styled() -> Iterator[None]:
-    """Draw and write in this style, whatever style the reader has set up for figures of his own."""
+def apply_style(changes: Mapping[str, Any] = MappingProxyType({})) -> Iterator[None]:
+    """Draw and write in this style, with some changes, whatever style the user has set up for other figures."""
     import matplotlib
 
     with matplotlib.rc_context(), warnings.catch_warnings():
         matplotlib.rcdefaults()
         shared: Any = matplotlib.rcParams
-        shared.update(RC)
+        shared.update(RC | dict(changes))
         # letters that the font lacks are shown as boxes, or as themselves where text stays text
         warnings.filterwarnings("ignore", message=".*missing from font")
         yield
 
 
-def free(text: str, width: int = 200, lines: int = 1) -> str:
+def plain_text(text: str, width: int = 200, lines: int = 1) -> str:
     """Return a text of the user in at most so many lines of so many letters, without what files could not hold.
 
     It is shown with parse_math=False, so that a dollar sign in it is no formula.
@@ -74,16 +97,16 @@ def free(text: str, width: int = 200, lines: int = 1) -> str:
 
 def number(value: float) -> str:
     """Return a number with four significant digits and a true minus sign."""
-    return f"{value + 0.0:.4g}".replace("-", "\N{MINUS SIGN}")
+    return format_number(value, 4, trim=True, fixed=(1e-4, 1e4), minus="\N{MINUS SIGN}")
 
 
-def at(place: tuple[float, float]) -> str:
+def format_place(place: tuple[float, float]) -> str:
     """Return a place [m] in words."""
     x, y = (number(round(coordinate, 3)) for coordinate in place)
     return f"({x}, {y}) m"
 
 
-def symbol(name: str) -> str:
+def math_symbol(name: str) -> str:
     """Return a symbol such as m_xy or beta_x as a formula."""
     letter, _, index = name.partition("_")
     greek = rf"\{letter}" if len(letter) > 1 else letter
@@ -91,8 +114,8 @@ def symbol(name: str) -> str:
 
 
 @cache
-def width_of(text: str, size: float, weight: str = "normal") -> float:
-    """Return the width of a line of text in letters of some size [pt] and weight, in millimetres."""
+def text_width(text: str, size: float, weight: str = "normal") -> float:
+    """Return the width of a line of text in letters of some size [pt] and weight, in millimeters."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 
@@ -103,3 +126,114 @@ def width_of(text: str, size: float, weight: str = "normal") -> float:
         warnings.filterwarnings("ignore", message=".*missing from font")
         path = TextPath((0, 0), text.replace("$", "S"), size=size, prop=font)
     return float(path.get_extents().width) * PT
+
+
+#: Text width of a page of A4, and the most that stands above each other on it [mm].
+PAGE_WIDTH, PAGE_HEIGHT = 180.0, 248.0
+#: The same of a page that lies on its side.
+WIDE = 260.0
+MARGIN = 2.0  # around a sheet [mm]
+LINE = 1.25  # from line to line, relative to the size of the letters
+#: Sample and gaps beside the words of an entry of the legend [mm].
+SAMPLE = 12.0
+ROW = 4.2  # of a legend [mm]
+
+
+@cache
+def _sheet() -> type[Figure]:
+    """Return the class of figures that a notebook shows as they are."""
+    from matplotlib.figure import Figure
+
+    class Sheet(Figure):
+        """A figure that a notebook shows without calling Matplotlib."""
+
+        def _repr_png_(self) -> bytes:
+            """Return the picture."""
+            stream = io.BytesIO()
+            with apply_style():
+                self.savefig(stream, format="png", dpi=self.dpi)
+            return stream.getvalue()
+
+    return Sheet
+
+
+class Page:
+    """A figure of some width [mm] in the making; how high it is comes out at the end."""
+
+    def __init__(self, width: float) -> None:
+        self.figure = _sheet()()
+        self.width = width
+        self._axes: list[tuple[Axes, float, float, float, float]] = []
+        self._texts: list[tuple[Text, float, float]] = []
+
+    def add_axes(self, left: float, top: float, width: float, height: float, **options: Any) -> Axes:
+        """Return axes in a box [mm]."""
+        made: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0), **options)
+        self._axes.append((made, left, top, width, height))
+        return made
+
+    def write(self, left: float, top: float, text: str, **look: Any) -> None:
+        """Write a text, free of formulas, whose upper left corner (or what `ha` says) is at a place [mm]."""
+        written = self.figure.text(0, 0, text, va="top", parse_math=False, **look)
+        self._texts.append((written, left, top))
+
+    def write_heading(self, title: str, lines: Sequence[str] = (), warning: str = "") -> float:
+        """Write the title, lines below it and a warning; return how far down [mm] they reach."""
+        top, space = MARGIN, self.width - 2 * MARGIN
+        letters = int(space / text_width("n", TITLE))
+        if plain_text(title):
+            words = plain_text(title, letters, 2)
+            written = self.figure.suptitle(words, fontsize=TITLE, fontweight="bold", ha="left", va="top", color=INK)
+            written.set_parse_math(False)
+            self._texts.append((written, MARGIN, top))
+            top += LINE * TITLE * PT * (words.count("\n") + 1) + 0.8
+        for line in filter(None, lines):
+            words = plain_text(line, int(space / text_width("n", BASE)), 2)
+            self.write(MARGIN, top, words, fontsize=BASE, color=GREY)
+            top += LINE * BASE * PT * (words.count("\n") + 1) + 0.4
+        if warning:
+            self.write(MARGIN, top, warning, fontsize=BASE, fontweight="bold", color=BAD)
+            top += LINE * BASE * PT + 0.4
+        return top + 1.5
+
+    def finish(self, bottom: float, legend: Mapping[str, Any] | None = None, *, signed: bool = True) -> Figure:
+        """Return the figure: all that was placed reaches down to the bottom [mm], below it comes the legend.
+
+        Signed figures name the program and its version at the lower right.
+        """
+        words = list(legend or {})
+        widths = [SAMPLE + text_width(each, SMALL) for each in words]
+        columns = next(
+            (k for k in range(len(words), 1, -1) if sum(_widest(widths, k)) <= self.width - 2 * MARGIN), 1
+        )  # fmt: skip
+        rows = -(-len(words) // columns)
+        height = bottom + rows * ROW + (1.5 if rows else 0.0) + FOOT * PT + MARGIN
+        self.figure.set_size_inches(self.width * MM, height * MM)
+        for made, left, top, wide, high in self._axes:
+            made.set_position((left / self.width, 1 - (top + high) / height, wide / self.width, high / height))
+        if signed:
+            self.write(
+            self.width - MARGIN, height - MARGIN - FOOT * PT, f"groundslab {__version__}", fontsize=FOOT, color=GREY,
+            ha="right",
+        )  # fmt: skip
+        for written, left, top in self._texts:
+            written.set_position((left / self.width, 1 - top / height))
+        if legend:
+            drawn = self.figure.legend(
+                legend.values(), words, loc="upper left", bbox_to_anchor=(MARGIN / self.width, 1 - bottom / height),
+                ncols=columns, borderaxespad=0.0, borderpad=0.0, handlelength=2.4, columnspacing=1.6,
+            )  # fmt: skip
+            for text in drawn.get_texts():
+                text.set_parse_math(False)
+        return self.figure
+
+
+def _widest(widths: Sequence[float], columns: int) -> list[float]:
+    """Return how wide each column of a legend is, whose entries run down the columns."""
+    rows, more = divmod(len(widths), columns)
+    found, first = [], 0
+    for column in range(columns):
+        count = rows + (column < more)
+        found.append(max(widths[first : first + count], default=0.0))
+        first += count
+    return found

@@ -28,49 +28,52 @@ if TYPE_CHECKING:
     Entries = dict[str, Any]
 
 
-def white_edge(width: float) -> list[Any]:
-    """Return the effect that sets lines and letters off from the colours around them."""
+def white_outline(width: float) -> list[Any]:
+    """Return the effect that sets lines and letters off from the colors around them."""
     from matplotlib.patheffects import withStroke
 
     return [withStroke(linewidth=width, foreground="white")]
 
 
-def plate(axes: Axes, model: Model) -> Entries:
-    """Draw the outline, the openings crossed out, and the zones."""
+def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:
+    """Draw the outline, filled if a color is given, the openings crossed out, and the zones."""
     import shapely
 
     chord = DRAWN_CHORD * max(model.plate.sides)
     outline = model.plate.ring().polygon(chord)
-    _ring(axes, np.asarray(outline.exterior.coords), edgecolor=INK, linewidth=1.2, zorder=4)
+    around = np.asarray(outline.exterior.coords)
+    draw_ring(axes, around, edgecolor=INK, linewidth=1.2, zorder=4)
+    if fill != "none":
+        draw_ring(axes, around, facecolor=fill, edgecolor="none", zorder=1)
     entries: Entries = {}
     for opening in model.plate.openings:
         hole = opening.ring().polygon(chord)
-        _ring(axes, np.asarray(hole.exterior.coords), edgecolor=INK, facecolor="white", linewidth=0.8, zorder=4)
-        for a, b in _crossed(np.asarray(hole.exterior.coords)):
+        draw_ring(axes, np.asarray(hole.exterior.coords), edgecolor=INK, facecolor="white", linewidth=0.8, zorder=4)
+        for a, b in _diagonals(np.asarray(hole.exterior.coords)):
             axes.plot(*zip(a, b, strict=True), color=INK, linewidth=0.4, zorder=4.1)
     for zone in model.plate.zones:
         part = zone.shape.ring().polygon(chord).intersection(outline)
         for piece in shapely.get_parts(part):
             if piece.geom_type != "Polygon":
                 continue
-            drawn = _ring(axes, np.asarray(piece.exterior.coords), edgecolor=GREY, linewidth=0.8, zorder=3.5)
+            drawn = draw_ring(axes, np.asarray(piece.exterior.coords), edgecolor=GREY, linewidth=0.8, zorder=3.5)
             drawn.set_linestyle((0, (6, 2, 1, 2)))
             entries["zone"] = drawn
     return entries
 
 
-def contact_boundary(axes: Axes, triangles: Triangulation, contact: Array | None) -> Entries:
+def draw_contact_boundary(axes: Axes, triangles: Triangulation, contact: Array | None) -> Entries:
     """Draw the line where the contact function (n,) is zero, if it is anywhere."""
     from matplotlib.lines import Line2D
 
     if contact is None or not (contact > 0).any() or not (contact < 0).any():
         return {}
     line = axes.tricontour(triangles, contact, levels=[0.0], colors=INK, linewidths=1.3, zorder=3)
-    line.set(path_effects=white_edge(2.8))
+    line.set(path_effects=white_outline(2.8))
     return {"contact boundary": Line2D([], [], color=INK, linewidth=1.3)}
 
 
-def lifted(axes: Axes, triangles: Triangulation, contact: Array | None) -> Entries:
+def hatch_uplift(axes: Axes, triangles: Triangulation, contact: Array | None) -> Entries:
     """Hatch in white where the plate has lifted."""
     from matplotlib.patches import Patch
 
@@ -81,18 +84,18 @@ def lifted(axes: Axes, triangles: Triangulation, contact: Array | None) -> Entri
     return {"no contact": Patch(facecolor="white", edgecolor=GREY, hatch="////", linewidth=0.0)}
 
 
-def voids(axes: Axes, model: Model) -> Entries:
+def draw_voids(axes: Axes, model: Model) -> Entries:
     """Outline the parts where the ground lies deeper or is missing."""
     entries: Entries = {}
     for void in model.contact.voids:
         around = np.asarray(void.drawn(DRAWN_CHORD * max(model.plate.sides)).exterior.coords)
-        drawn = _ring(axes, around, edgecolor=GROUND, linewidth=0.9, zorder=3.2)
+        drawn = draw_ring(axes, around, edgecolor=GROUND, linewidth=0.9, zorder=3.2)
         drawn.set_linestyle((0, (1.5, 1.5)))
         entries["void in the ground"] = drawn
     return entries
 
 
-def loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
+def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
     """Outline the loaded areas, draw line loads and mark point loads beside columns, those that take part."""
     entries: Entries = {}
     chord = DRAWN_CHORD * max(model.plate.sides)
@@ -105,14 +108,16 @@ def loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> En
             entries["point load"] = mark
         elif load.kind == "line":
             (line,) = axes.plot(*load.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
-            line.set(path_effects=white_edge(2.6))
+            line.set(path_effects=white_outline(2.6))
             entries["line load"] = line
         elif load.kind == "uniform" or load.kind == "patch" or load.kind == "area":
             everywhere = load.kind == "uniform"
             for ring in [model.plate.ring().flat(chord)] if load.kind == "uniform" else _borders(load.drawn(chord)):
-                drawn = _ring(axes, np.array(ring), edgecolor=LOAD, linewidth=0.9 if everywhere else 1.2, zorder=4.5)
+                drawn = draw_ring(
+                    axes, np.array(ring), edgecolor=LOAD, linewidth=0.9 if everywhere else 1.2, zorder=4.5
+                )
                 drawn.set_linestyle((0, (3, 5) if everywhere else (4, 2)))
-                entries["load on the whole plate" if everywhere else "loaded area"] = drawn
+                entries["load on the entire plate" if everywhere else "loaded area"] = drawn
     return entries
 
 
@@ -123,25 +128,25 @@ def _borders(area: BaseGeometry) -> list[Array]:
     return [get_coordinates(ring) for part in get_parts(area) for ring in (part.exterior, *part.interiors)]
 
 
-def in_combination(factors: Iterable[tuple[str, float]]) -> Callable[[AnyLoad], bool]:
+def takes_part_in(factors: Iterable[tuple[str, float]]) -> Callable[[AnyLoad], bool]:
     """Return whether a load takes part where its case has a factor that is not 0; all do where there are no cases."""
     known = dict(factors)
     return lambda load: not known or bool(known.get(load.case))
 
 
-def columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
+def draw_columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
     """Draw the columns, those filled that bring a load."""
     entries: Entries = {}
     loaded = {load.column for load in model.loads if load.kind == "point" and load.column and takes_part(load)}
     for column in model.columns:
         around = np.array(column.ring().flat(DRAWN_CHORD * max(model.plate.sides)))
         brings = column.name in loaded
-        drawn = _ring(axes, around, edgecolor=INK, facecolor=LOAD if brings else "white", linewidth=0.6, zorder=5)
+        drawn = draw_ring(axes, around, edgecolor=INK, facecolor=LOAD if brings else "white", linewidth=0.6, zorder=5)
         entries["column with load" if brings else "column"] = drawn
     return entries
 
 
-def supports(axes: Axes, model: Model) -> Entries:
+def draw_supports(axes: Axes, model: Model) -> Entries:
     """Mark supports at points by triangles, those along lines and held edges by thick lines."""
     entries: Entries = {}
     for support in model.supports:
@@ -150,20 +155,20 @@ def supports(axes: Axes, model: Model) -> Entries:
             mark.set(linestyle="none", clip_on=False, zorder=5.4, markeredgewidth=0.5)
             entries["support"] = mark
         else:
-            entries["line support"] = _held(axes, np.array(support.points))
-    for edge in _held_edges(model):
-        entries["supported edge"] = _held(axes, edge)
+            entries["line support"] = _draw_supported_line(axes, np.array(support.points))
+    for edge in _supported_edges(model):
+        entries["supported edge"] = _draw_supported_line(axes, edge)
     return entries
 
 
-def _held(axes: Axes, places: Array) -> Any:
+def _draw_supported_line(axes: Axes, places: Array) -> Any:
     """Draw a line (k, 2) along which the plate is held."""
     (line,) = axes.plot(*places.T, color=SUPPORT, linewidth=2.4, clip_on=False, zorder=4.4)
-    line.set(path_effects=white_edge(3.6))
+    line.set(path_effects=white_outline(3.6))
     return line
 
 
-def _held_edges(model: Model) -> list[Array]:
+def _supported_edges(model: Model) -> list[Array]:
     """Return the parts (k, 2) of the outline that are held: all of it, or what lies on a side that is held."""
     flat = model.plate.ring().flat(DRAWN_CHORD * max(model.plate.sides))
     closed = np.vstack([flat, flat[:1]])
@@ -181,7 +186,7 @@ def _held_edges(model: Model) -> list[Array]:
     ]
 
 
-def _ring(axes: Axes, around: Array, *, facecolor: str = "none", **look: Any) -> Polygon:
+def draw_ring(axes: Axes, around: Array, *, facecolor: str = "none", **look: Any) -> Polygon:
     """Draw a closed curve (k, 2)."""
     from matplotlib.patches import Polygon
 
@@ -190,7 +195,7 @@ def _ring(axes: Axes, around: Array, *, facecolor: str = "none", **look: Any) ->
     return drawn
 
 
-def _crossed(around: Array) -> list[tuple[Array, Array]]:
+def _diagonals(around: Array) -> list[tuple[Array, Array]]:
     """Return the two lines that cross out an opening: through its outermost corners."""
     if len(around) != 5:
         low, high = around.min(axis=0), around.max(axis=0)
@@ -199,6 +204,6 @@ def _crossed(around: Array) -> list[tuple[Array, Array]]:
     return [(around[0], around[2]), (around[1], around[3])]
 
 
-def ghost(axes: Axes, ring: Ring, chord: float) -> None:
+def draw_key_outline(axes: Axes, ring: Ring, chord: float) -> None:
     """Draw a curve faintly, as a key to where things are."""
-    _ring(axes, np.array(ring.flat(chord)), edgecolor=FAINT, linewidth=0.8)
+    draw_ring(axes, np.array(ring.flat(chord)), edgecolor=FAINT, linewidth=0.8)

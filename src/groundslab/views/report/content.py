@@ -11,32 +11,36 @@ from groundslab.case import casefile
 from groundslab.design.tables import tables_of
 from groundslab.design.tables.design_checks import Design, design_of
 from groundslab.results.record import Certificate
-from groundslab.results.soil_profile import profiles_of
-from groundslab.views.report.convergence import MOST as MOST_HISTORIES
-from groundslab.views.report.convergence import history, history_drawing
-from groundslab.views.report.input_echo import InputTable, echo
-from groundslab.views.report.pictures import governing
-from groundslab.views.report.plan_drawing import PlanDrawing, plan_drawing
-from groundslab.views.report.soil_drawing import MOST as MOST_COLUMNS
-from groundslab.views.report.soil_drawing import soil_drawing
+from groundslab.results.soil_profile import described
+from groundslab.units import format_number
+from groundslab.views.report.drawings import (
+    MOST_COLUMNS,
+    MOST_HISTORIES,
+    Drawing,
+    draw_case,
+    draw_histories,
+    draw_pictures,
+    draw_soil,
+    find_governing,
+)
+from groundslab.views.report.input_tables import InputTable, input_tables
 from groundslab.views.report.table_layout import (
     KEYS,
     MOST_IN_FILE,
+    MOST_ROWS,
     Cell,
-    Grid,
-    Head,
-    digest_of,
-    grid_of,
-    parts_of,
-    without_empty,
+    TableHeader,
+    TableLayout,
+    drop_empty_columns,
+    layout_table,
+    split_columns,
+    summarize_table,
 )
 from groundslab.views.summary import combinations, single
 from groundslab.views.summary.terminal import shown_row
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
-
-    from markupsafe import Markup
 
     from groundslab.design.tables.table import Table
     from groundslab.results.results import Combined, Results
@@ -45,8 +49,8 @@ if TYPE_CHECKING:
 
 
 CERTIFICATE_NOTES = (
-    "All but the sums are ratios, computed anew from the solution with none of the matrices that were factorised. Each "
-    f"must be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
+    "All but the sums are ratios, computed afresh from the solution with none of the factorized matrices. Each must "
+    f"be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
     f"{Certificate.MARGIN_TOLERANCE:g} of the largest settlement.",
     "The certificate says that the discrete equations are solved, not that the mesh is fine enough.",
 )
@@ -61,17 +65,17 @@ class Verdict:
 
 
 @dataclass(frozen=True, slots=True)
-class TableGrids:
+class TableParts:
     """A table of the results, cut so that it fits on paper; too long a one is empty."""
 
     name: str
     title: str
-    grids: tuple[Grid, ...]
-    digest: Grid | None
+    grids: tuple[TableLayout, ...]
+    digest: TableLayout | None
     length: int
 
     @property
-    def whole(self) -> bool:
+    def complete(self) -> bool:
         """Return whether all of its rows are there."""
         return self.length <= MOST_IN_FILE
 
@@ -89,28 +93,26 @@ class Page:
     verdict: Verdict
     design: Design
     case: tuple[InputTable, ...]
-    plan: PlanDrawing
-    soil: Markup | None
-    soil_notes: tuple[str, ...]
-    constants: Grid | None
-    analysed: Grid | None
-    certificates: tuple[Grid, ...]
-    extremes: tuple[Grid, ...]
-    tables: tuple[TableGrids, ...]
-    history: Grid
-    histories: tuple[tuple[str, Markup], ...]
+    drawings: tuple[Drawing, ...]
+    constants: TableLayout | None
+    analysed: TableLayout | None
+    certificates: tuple[TableLayout, ...]
+    extremes: tuple[TableLayout, ...]
+    tables: tuple[TableParts, ...]
+    history: TableLayout
+    histories: tuple[Drawing, ...]
     history_notes: tuple[str, ...]
+    pictures: tuple[Drawing, ...]
     refused: tuple[tuple[str, str], ...]
 
 
-def page_of(combined: Combined, text: str | None = None, file: str = "case.toml") -> Page:
+def build_page(combined: Combined, text: str | None = None, file: str = "case.toml") -> Page:
     """Return what the report of a solved model says; text and file are those of its input."""
     combinations.require_finite(combined)
     found = combinations.entries(combined)
     there = [entry.results for entry in found if entry.results is not None]
     text = casefile.to_toml(combined.model) if text is None else text
-    leading = combined.results.get(governing(combined).get("settlement", "")) or (there[0] if there else None)
-    profiles = profiles_of(leading) if leading is not None else ()
+    leading = combined.results.get(find_governing(combined).get("settlement", "")) or (there[0] if there else None)
     return Page(
         title=combined.model.title,
         version=__version__,
@@ -120,18 +122,17 @@ def page_of(combined: Combined, text: str | None = None, file: str = "case.toml"
         facts=tuple(_facts(combined, there)),
         verdict=_verdict(found),
         design=design_of(combined),
-        case=tuple(echo(combined.model)),
-        plan=plan_drawing(combined.model),
-        soil=soil_drawing(profiles),
-        soil_notes=tuple(_soil_notes(combined, leading, len(profiles))),
+        case=tuple(input_tables(combined.model)),
+        drawings=tuple(_drawings(combined, leading)),
         constants=_constants(found) if there else None,
         analysed=_section(combinations.description(combined)[0]) if there else None,
         certificates=tuple(_certificates(found)),
         extremes=tuple(_extremes(combined, found)),
         tables=tuple(map(_table, tables_of(combined))),
-        history=history(found),
-        histories=tuple(_histories(found)),
-        history_notes=tuple(_history_notes(found)),
+        history=_history(found),
+        histories=tuple(draw_histories(there)),
+        history_notes=tuple(_history_notes(len(there))),
+        pictures=tuple(draw_pictures(combined)),
         refused=tuple((entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None),
     )
 
@@ -157,33 +158,39 @@ def _verdict(found: Sequence[Entry]) -> Verdict:
     return Verdict(False, f"FAILED: {words} The results of the others are certified.")
 
 
-def _section(section: single.SummarySection) -> Grid:
+def _section(section: single.SummarySection) -> TableLayout:
     """Return a section of the summary."""
-    heads = (Head(""), Head("symbol"), Head("value", number=True), Head("unit"))
-    return without_empty(Grid(section.title, heads, tuple(map(_row, section.rows)), section.notes))
+    heads = (TableHeader(""), TableHeader("symbol"), TableHeader("value", number=True), TableHeader("unit"))
+    return drop_empty_columns(TableLayout(section.title, heads, tuple(map(_row, section.rows)), section.notes))
 
 
 def _row(row: Row) -> tuple[Cell, ...]:
     """Return a row of the summary without its place."""
     shown = shown_row(row)
-    return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit)
+    return (Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit))
 
 
-def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[Grid]:
+def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[TableLayout]:
     """Yield the extremes over all certified combinations, each with its place and the one that governs."""
     names = {entry.number: entry.combination.name for entry in found}
-    heads = [Head(""), Head("symbol"), Head("value", number=True), Head("unit"), Head("at (x, y)", "m", number=True)]
+    heads = [
+        TableHeader(""),
+        TableHeader("symbol"),
+        TableHeader("value", number=True),
+        TableHeader("unit"),
+        TableHeader("at (x, y)", "m", number=True),
+    ]
     if len(found) > 1:
-        heads.append(Head("combination"))
+        heads.append(TableHeader("combination"))
     for section, rows in combinations.extremes(combined):
         cells = []
         for each in rows:
             line = [*_row(each.row), Cell(shown_row(each.row).place, "number")]
             cells.append(tuple([*line, Cell(names[each.number])] if len(found) > 1 else line))
-        yield without_empty(Grid(section.title, tuple(heads), tuple(cells), section.notes))
+        yield drop_empty_columns(TableLayout(section.title, tuple(heads), tuple(cells), section.notes))
 
 
-def _certificates(found: Sequence[Entry]) -> list[Grid]:
+def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     """Return the certificate of each combination, one a row and cut in two; of a single one a figure a row."""
     sections = {
         entry.combination.name: single.certificate_section(entry.results.certificate)
@@ -192,18 +199,20 @@ def _certificates(found: Sequence[Entry]) -> list[Grid]:
     }
     if len(sections) == 1:
         return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, sections.values())]
-    heads: list[Head] = []
+    heads: list[TableHeader] = []
     rows = []
     for name, section in sections.items():
         shown = [(row, shown_row(row)) for row in section.rows]
-        heads = heads or [Head(row.label, each.unit, number=True) for row, each in shown]
+        heads = heads or [TableHeader(row.label, each.unit, number=True) for row, each in shown]
         cells = [Cell(each.figure, "bad" if row.ok is False else "number") for row, each in shown]
         rows.append((Cell(name), *cells, _holds(section)))
-    grid = Grid("", (Head("combination"), *heads, Head("certificate")), tuple(rows), CERTIFICATE_NOTES)
-    return parts_of(without_empty(grid), 1)
+    grid = TableLayout(
+        "", (TableHeader("combination"), *heads, TableHeader("certificate")), tuple(rows), CERTIFICATE_NOTES
+    )
+    return split_columns(drop_empty_columns(grid), 1)
 
 
-def _certificate(section: single.SummarySection) -> Grid:
+def _certificate(section: single.SummarySection) -> TableLayout:
     """Return the certificate of one combination, a figure a row with its limit."""
     rows = []
     for row in section.rows:
@@ -211,8 +220,14 @@ def _certificate(section: single.SummarySection) -> Grid:
         limit = "" if row.tolerance is None else f"{row.tolerance:.0e}"
         verdict = Cell("") if row.ok is None else Cell("holds", "good") if row.ok else Cell("FAILED", "bad")
         rows.append((Cell(row.label), Cell(shown.figure, "number"), Cell(shown.unit), Cell(limit, "number"), verdict))
-    heads = (Head(""), Head("value", number=True), Head("unit"), Head("at most", number=True), Head("certificate"))
-    return Grid("", heads, tuple(rows))
+    heads = (
+        TableHeader(""),
+        TableHeader("value", number=True),
+        TableHeader("unit"),
+        TableHeader("at most", number=True),
+        TableHeader("certificate"),
+    )
+    return TableLayout("", heads, tuple(rows))
 
 
 def _holds(section: single.SummarySection) -> Cell:
@@ -220,11 +235,11 @@ def _holds(section: single.SummarySection) -> Cell:
     return Cell("holds", "good") if all(row.ok is not False for row in section.rows) else Cell("FAILED", "bad")
 
 
-def _table(table: Table) -> TableGrids:
+def _table(table: Table) -> TableParts:
     """Return a table of the results; of too long a one its heads and notes alone."""
-    grid = grid_of(table if len(table) <= MOST_IN_FILE else _without_rows(table))
-    parts = tuple(parts_of(grid, KEYS.get(table.name, 1)))
-    return TableGrids(table.name, table.title, parts, digest_of(table), len(table))
+    grid = layout_table(table if len(table) <= MOST_IN_FILE else _without_rows(table))
+    parts = tuple(split_columns(grid, KEYS.get(table.name, 1)))
+    return TableParts(table.name, table.title, parts, summarize_table(table), len(table))
 
 
 def _without_rows(table: Table) -> Table:
@@ -232,50 +247,67 @@ def _without_rows(table: Table) -> Table:
     return replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
 
 
-def _constants(found: Sequence[Entry]) -> Grid:
+def _constants(found: Sequence[Entry]) -> TableLayout:
     """Return the constants of the ground that each combination ended with."""
-    heads: list[Head] = []
+    heads: list[TableHeader] = []
     rows = []
     for entry in found:
         if entry.results is None:
             continue
         shown = [(row, shown_row(row)) for row in single.description_of_ground(entry.results).rows[1:]]
-        heads = heads or [Head(row.label, each.unit, True, row.symbol) for row, each in shown]
+        heads = heads or [TableHeader(row.label, each.unit, True, row.symbol) for row, each in shown]
         rows.append((Cell(entry.combination.name), *(Cell(each.figure, "number") for _, each in shown)))
-    return Grid("", (Head("combination"), *heads), tuple(rows))
+    return TableLayout("", (TableHeader("combination"), *heads), tuple(rows))
 
 
-def _soil_notes(combined: Combined, leading: Results | None, count: int) -> Iterator[str]:
-    """Yield what a reader of the drawing of the soil must know."""
-    if leading is None:
+def _drawings(combined: Combined, leading: Results | None) -> Iterator[Drawing]:
+    """Yield the plan of the case and the ground in section."""
+    yield draw_case(combined.model)
+    soil = None if leading is None else draw_soil(leading)
+    if soil is None or leading is None:
         return
+    notes = ["Ground below the plate, to scale in depth."]
     if leading.constants.gamma is not None:
-        yield (
+        notes.append(
             "γ, k0, k1 and ψ(z) are those of the combination "
             f"{leading.combination}; other combinations have their own, see the table."
             if len(combined.combinations) > 1
             else "γ, k0, k1 and ψ(z) as the analysis ended with them."
         )
     if combined.model.boreholes or combined.model.soil_zones:
-        yield "The table's constants are means over the plate's area."
+        notes.append("The table's constants are means over the plate's area.")
+    count = len(described(combined.model))
     if count > MOST_COLUMNS:
-        yield f"The first {MOST_COLUMNS} of {count} columns are drawn."
+        notes.append(f"The first {MOST_COLUMNS} of {count} columns are drawn.")
+    yield replace(soil, caption=" ".join(notes))
 
 
-def _histories(found: Sequence[Entry]) -> Iterator[tuple[str, Markup]]:
-    """Yield name and drawing of the convergence of the first combinations."""
-    solved = [entry for entry in found if entry.results is not None]
-    for entry in solved[:MOST_HISTORIES]:
-        assert entry.results is not None
-        yield entry.combination.name, history_drawing(entry.results.steps)
-
-
-def _history_notes(found: Sequence[Entry]) -> Iterator[str]:
-    """Yield what a reader of the drawings of the convergence must know."""
-    yield (
-        "Nodes that change sides in each step, on a logarithmic scale; full marks are steps on the mesh that was asked "
-        "for, empty ones on coarser meshes. The last step changes none."
+def _history(found: Sequence[Entry]) -> TableLayout:
+    """Return all steps of all combinations that have results."""
+    numbers = (
+        "unknowns of the mesh",
+        "load increment",
+        "gamma",
+        "contact iteration",
+        "nodes in contact",
+        "nodes changed",
     )
-    count = sum(entry.results is not None for entry in found)
+    heads = (TableHeader("combination"), *(TableHeader(each, number=True) for each in numbers), TableHeader(""))
+    rows = []
+    for results in (entry.results for entry in found if entry.results is not None):
+        for step in results.steps:
+            gamma = "-" if step.gamma is None else format_number(step.gamma)
+            counts = (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)
+            cells = (Cell(str(each), "number") for each in counts)
+            rows.append((Cell(results.combination), *cells, Cell("*" if step.finest else "")))
+    return TableLayout("", heads, tuple(rows), ("* on the final mesh.",), folded=len(rows) > MOST_ROWS)
+
+
+def _history_notes(count: int) -> Iterator[str]:
+    """Yield how to read the drawings of the convergence, and how many are left out."""
+    yield (
+        "Nodes that change sides in each step, on a logarithmic scale; full marks are steps on the final mesh, empty "
+        "ones on coarser meshes. The last step changes none."
+    )
     if count > MOST_HISTORIES:
         yield f"The first {MOST_HISTORIES} of {count} combinations are drawn."

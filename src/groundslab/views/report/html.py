@@ -1,4 +1,4 @@
-"""The report as one HTML file: page, pictures, scene and script put together, and written whole or not at all.
+"""The report as one HTML file: page, pictures, scene and script put together, written completely or not at all.
 
 The page forbids everything that it does not bring along: scripts and styles run only with the hashes that its head
 states, and nothing is fetched. Every text of a case is escaped by the template.
@@ -21,9 +21,8 @@ from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.results.results import Combined, Results, alone
 from groundslab.storage import atomic
 from groundslab.storage.ownership import is_page, require_replaceable
-from groundslab.views.report.content import page_of
-from groundslab.views.report.pictures import pictures_of
-from groundslab.views.report.table_layout import pieces_of, pieces_of_words
+from groundslab.views.report.content import build_page
+from groundslab.views.report.table_layout import split_symbol, split_words
 from groundslab.views.scene.binary import packed
 from groundslab.views.scene.fields import scene_of
 
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 HERE = Path(__file__).parent
-#: What the head of every report says of itself, so that an older one can be told from other files.
+#: What the head of every report says of itself, so that an older one can be recognized.
 MARK = "groundslab report"
 #: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
 #: apart.
@@ -47,10 +46,10 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
     Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
     """
     combined = results if isinstance(results, Combined) else alone(results)
-    page = page_of(combined, text, file)
+    page = build_page(combined, text, file)
     scene, left_out = _scene(combined)
-    style = built("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
-    script = built("report.js")
+    style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
+    script = read_asset("report.js")
     from markupsafe import Markup
 
     return (
@@ -58,12 +57,11 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
         .get_template("report.html")
         .render(
             page=page,
-            pictures=pictures_of(combined),
             left_out=left_out,
             scene=scene,
             style=Markup(style),
             script=Markup(script),
-            policy=policy(style, script),
+            policy=content_security_policy(style, script),
             mark=f"{MARK} {__version__}",
         )
     )
@@ -72,13 +70,50 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
 def write_report(
     results: Results | Combined, path: str | Path, *, text: str | None = None, file: str = "case.toml"
 ) -> Path:
-    """Write the report and return its path; an existing file is replaced only if it is a report of groundslab."""
+    """Write the report of results as one HTML file that needs no network.
+
+    Parameters
+    ----------
+    results : Results or Combined
+        Results of one or of several combinations.
+    path : str or Path
+        File to write; an existing file is replaced only if it is a report of groundslab.
+    text : str, optional
+        Text of the case file, which the report quotes; without it, the model is written out.
+    file : str, default "case.toml"
+        Name of the case file.
+
+    Returns
+    -------
+    Path
+        The path of the report.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written, or is no report.
+    GroundslabError
+        If a result is not finite, or this installation lacks the report's script.
+
+    Notes
+    -----
+    The same results give the same bytes.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> results = groundslab.solve(groundslab.load("case.toml"))
+    >>> path = groundslab.write_report(results, "report.html")
+    """
     target = check(path)
     content = html_of(results, text=text, file=file)
     try:
         atomic.write(target, content.encode())
     except OSError as error:
-        expected, hint = "a file that can be written", "make room or choose another place; what was there is as it was"
+        expected, hint = (
+            "a file that can be written",
+            "make room or choose another place; what was there is as it was",
+        )
         raise InputError([Issue(str(target), error.strerror or str(error), expected, hint)]) from error
     return Path(path)
 
@@ -103,13 +138,13 @@ def text_of(folder: str | Path, model: Model) -> str | None:
         return None
 
 
-def built(name: str) -> str:
+def read_asset(name: str) -> str:
     """Return a part of the page that is made of TypeScript and CSS before groundslab is packed."""
     try:
         content = (HERE / "static" / name).read_text(encoding="utf-8")
     except OSError:
         raise GroundslabError(
-            f"{name}, a part of every report, is missing from this installation; install groundslab anew, or make it "
+            f"{name}, a part of every report, is missing from this installation; reinstall groundslab, or build it "
             "from its source: npm ci and npm run build in the folder web"
         ) from None
     # such texts would end the element that they stand in, or would not be read as they are written
@@ -130,7 +165,7 @@ def _scene(combined: Combined) -> tuple[str, list[str]]:
         most = max(1, min(most - 1, most * MOST_DATA // len(text)))
 
 
-def policy(style: str, script: str) -> str:
+def content_security_policy(style: str, script: str) -> str:
     """Return the page's Content Security Policy: its own style and script, pictures within it, and nothing else."""
     return (
         f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; img-src data: blob:; "
@@ -156,7 +191,7 @@ def _templates() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    templates.filters |= {"pieces": pieces_of, "word_pieces": pieces_of_words}
+    templates.filters |= {"pieces": split_symbol, "word_pieces": split_words}
     return templates
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal
 
-from groundslab.design.tables.table import Cell as Value
+from groundslab.design.tables.table import Cell as RawCell
 from groundslab.design.tables.table import Table
 from groundslab.units import format_number
 
@@ -29,7 +29,7 @@ KEYS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Head:
+class TableHeader:
     """What stands above a column: words, a symbol, a unit; numbers stand at the right."""
 
     text: str
@@ -47,35 +47,36 @@ class Cell:
 
 
 @dataclass(frozen=True, slots=True)
-class Grid:
+class TableLayout:
     """Rows under heads; the notes say what a reader must know."""
 
     title: str
-    heads: tuple[Head, ...]
+    heads: tuple[TableHeader, ...]
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...] = ()
     folded: bool = False  # whether it is too long for paper
 
 
-def without_empty(grid: Grid) -> Grid:
+def drop_empty_columns(grid: TableLayout) -> TableLayout:
     """Return a grid without the columns in which nothing stands."""
     at = [i for i in range(len(grid.heads)) if any(row[i].text for row in grid.rows)]
     heads, rows = tuple(grid.heads[i] for i in at), tuple(tuple(row[i] for i in at) for row in grid.rows)
     return replace(grid, heads=heads, rows=rows)
 
 
-def grid_of(table: Table) -> Grid:
+def layout_table(table: Table) -> TableLayout:
     """Return a table with its numbers as the summary prints them."""
     numeric = [any(isinstance(value, int | float) for value in column.values) for column in table.columns]
     heads = tuple(
-        Head(column.name, column.unit, of_numbers) for column, of_numbers in zip(table.columns, numeric, strict=True)
+        TableHeader(column.name, column.unit, of_numbers)
+        for column, of_numbers in zip(table.columns, numeric, strict=True)
     )
     columns = [[_cell(value, column.name) for value in column.values] for column in table.columns]
     rows = tuple(zip(*columns, strict=True))
-    return Grid(table.title, heads, rows, table.notes, folded=table.name in FOLDED and len(rows) > MOST_ROWS)
+    return TableLayout(table.title, heads, rows, table.notes, folded=table.name in FOLDED and len(rows) > MOST_ROWS)
 
 
-def digest_of(table: Table) -> Grid | None:
+def summarize_table(table: Table) -> TableLayout | None:
     """Return the extremes of each quantity along what a long table lists, over all combinations, for paper.
 
     The second column says of what a row is; what stands at the left of the quantities, such as a place, is no quantity,
@@ -98,17 +99,21 @@ def digest_of(table: Table) -> Grid | None:
                 place = [] if along is None else [_cell(along.values[i])]
                 row += [Cell(format_number(value), "number"), *place, Cell(str(combination[i]))]
             rows.append(tuple(row))
-    s = [] if along is None else [Head("s", along.unit, number=True)]
-    ends = [head for end in ("least", "greatest") for head in (Head(end, number=True), *s, Head("combination"))]
-    heads = (Head(table.columns[1].name), Head("quantity"), Head("unit"), *ends)
-    return Grid("", heads, tuple(rows), ("Extremes over all combinations.",))
+    s = [] if along is None else [TableHeader("s", along.unit, number=True)]
+    ends = [
+        head
+        for end in ("least", "greatest")
+        for head in (TableHeader(end, number=True), *s, TableHeader("combination"))
+    ]
+    heads = (TableHeader(table.columns[1].name), TableHeader("quantity"), TableHeader("unit"), *ends)
+    return TableLayout("", heads, tuple(rows), ("Extremes over all combinations.",))
 
 
 def _first(pair: tuple[float, int]) -> float:
     return pair[0]
 
 
-def parts_of(grid: Grid, keys: int) -> list[Grid]:
+def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:
     """Return a grid cut into such as fit on paper; the columns at the left that say which row it is stand in each."""
     others = len(grid.heads) - keys
     count = -(-others // max(1, MOST_COLUMNS - keys))
@@ -128,7 +133,7 @@ def parts_of(grid: Grid, keys: int) -> list[Grid]:
     return parts or [grid]
 
 
-def _cell(value: Value, column: str = "") -> Cell:
+def _cell(value: RawCell, column: str = "") -> Cell:
     if isinstance(value, str):
         # names of quantities are ours, all other words may be the case's
         return Cell(value, "words" if column == "quantity" else "")
@@ -143,7 +148,7 @@ GREEK = {
 _SYMBOL = re.compile(r"(?<![\w])([A-Za-z]+)(?:_([A-Za-z0-9]+))?(?![\w])")
 
 
-def pieces_of(symbol: str) -> list[tuple[str, str]]:
+def split_symbol(symbol: str) -> list[tuple[str, str]]:
     """Return a symbol such as "gamma_c" or "q_x, q_y" as pairs of text and subscript, Greek letters as such."""
     found: list[tuple[str, str]] = []
     end = 0
@@ -153,7 +158,7 @@ def pieces_of(symbol: str) -> list[tuple[str, str]]:
     return [*found, (symbol[end:], "")] if symbol[end:] else found
 
 
-def pieces_of_words(words: str) -> list[tuple[str, str]]:
+def split_words(words: str) -> list[tuple[str, str]]:
     """Return words in which symbols have an underscore, such as "moment m_x", as pairs of text and subscript."""
     found: list[tuple[str, str]] = []
     for word in re.split(r"(\s+)", words):

@@ -18,8 +18,9 @@ pytest.importorskip("jinja2")
 from groundslab.study.definition.setup import Limit
 from groundslab.study.evaluation import tables
 from groundslab.study.evaluation.samples import PURE, Gathered, Input, Output, unit_for
-from groundslab.study.report import page, svg
+from groundslab.study.report import page
 from groundslab.units import UNITS
+from groundslab.views.plots.style import PAGE_COLORS
 
 SOIL, LOAD = stats.lognorm(0.3, scale=40e6), stats.norm(50e3, 5e3)
 EVIL = '<script>alert("1")</script> & $x_1$ \\frac{'
@@ -338,7 +339,7 @@ def test_figures_are_whole_svg() -> None:
     assert len(figures) == 8
     for each in figures:
         ElementTree.fromstring(each)
-        assert not any(colour in each for colour in svg.VARIABLES)
+        assert not any(colour in each for colour in PAGE_COLORS)
         assert "var(--" in each
         assert "mathdefault" not in each
     assert re.findall(r"<svg.*?</svg>", made_page(made), re.DOTALL) == figures
@@ -362,8 +363,9 @@ def test_the_page_has_the_colours_of_the_other_pages() -> None:
     shared = set(pattern.findall(own))
     assert len(shared) > 10
     pairs = re.findall(r"(--gs-[\w-]+): light-dark\((#\w+), (#\w+)\);", theme.read_text(encoding="utf-8"))
-    assert shared <= {(name, colour) for name, *colours in pairs for colour in colours}
-    used = set(re.findall(r"var\((--[\w-]+)\)", own)) | set(svg.VARIABLES.values())
+    assert shared <= {(name, color) for name, *colors in pairs for color in colors}
+    used = set(re.findall(r"var\((--[\w-]+)\)", own + made_page(monte_carlo(80, designs=2))))
+    assert {"--gs-ink", "--gs-line", "--gs-bad"} <= used
     assert used <= {name for name, _ in pattern.findall(own)} | {"--second"}
 
 

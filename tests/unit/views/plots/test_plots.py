@@ -34,22 +34,11 @@ from groundslab.results.fields import RANGED_FIELDS
 from groundslab.results.results import Combined, Results, alone
 from groundslab.views import plots
 from groundslab.views.files import results_folder
-from groundslab.views.plots import (
-    amounts,
-    contours,
-    convergence,
-    deformed,
-    picture,
-    plan,
-    profile,
-    scale,
-    sections,
-    soil,
-)
-from groundslab.views.plots.panels import views_of
-from groundslab.views.plots.request import wish_of
-from groundslab.views.plots.spots import Spots
-from groundslab.views.plots.style import free, number, styled, symbol
+from groundslab.views.plots import contours, convergence, deformed, plan, request, sections, soil
+from groundslab.views.plots.annotations import LabelPlacement
+from groundslab.views.plots.panels import build_panels
+from groundslab.views.plots.request import parse_request
+from groundslab.views.plots.style import apply_style, math_symbol, number, plain_text
 from helpers import synthetic
 from helpers.paths import ROOT
 
@@ -71,8 +60,8 @@ def entries(figure: Any) -> set[str]:
     return {text.get_text() for legend in figure.legends for text in legend.get_texts()}
 
 
-def faults_of(error: pytest.ExceptionInfo[InputError]) -> dict[str, str]:
-    """Return what was got by where."""
+def found_by_location(error: pytest.ExceptionInfo[InputError]) -> dict[str, str]:
+    """Return what was found by location."""
     return {issue.location: issue.found for issue in error.value.issues}
 
 
@@ -83,19 +72,19 @@ def layered(ground: Any, gamma: float | None, **changes: Any) -> Results:
     return replace(found, constants=replace(found.constants, gamma=gamma))
 
 
-class TestWish:
+class TestRequest:
     """What can be asked for, and what is said about what cannot."""
 
-    def test_everything_that_is_wrong_is_told_at_once(self) -> None:
+    def test_all_errors_come_at_once(self) -> None:
         """Unknown names of fields and combinations come together, with the known ones and what may be meant."""
         with pytest.raises(InputError) as error:
             groundslab.plot(synthetic.combined(), "settlemnt", "m_z", combination="NULL")
-        assert faults_of(error) == {"combination": '"NULL"', "FIELD": '"m_z"'}
+        assert found_by_location(error) == {"combination": '"NULL"', "FIELD": '"m_z"'}
         told = str(error.value)
-        assert '"settlemnt", expected' in told.replace("got ", "")
+        assert '"settlemnt", expected' in told
         assert 'did you mean "settlement"?' in told
         assert 'did you mean "NUL"?' in told
-        assert all(name in told for name in amounts.KNOWN)
+        assert all(name in told for name in request.QUANTITIES)
 
     @pytest.mark.parametrize(
         ("wrong", "where"),
@@ -121,18 +110,18 @@ class TestWish:
         fields = wrong.pop("fields", ())
         with pytest.raises(InputError) as error:
             groundslab.plot(synthetic.combined(), *fields, **wrong)
-        assert list(faults_of(error)) == [where]
+        assert list(found_by_location(error)) == [where]
 
     def test_symbols_are_names_too_and_each_is_drawn_once(self) -> None:
         """W is the settlement; a field that is named twice has one panel."""
-        chosen = amounts.chosen(("w", "settlement", "m_xy", "bottom_x"))
-        assert [amount.name for amount in chosen] == ["settlement", "moment_xy", "bottom_x"]
+        chosen = request.resolve(("w", "settlement", "m_xy", "bottom_x"))
+        assert [quantity.name for quantity in chosen] == ["settlement", "moment_xy", "bottom_x"]
 
     @pytest.mark.slow
     def test_certified_combinations_are_drawn_unless_others_are_named(self) -> None:
         """Without a name those with a certified result; one without is drawn when it is named, and called so."""
         combined = synthetic.combined()
-        names = [each.name for each in wish_of(combined, (), None, None, None, None).drawn]
+        names = [each.name for each in parse_request(combined, (), None, None, None, None).combinations]
         assert names == list(combined.results)
         figure = groundslab.plot(combined, "w", combination="uncertified")
         assert "NOT CERTIFIED" in words(figure)
@@ -148,9 +137,9 @@ class TestWish:
         combined = synthetic.combined()
         given = [(0, 0, 1, 2), ((0, 0), (1, 2)), [(0, 0, 1, 2)], [((0, 0), (1, 2))]]
         for line in given:
-            (cut,) = wish_of(combined, (), None, None, None, line).cuts
-            assert (cut.start, cut.end) == ((0.0, 0.0), (1.0, 2.0))
-        assert len(wish_of(combined, (), None, None, None, [(0, 0, 1, 2), (0, 0, 2, 2)]).cuts) == 2
+            (line,) = parse_request(combined, (), None, None, None, line).lines
+            assert (line.start, line.end) == ((0.0, 0.0), (1.0, 2.0))
+        assert len(parse_request(combined, (), None, None, None, [(0, 0, 1, 2), (0, 0, 2, 2)]).lines) == 2
 
     def test_numbers_that_are_none_are_refused(self) -> None:
         """NaN is never drawn."""
@@ -161,57 +150,57 @@ class TestWish:
 
 
 class TestScale:
-    """Colours of values."""
+    """Colors of values."""
 
     @pytest.mark.parametrize("low", [-37.3, -0.02, 0.0, 12.1])
     @pytest.mark.parametrize("high", [13.7, 49.9])
     @pytest.mark.parametrize("signed", [False, True])
     def test_levels_are_round_and_cover_the_data(self, low: float, high: float, signed: bool) -> None:
         """First and last level enclose all values; steps are 1, 2, 2.5 or 5 times a power of ten."""
-        found = scale.scale_of([np.linspace(low, high, 50)], signed=signed)
+        found = contours.make_scale([np.linspace(low, high, 50)], signed=signed)
         assert found.levels[0] <= low
         assert found.levels[-1] >= high
         step = np.diff(found.levels)
         assert np.allclose(step, step[0])
         assert np.round(step[0] / 10 ** np.floor(np.log10(step[0])), 6) in (1, 2, 2.5, 5)
-        assert 5 <= len(step) <= scale.BANDS + 2
+        assert 5 <= len(step) <= contours.BANDS + 2
 
     @pytest.mark.parametrize(("low", "signed", "parts"), [(-3, False, True), (0, False, False), (1, True, True)])
-    def test_colours_part_at_zero_where_the_sign_matters(self, low: float, signed: bool, parts: bool) -> None:
-        """White stands for zero if the amount is signed or goes below zero, and only then."""
-        found = scale.scale_of([np.linspace(low, 10, 20)], signed=signed)
-        colours, norm = found.colours()
+    def test_colors_part_at_zero_where_the_sign_matters(self, low: float, signed: bool, parts: bool) -> None:
+        """White stands for zero if the quantity is signed or goes below zero, and only then."""
+        found = contours.make_scale([np.linspace(low, 10, 20)], signed=signed)
+        colors, norm = found.color_map()
         assert found.parts_at_zero is parts
         if parts:
             assert norm(0.0) == pytest.approx(0.5)
-            assert min(colours(0.5)[:3]) > 0.9
-            red, blue = colours(norm(10.0)), colours(norm(-10.0))
+            assert min(colors(0.5)[:3]) > 0.9
+            red, blue = colors(norm(10.0)), colors(norm(-10.0))
             assert red[0] > red[2]
             assert blue[2] > blue[0]
         else:
-            assert colours.name == scale.ONE_SIGN
+            assert colors.name == contours.ONE_SIGN
 
     def test_what_is_never_above_zero_runs_one_way_too(self) -> None:
         """Design moments at the top have one sign: one map, light where they are largest in size."""
-        found = scale.scale_of([np.linspace(-80, 0, 9)], signed=False)
+        found = contours.make_scale([np.linspace(-80, 0, 9)], signed=False)
         assert not found.parts_at_zero
-        colours, norm = found.colours()
-        assert sum(colours(norm(-80.0))[:3]) > sum(colours(norm(0.0))[:3])
+        colors, norm = found.color_map()
+        assert sum(colors(norm(-80.0))[:3]) > sum(colors(norm(0.0))[:3])
 
     @pytest.mark.parametrize("value", [0.0, 3.0, -2.0])
     def test_a_constant_has_a_scale(self, value: float) -> None:
         """One value alone lies within levels that rise."""
-        levels = scale.scale_of([np.full(4, value)], signed=False).levels
+        levels = contours.make_scale([np.full(4, value)], signed=False).levels
         assert (np.diff(levels) > 0).all()
         assert levels[0] <= value <= levels[-1]
 
-    def test_bands_have_the_colours_of_the_map(self) -> None:
-        """Values within one band have one colour, values in two bands have two."""
-        found = scale.Scale(np.array([0.0, 1.0, 2.0, 3.0]), parts_at_zero=False)
-        colours = found.of(np.array([0.0, 0.9, 1.0, 3.0]))
-        assert np.array_equal(colours[0], colours[1])
-        assert not np.array_equal(colours[1], colours[2])
-        assert not np.array_equal(colours[2], colours[3])
+    def test_bands_have_the_colors_of_the_map(self) -> None:
+        """Values within one band have one color, values in two bands have two."""
+        found = contours.ColorScale(np.array([0.0, 1.0, 2.0, 3.0]), parts_at_zero=False)
+        colors = found.colors_at(np.array([0.0, 0.9, 1.0, 3.0]))
+        assert np.array_equal(colors[0], colors[1])
+        assert not np.array_equal(colors[1], colors[2])
+        assert not np.array_equal(colors[2], colors[3])
 
 
 class TestPlan:
@@ -219,23 +208,23 @@ class TestPlan:
 
     @pytest.mark.slow
     def test_each_amount_has_a_panel_with_units(self) -> None:
-        """All that can be drawn is drawn: axes in metres, bars with symbol and unit, titles with the meaning."""
-        figure = groundslab.plot(synthetic.results(3), *amounts.KNOWN)
+        """All that can be drawn is drawn: axes in meters, bars with symbol and unit, titles with the meaning."""
+        figure = groundslab.plot(synthetic.results(3), *request.QUANTITIES)
         boxes = panels(figure)
-        assert len(boxes) == len(amounts.KNOWN)
-        for axes, amount in zip(boxes, amounts.KNOWN.values(), strict=True):
+        assert len(boxes) == len(request.QUANTITIES)
+        for axes, quantity in zip(boxes, request.QUANTITIES.values(), strict=True):
             assert (axes.get_xlabel(), axes.get_ylabel()) == ("x [m]", "y [m]")
             assert axes.get_aspect() == 1.0
             (bar,) = axes.child_axes
-            assert bar.get_ylabel() == f"{amount.symbol} [{RANGED_FIELDS[amount.name].unit.replace('kNm', 'kN m')}]"
-            assert any(text.get_text().lower() == amount.meaning.lower() for text in axes.texts)
+            assert bar.get_ylabel() == f"{quantity.symbol} [{RANGED_FIELDS[quantity.name].unit.replace('kNm', 'kN m')}]"
+            assert any(text.get_text().lower() == quantity.field.meaning.lower() for text in axes.texts)
 
     @pytest.mark.slow
     def test_bars_cover_the_values_that_are_drawn(self) -> None:
-        """The colour bar's range holds the amount's values in its unit of display."""
+        """The color bar's range holds the quantity's values in its unit of display."""
         results = synthetic.results(3)
-        figure = groundslab.plot(results, *amounts.KNOWN)
-        for axes, name in zip(panels(figure), amounts.KNOWN, strict=True):
+        figure = groundslab.plot(results, *request.QUANTITIES)
+        for axes, name in zip(panels(figure), request.QUANTITIES, strict=True):
             low, high = axes.child_axes[0].get_ylim()
             values = nodal(results, name)
             assert low <= values.min() + 1e-9 * abs(values).max()
@@ -338,7 +327,7 @@ class TestPlan:
             assert f"{name} (ultimate)" in words(figure)
 
     def test_panels_of_one_amount_share_a_scale(self) -> None:
-        """Two combinations, one with twice the settlement, have the same bar, so that colours can be compared."""
+        """Two combinations, one with twice the settlement, have the same bar, so that colors can be compared."""
         figure = groundslab.plot(synthetic.combined(), "w")
         first, second = (axes.child_axes[0].get_ylim() for axes in panels(figure))
         assert first == second
@@ -349,13 +338,13 @@ class TestPlan:
         nodes = np.vstack([left - np.array([1, 0]), left + np.array([1, 0])])
         elements = np.vstack([cells, cells + len(left)])
         values = np.repeat([0.5, 9.5], len(left))
-        with styled():
+        with apply_style():
             axes = mpl.figure.Figure().add_subplot()
-            contours.fill(
+            contours.draw_contours(
                 axes,
                 contours.triangulation(nodes, elements),
                 values,
-                scale.Scale(np.arange(11.0), parts_at_zero=False),
+                contours.ColorScale(np.arange(11.0), parts_at_zero=False),
             )
         drawn = [path.vertices for path in axes.collections[0].get_paths() if len(path.vertices)]
         assert len(drawn) == 2
@@ -365,14 +354,14 @@ class TestPlan:
     def test_envelope_has_extremes_with_the_governing_combination(self) -> None:
         """Panels hold the largest and smallest values over the certified combinations, and who governs is named."""
         combined = synthetic.combined()
-        wish = wish_of(combined, ("w", "bottom_x", "top_x"), None, None, "ultimate", None)
-        views = views_of(wish)
-        assert [(view.amount.name, view.of.split()[0]) for view in views] == [
+        request = parse_request(combined, ("w", "bottom_x", "top_x"), None, None, "ultimate", None)
+        panels = build_panels(request)
+        assert [(panel.quantity.name, panel.source.split()[0]) for panel in panels] == [
             ("settlement", "Largest"), ("settlement", "Smallest"), ("bottom_x", "Largest"), ("top_x", "Smallest"),
         ]  # fmt: skip
         one, two = (nodal(each, "settlement") for each in combined.results.values())
-        assert np.array_equal(views[0].values, np.maximum(one, two))
-        assert np.array_equal(views[1].values, np.minimum(one, two))
+        assert np.array_equal(panels[0].values, np.maximum(one, two))
+        assert np.array_equal(panels[1].values, np.minimum(one, two))
         told = words(groundslab.plot(combined, "w", envelope="ultimate"))
         assert "largest 56 mm at (0, 0) m (NUL)" in told
         assert f"uplift 28 mm at (4.8, 3.6) m ({combined.combinations[0].name})" in told
@@ -381,7 +370,7 @@ class TestPlan:
     @pytest.mark.parametrize("ratio", [0.1, 0.4, 0.75, 1.0, 2.5])
     def test_pages_fit_on_a4(self, ratio: float) -> None:
         """Whatever the plate's shape, a full page is as wide as the text and not higher than a sheet of A4."""
-        columns, rows = plan.per_page(ratio)
+        columns, rows = plan.panels_per_page(ratio)
         model = synthetic.model().replace(
             plate=Plate(length_x=10, length_y=10 * ratio, thickness=0.2, E=3e10, nu=0.2),
             loads=[PointLoad(P=1, x=0, y=0)],
@@ -389,9 +378,9 @@ class TestPlan:
         nodes, elements = synthetic.grid(2, 2, 10, 10 * ratio)
         flat = synthetic.results(model=model)
         results = replace(flat, plate=replace(flat.plate, nodes=nodes, elements=elements))
-        names = list(amounts.KNOWN)[: columns * rows]
-        with styled():
-            (figure,) = plan.pages(wish_of(alone(results), names, None, None, None, None))
+        names = list(request.QUANTITIES)[: columns * rows]
+        with apply_style():
+            (figure,) = plan.draw_pages(parse_request(alone(results), names, None, None, None, None))
         width, height = figure.get_size_inches() * 25.4
         assert width == pytest.approx(180)
         assert height < 275
@@ -409,7 +398,9 @@ class TestWords:
         results = synthetic.results(model=synthetic.model(title=title))
         groundslab.plot(results, kind="convergence", to=tmp_path / "a.svg")
         written = "".join(ElementTree.parse(tmp_path / "a.svg").getroot().itertext())
-        assert set(free(title, 60).split(" ...")[0].splitlines()) <= {line.strip() for line in written.splitlines()}
+        assert set(plain_text(title, 60).split(" ...")[0].splitlines()) <= {
+            line.strip() for line in written.splitlines()
+        }
 
     @pytest.mark.slow
     @pytest.mark.parametrize("ending", ["pdf", "png"])
@@ -427,26 +418,26 @@ class TestWords:
         assert (tmp_path / f"a.{ending}").stat().st_size > 5000
 
     def test_control_characters_are_taken_out(self) -> None:
-        """What XML cannot hold becomes a blank; long words are broken, long texts cut."""
-        assert free("a\x00b\nc") == "a b c"
-        assert free("x" * 30, 10, 2).splitlines() == ["x" * 10, "..."]
-        assert free("one two three four", 9, 2).splitlines() == ["one two", "three ..."]
+        """What XML cannot hold becomes a blank; long words are broken, long texts line."""
+        assert plain_text("a\x00b\nc") == "a b c"
+        assert plain_text("x" * 30, 10, 2).splitlines() == ["x" * 10, "..."]
+        assert plain_text("one two three four", 9, 2).splitlines() == ["one two", "three ..."]
 
     def test_symbols_and_numbers(self) -> None:
         """Symbols are formulas; numbers have four digits and a true minus, zero has none."""
-        assert symbol("m_xy") == "$m_{xy}$"
-        assert symbol("beta_x") == r"$\beta_{x}$"
+        assert math_symbol("m_xy") == "$m_{xy}$"
+        assert math_symbol("beta_x") == r"$\beta_{x}$"
         assert number(-13.2641) == "\N{MINUS SIGN}13.26"
         assert number(-0.0) == "0"
 
     def test_words_stand_where_there_is_room(self) -> None:
         """A second box does not stand on the first, nor beyond the drawing."""
-        spots = Spots((0, 20, 0, 20))
-        first = spots.beside((10, 10), (3, 1), 1)
-        second = spots.beside((10, 10), (3, 1), 1)
+        placement = LabelPlacement((0, 20, 0, 20))
+        first = placement.place_beside((10, 10), (3, 1), 1)
+        second = placement.place_beside((10, 10), (3, 1), 1)
         assert first == (10, 12)
         assert second == (10, 8)
-        assert spots.beside((10, 19.5), (3, 1), 1)[1] <= 19
+        assert placement.place_beside((10, 19.5), (3, 1), 1)[1] <= 19
 
 
 class TestDeformed:
@@ -455,7 +446,7 @@ class TestDeformed:
     def test_exaggeration_is_round_and_told(self) -> None:
         """1, 2 or 5 times a power of ten, so that the largest settlement is about a seventh of the longer side."""
         for largest in (1e-4, 0.0028, 0.028, 0.3):
-            factor = deformed.exaggeration_of([np.array([0.0, -largest])], 9.6)
+            factor = deformed.find_exaggeration([np.array([0.0, -largest])], 9.6)
             mantissa = factor / 10 ** np.floor(np.log10(factor))
             assert round(mantissa, 9) in (1, 2, 5)
             assert 0.4 * deformed.DEPTH < factor * largest / 9.6 <= deformed.DEPTH * (1 + 1e-9)
@@ -475,7 +466,7 @@ class TestDeformed:
         assert twice.sum() / 2 == pytest.approx(8.0)
 
     def test_uplift_stands_above_the_level_and_plan_axes_are_equal(self) -> None:
-        """Heights are exaggerated settlements turned round; a metre is as long along x, along y and upwards."""
+        """Heights are exaggerated settlements turned round; a meter is as long along x, along y and upwards."""
         figure = groundslab.plot(synthetic.results(4), kind="deformed")
         axes = next(each for each in figure.axes if each.name == "3d")
         low, high = axes.get_zlim()
@@ -501,13 +492,13 @@ class TestLines:
     def test_curves_hold_the_values_along_the_line(self) -> None:
         """Each combination has a curve; samples at nodes have the nodes' values, in the unit of display."""
         combined = synthetic.combined()
-        (curves,) = sections.curves_of(wish_of(combined, ("w", "m_1"), None, None, None, (-4.8, 0, 4.8, 0)))
+        (curves,) = sections.sample_lines(parse_request(combined, ("w", "m_1"), None, None, None, (-4.8, 0, 4.8, 0)))
         assert curves.names == tuple(combined.results)
         s, values = curves.section.s, curves.values["settlement"]
         assert np.allclose(values[0], 28 * (1 - 2 * (s - 4.8) ** 2 / 36))
         assert set(curves.values) == {"settlement", "m_1"}
         figure = groundslab.plot(combined, "w", "m_x", line=(-4.8, 0, 4.8, 0))
-        assert {free(name) for name in combined.results} == entries(figure)
+        assert {plain_text(name) for name in combined.results} == entries(figure)
         upper, lower = panels(figure)
         assert upper.yaxis_inverted()
         assert not lower.yaxis_inverted()
@@ -557,13 +548,13 @@ class TestLines:
             for n, name in enumerate(names)
         }
         combined = Combined(base.model, tuple(Combination(name=name, factors={"": 1.0}) for name in names), found, {})
-        (curves,) = sections.curves_of(wish_of(combined, ("w",), None, None, None, (-4.8, 0, 4.8, 0)))
+        (curves,) = sections.sample_lines(parse_request(combined, ("w",), None, None, None, (-4.8, 0, 4.8, 0)))
         assert curves.names == ("largest of 10 combinations", "smallest of 10 combinations")
         assert curves.values["settlement"][0].max() == pytest.approx(280)
         assert curves.values["settlement"][1].max() == pytest.approx(28)
-        some = wish_of(combined, ("w",), None, names[:8], None, (-4.8, 0, 4.8, 0))
-        assert len(sections.curves_of(some)[0].names) == 8
-        assert entries(sections.sheet(some)) == set(names[:8])
+        some = parse_request(combined, ("w",), None, names[:8], None, (-4.8, 0, 4.8, 0))
+        assert len(sections.sample_lines(some)[0].names) == 8
+        assert entries(sections.draw_sheet(some)) == set(names[:8])
 
 
 class TestSoil:
@@ -580,8 +571,8 @@ class TestSoil:
     def test_constants_are_the_integrals_of_the_mode_that_is_drawn(self, layers: Any, variation: str) -> None:
         """k0 = int Ec psi'^2 dz (2.17) and k1 = int G psi^2 dz (2.18), by the trapezoidal rule over the drawn curve."""
         results = layered(Vlasov(layers=layers), 1.3)
-        (found,) = profile.profiles_of(results.model, alone_drawn(results))
-        (mode,) = found.found
+        (found,) = soil.soil_columns(results.model, plotted_combinations(results))
+        (mode,) = found.constants
         assert mode.gamma == pytest.approx(1.3, rel=1e-9)
         assert mode.psi is not None
         assert mode.z is not None
@@ -609,13 +600,13 @@ class TestSoil:
             Borehole(x=4.8, y=0, layers=[layer.replace(thickness=2 * layer.thickness) for layer in self.LAYERS]),
         ]
         results = layered(Vlasov(layers=self.LAYERS), 1.3, boreholes=holes)
-        first, second = profile.profiles_of(results.model, alone_drawn(results))
+        first, second = soil.soil_columns(results.model, plotted_combinations(results))
         assert (first.name, second.name) == ("B1", "borehole 2")
         assert (first.depth, second.depth) == (6.0, 12.0)
         # twice the depth of the same soils has twice the gamma for one decay; the plate's mean lies between
-        assert second.found[0].gamma == pytest.approx(2 * first.found[0].gamma)
-        assert first.found[0].gamma < 1.3 < second.found[0].gamma
-        assert second.found[0].k0[0] < first.found[0].k0[0]
+        assert second.constants[0].gamma == pytest.approx(2 * first.constants[0].gamma)
+        assert first.constants[0].gamma < 1.3 < second.constants[0].gamma
+        assert second.constants[0].k0[0] < first.constants[0].k0[0]
         told = words(groundslab.plot(results, kind="soil"))
         assert "B1 at (\N{MINUS SIGN}4.8, 0) m" in told
         assert "borehole 2 at (4.8, 0) m" in told
@@ -642,16 +633,16 @@ class TestSoil:
         assert "not to scale" in told
         assert {"20", "50", "3", "0"} <= set(told.splitlines())
         found = layered(Layered(coupling="interface", layers=self.LAYERS), 0.9)
-        (stack,) = profile.profiles_of(found.model, alone_drawn(found))
-        for stratum, layer in zip(stack.strata, self.LAYERS, strict=True):
-            made = profile.layer_of(layer)
+        (stack,) = soil.soil_columns(found.model, plotted_combinations(found))
+        for stratum, layer in zip(stack.layers, self.LAYERS, strict=True):
+            made = soil.layer_of(layer)
             k0, k1 = vlasov.parameters(made, 0.9)
             assert stratum.k0 == (pytest.approx(float(k0)),)
             assert stratum.k1 == (pytest.approx(float(k1)),)
         consistent = layered(Layered(coupling="consistent", layers=[self.LAYERS[1].replace(sublayers=4)]), None)
-        (parts,) = profile.profiles_of(consistent.model, alone_drawn(consistent))
+        (parts,) = soil.soil_columns(consistent.model, plotted_combinations(consistent))
         confined = 40e6 * 0.75 / (1.25 * 0.5)
-        assert parts.strata[0].k0 == (pytest.approx(confined / 1.0),) * 4
+        assert parts.layers[0].k0 == (pytest.approx(confined / 1.0),) * 4
 
     def test_springs_have_no_depth(self) -> None:
         """Winkler's and Pasternak's ground are drawn as one layer, not to scale, with their constants."""
@@ -665,14 +656,14 @@ class TestSoil:
         """Of six boreholes four stand on the first page and two on the next."""
         holes = [Borehole(x=float(n), y=0, layers=self.LAYERS) for n in range(-3, 3)]
         results = layered(Vlasov(layers=self.LAYERS), 1.3, boreholes=holes)
-        with styled():
-            pages = soil.pages(wish_of(alone(results), (), "soil", None, None, None))
+        with apply_style():
+            pages = soil.draw_pages(parse_request(alone(results), (), "soil", None, None, None))
         assert [words(page).count("borehole ") for page in pages] == [4, 2]
 
 
-def alone_drawn(results: Results) -> Any:
+def plotted_combinations(results: Results) -> Any:
     """Return the one combination of results as it is drawn."""
-    return wish_of(alone(results), (), "soil", None, None, None).drawn
+    return parse_request(alone(results), (), "soil", None, None, None).combinations
 
 
 class TestConvergence:
@@ -714,8 +705,8 @@ class TestConvergence:
         assert "uncertified: not certified" in told
         with pytest.raises(InputError, match="history"):
             groundslab.plot(combined, kind="convergence", combination="wind alone")
-        with styled():
-            pages = convergence.pages(wish_of(combined, (), "convergence", None, None, None))
+        with apply_style():
+            pages = convergence.draw_pages(parse_request(combined, (), "convergence", None, None, None))
         assert len(pages) == 2
 
 
@@ -769,7 +760,7 @@ assert "matplotlib.pyplot" not in sys.modules
             assert f">{word}</text>" in text
 
     @pytest.mark.slow
-    def test_colours_of_large_meshes_are_pixels(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def test_colors_of_large_meshes_are_pixels(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """Above a number of elements the SVG holds an image, and lines and text as before."""
         results = synthetic.results(4)
         groundslab.plot(results, "w", to=tmp_path / "small.svg")
@@ -818,11 +809,11 @@ class TestPicture:
     @pytest.mark.slow
     @pytest.mark.parametrize(("n", "shear", "lifts"), [(2, False, True), (3, True, True), (2, True, False)])
     def test_is_a_png_with_titles_and_units(self, tmp_path: Path, n: int, shear: bool, lifts: bool) -> None:
-        """A PNG file comes out; both panels name their axes and colour bars with units."""
+        """A PNG file comes out; both panels name their axes and color bars with units."""
         results = synthetic.results(n, shear=shear, lifts=lifts)
-        picture.write(results, tmp_path / "picture.png")
+        plots.write_picture(results, tmp_path / "picture.png")
         assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
-        figure = picture.draw(results)
+        figure = plots.plot(results)
         boxes = panels(figure)
         assert [axes.get_xlabel() for axes in boxes] == ["x [m]", "x [m]"]
         assert [axes.child_axes[0].get_ylabel() for axes in boxes] == ["$w$ [mm]", "$p$ [kPa]"]
@@ -834,14 +825,14 @@ class TestPicture:
         found = entries(figure)
         assert ("contact boundary" in found) == lifts
         assert ("edge line force" in told) == shear
-        assert {"loaded area", "load on the whole plate", "point load"} <= found
+        assert {"loaded area", "load on the entire plate", "point load"} <= found
 
     @pytest.mark.slow
-    def test_colours_part_at_zero_only_with_uplift(self) -> None:
-        """With uplift zero has the middle colour; without it the colours run one way."""
+    def test_colors_part_at_zero_only_with_uplift(self) -> None:
+        """With uplift zero has the middle color; without it the colors run one way."""
         for lifts in (True, False):
-            drawn = panels(picture.draw(synthetic.results(lifts=lifts)))[0].collections[0]
-            assert (drawn.norm(0.0) == 0.5 and drawn.get_cmap().name == scale.TWO_SIGNS) == lifts
+            drawn = panels(plots.plot(synthetic.results(lifts=lifts)))[0].collections[0]
+            assert (drawn.norm(0.0) == 0.5 and drawn.get_cmap().name == contours.TWO_SIGNS) == lifts
 
     @pytest.mark.slow
     @pytest.mark.parametrize("value", [0.0, 1e-3])
@@ -850,7 +841,7 @@ class TestPicture:
         results = synthetic.results(lifts=False)
         flat = np.full_like(results.plate.settlement, value)
         plate = replace(results.plate, settlement=flat, pressure=flat * synthetic.K0)
-        picture.write(replace(results, plate=plate), tmp_path / "picture.png")
+        plots.write_picture(replace(results, plate=plate), tmp_path / "picture.png")
 
     def test_columns_and_supports_are_drawn(self) -> None:
         """Columns, supports at points and along lines have their entries, and their marks lie where they are."""
@@ -858,7 +849,7 @@ class TestPicture:
             columns=[Column(name="A1", x=1, y=2, width_x=0.3, width_y=0.4)],
             supports=[PointSupport(x=-2, y=-1), LineSupport(points=[(-3, 1), (-1, 1)])],
         )
-        figure = picture.draw(synthetic.results(model=model))
+        figure = plots.plot(synthetic.results(model=model))
         assert {"column", "support", "line support"} <= entries(figure)
         panel = panels(figure)[0]
         drawn = {tuple(map(float, (*line.get_xdata(), *line.get_ydata()))) for line in panel.lines}
@@ -869,7 +860,7 @@ class TestPicture:
     def test_the_combination_is_named(self) -> None:
         """A folder of several combinations has a picture in each, which says which one it is."""
         results = synthetic.combined()["NUL"]
-        assert {"A slab of formulas", "NUL (ultimate)"} <= set(words(picture.draw(results)).splitlines())
+        assert {"A slab of formulas", "NUL (ultimate)"} <= set(words(plots.plot(results)).splitlines())
 
     def test_triangles_cover_the_plate_once(self) -> None:
         """The triangles all turn the same way and their areas add up to the plate's."""
@@ -949,7 +940,7 @@ class TestCommand:
     def test_unknown_options_are_refused(self, folder: Path) -> None:
         """An option that is not there is no field."""
         with pytest.raises(SystemExit) as code:
-            main.main(["plot", str(folder), "w", "--colour", "red"])
+            main.main(["plot", str(folder), "w", "--color", "red"])
         assert code.value.code == 2
 
     def test_help_names_every_field_and_kind(self, capsys: pytest.CaptureFixture[str]) -> None:
@@ -957,7 +948,7 @@ class TestCommand:
         with pytest.raises(SystemExit):
             main.main(["plot", "--help"])
         told = capsys.readouterr().out
-        assert all(name in told for name in (*amounts.KNOWN, "plan", "deformed", "lines", "soil", "convergence"))
+        assert all(name in told for name in (*request.QUANTITIES, "plan", "deformed", "lines", "soil", "convergence"))
 
 
 @pytest.mark.slow

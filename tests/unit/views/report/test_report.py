@@ -24,20 +24,29 @@ from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.record import Constants
 from groundslab.results.results import Combined, SupportResult, alone
-from groundslab.results.soil_profile import profiles_of
 from groundslab.units import format_number
 from groundslab.views import report
 from groundslab.views.files import results_folder
+from groundslab.views.plots import export, plot, soil
+from groundslab.views.plots.annotations import LabelPlacement
+from groundslab.views.plots.case_plan import SIDES, draw_case_plan
+from groundslab.views.plots.convergence import draw_thumbnail
+from groundslab.views.plots.export import to_inline_svg
+from groundslab.views.plots.request import PlottedCombination
+from groundslab.views.plots.style import PAGE_COLORS, plain_text
+from groundslab.views.report import drawings
 from groundslab.views.report import html as document
-from groundslab.views.report import pictures as figures
-from groundslab.views.report.convergence import history_drawing
+from groundslab.views.report.drawings import draw_case, draw_soil, find_governing
 from groundslab.views.report.html import html_of
-from groundslab.views.report.input_echo import echo
-from groundslab.views.report.pictures import Picture, governing
-from groundslab.views.report.plan_drawing import plan_drawing
-from groundslab.views.report.soil_drawing import soil_drawing
-from groundslab.views.report.svg import Labels, element
-from groundslab.views.report.table_layout import MOST_COLUMNS, digest_of, grid_of, parts_of, pieces_of, pieces_of_words
+from groundslab.views.report.input_tables import input_tables
+from groundslab.views.report.table_layout import (
+    MOST_COLUMNS,
+    layout_table,
+    split_columns,
+    split_symbol,
+    split_words,
+    summarize_table,
+)
 from groundslab.views.scene.binary import LEVELS, unpacked, values_of
 from groundslab.views.summary import single
 from groundslab.views.summary.terminal import shown_row
@@ -150,8 +159,8 @@ def root(plain: Combined) -> Element:
 
 @pytest.fixture(autouse=True)
 def _quick_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Spare tests the drawing of pictures, but for their words; the plain report above has true ones."""
-    monkeypatch.setattr(figures, "_picture", lambda _, __, words: Picture("data:image/png;base64,AAAA", words, 4, 3))
+    """Spare tests the drawing of governing fields; the plain report above has true ones."""
+    monkeypatch.setattr(drawings, "plot", lambda results, _: draw_thumbnail(results.steps))
 
 
 def grids(section: Element) -> Iterator[tuple[list[str], list[list[str]]]]:
@@ -204,20 +213,30 @@ class TestStructure:
         assert hashlib.sha256(text.encode()).hexdigest() in told
         assert "raft <1>.toml" in told
 
-    def test_drawings_and_pictures(self, root: Element) -> None:
+    def test_drawings_and_pictures(self, plain: Combined, root: Element) -> None:
         """Plan, soil and signs are drawings; pictures are within the page, with words and their size."""
         assert [each.attributes["aria-label"] for each in root.one("section", id="drawings").all("svg")] == [
             "Plan of the plate",
             "Columns of soil",
         ]
-        pictures = list(root.one("section", id="pictures").all("img"))
+        pictures = list(root.one("section", id="pictures").all("svg"))
         assert len(pictures) == 4
         for picture in pictures:
-            kind, _, data = picture.attributes["src"].partition(",")
-            assert kind == "data:image/png;base64"
-            assert base64.b64decode(data).startswith(b"\x89PNG")
-            assert picture.attributes["alt"].endswith(".")
+            assert picture.attributes["aria-label"] == picture.one("title").text
+            assert picture.attributes["aria-label"].endswith(".")
             assert 300 < int(picture.attributes["width"]) < 1500
+            assert len(list(picture.all("path"))) > 30
+            assert plain.model.title in picture.text
+
+    def test_drawings_follow_the_page(self, root: Element) -> None:
+        """Inline drawings have the page's colors and letters: no style, no font, none of the palette's own colors."""
+        inside = [each for svg in root.all("svg", class_="drawing") for each in svg.all()]
+        values = {value for each in inside for value in each.attributes.values()}
+        assert not values & set(PAGE_COLORS)
+        used = {name for value in values for name in re.findall(r"var\((--[\w-]+)\)", value)}
+        assert {"--gs-ink", "--gs-paper", "--gs-load", "--gs-soil"} <= used
+        assert used <= set(re.findall(r"(--[\w-]+):", root.one("style").text))
+        assert not {"style", "font-family"} & {name for each in inside for name in each.attributes}
 
     @pytest.mark.slow
     def test_the_same_results_give_the_same_page(self, plain: Combined, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -255,7 +274,7 @@ class TestVerdict:
         rows = next(grids(found.one("section", id="certificate")))[1]
         assert [row[0] for row in rows if row[-1] == "FAILED"] == ["force left over at a node"]
         assert "No combination has a certified result" in found.one("section", id="extremes").text
-        assert not list(found.one("section", id="pictures").all("img"))
+        assert not list(found.one("section", id="pictures").all("svg"))
 
     def test_of_none(self) -> None:
         """If every combination is refused, the case, its drawings and the reasons are left."""
@@ -264,7 +283,7 @@ class TestVerdict:
         found = page(html_of(Combined(model, model.combinations, {}, refused)))
         assert "no combination has a certified result" in found.one("p", class_="verdict bad").text
         assert all(f"why {name}" in found.one("section", id="refused").text for name in refused)
-        assert found.one("section", id="drawings").one("svg", class_="drawing")
+        assert found.one("section", id="drawings").one("svg", class_="drawing").text.startswith("Plan")
 
 
 class TestNumbers:
@@ -339,14 +358,14 @@ class TestNumbers:
         more = {**combined.results}
         plate = more[first].plate
         more[first] = replace(more[first], plate=replace(plate, moment_x=-3 * plate.moment_x))
-        found = governing(replace(combined, results=more))
+        found = find_governing(replace(combined, results=more))
         assert found == {
             "settlement": second, "uplift": second, "pressure": first, "moment_x": first, "moment_y": first,
         }  # fmt: skip
 
     def test_without_uplift_none_governs(self) -> None:
         """Where all of the plate bears, no uplift is shown."""
-        assert "uplift" not in governing(alone(synthetic.results(lifts=False)))
+        assert "uplift" not in find_governing(alone(synthetic.results(lifts=False)))
 
 
 def harmful(root: Element) -> list[str]:
@@ -382,12 +401,11 @@ class TestSafety:
         assert {each.name for each in found.all()} == {each.name for each in usual.all()}
         shown = evil.replace("\x00", "\ufffd").replace("\x1b", "\ufffd")
         assert found.one("h1").text.startswith(shown)
-        assert found.one("title").text.startswith(shown)
+        assert found.one("head").one("title").text.startswith(shown)
         assert f"nothing holds {shown}" in found.one("section", id="refused").text
         plan = next(found.one("section", id="drawings").all("svg"))
         for each in (*model.columns, *model.supports, *model.output.lines, *model.output.strips):
-            assert any(text.text.startswith(each.name[:-3].replace("\x00", "\ufffd").replace("\x1b", "\ufffd"))
-                       for text in plan.all("text"))  # fmt: skip
+            assert any(text.text == plain_text(each.name) for text in plan.all("text"))
         assert not re.search(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]", html)
 
     def test_the_policy_lets_through_what_the_page_brings(self, root: Element) -> None:
@@ -412,12 +430,12 @@ class TestSafety:
         """A built file that would end its element, or one that is missing, is an error that says what to do."""
         monkeypatch.setattr(document, "HERE", tmp_path)
         with pytest.raises(GroundslabError, match=r"report.js.*npm run build"):
-            document.built("report.js")
+            document.read_asset("report.js")
         (tmp_path / "static").mkdir()
         for bad in ("x = '</script>'", "<!-- x", "a\x00b"):
             (tmp_path / "static" / "report.js").write_text(bad, encoding="utf-8")
             with pytest.raises(GroundslabError, match="break the page"):
-                document.built("report.js")
+                document.read_asset("report.js")
 
 
 class TestSize:
@@ -449,7 +467,7 @@ class TestSize:
         assert len(list(found.all("details"))) > 0
         monkeypatch.setattr("groundslab.views.report.content.MOST_IN_FILE", 50)
         monkeypatch.setattr(
-            "groundslab.views.report.content.TableGrids.whole", property(lambda each: each.length <= 50)
+            "groundslab.views.report.content.TableParts.complete", property(lambda each: each.length <= 50)
         )
         cut = page(html_of(combined)).one("section", id="table-lines")
         assert "tables/lines.csv" in cut.text
@@ -495,7 +513,7 @@ class TestEcho:
 
     def test_single_keys(self) -> None:
         """Quantities come in a fitting unit, numbers as they are, choices and flags as words."""
-        told = {section.key: section for section in echo(described(["part"]))}
+        told = {section.key: section for section in input_tables(described(["part"]))}
         plate = {row[0].text: row for row in told["plate"].grids[0].rows}
         assert [cell.text for cell in plate["thickness"]] == ["thickness", "t", "400 mm", "thickness"]
         assert plate["E"][2].text == "30 GPa"
@@ -506,7 +524,7 @@ class TestEcho:
 
     def test_lists_share_a_unit(self) -> None:
         """Parts of one kind stand in one grid by their numbers in the case, each column in one unit."""
-        told = {section.key: section for section in echo(described(["part"]))}
+        told = {section.key: section for section in input_tables(described(["part"]))}
         points = next(grid for grid in told["loads"].grids if grid.title.startswith("point"))
         assert [(head.text, head.unit) for head in points.heads[:4]] == [
             ("no.", ""),
@@ -521,7 +539,7 @@ class TestEcho:
 
     def test_parts_within_parts(self) -> None:
         """Layers of boreholes stand below them, each under its name."""
-        told = {section.key: section for section in echo(described(["part"]))}
+        told = {section.key: section for section in input_tables(described(["part"]))}
         titles = [grid.title for grid in told["boreholes"].grids]
         assert titles[0] == ""
         assert [title.endswith(": layers") for title in titles[1:]] == [True] * 3
@@ -536,7 +554,9 @@ class TestEcho:
             "thickness": 0.4, "E": 30e9, "nu": 0.2,
         }  # fmt: skip
         model = Model(plate=plate, ground={"kind": "winkler", "k": 2e7}, loads=[{"kind": "uniform", "q": 1e3}])
-        texts = {cell.text for section in echo(model) for grid in section.grids for row in grid.rows for cell in row}
+        texts = {
+            cell.text for section in input_tables(model) for grid in section.grids for row in grid.rows for cell in row
+        }
         assert "polygon (0, 0) (8, 0) (8, 4) m; bulges 0, 0.5" in texts
         assert "rectangle, x = 7 to 7.5 m, y = 1 to 2 m" in texts
         assert {"(6, 1.5) m", "250"} <= texts
@@ -544,80 +564,120 @@ class TestEcho:
     def test_automatic_combinations_are_told(self) -> None:
         """What EN 1990 makes stands among the combinations, with its factors."""
         model = described(["part"], combinations=(), combine={"sets": ["ultimate"]})
-        told = {section.key: section for section in echo(model)}
+        told = {section.key: section for section in input_tables(model)}
         (grid,) = told["combinations"].grids
         assert "1.35 part 0 + 1.5 part 1" in {row[3].text for row in grid.rows}
+
+
+def texts(figure: Any) -> list[str]:
+    """Return all that is written in a figure."""
+    from matplotlib.text import Text
+
+    return [each.get_text() for each in figure.findobj(Text) if each.get_text()]
 
 
 class TestDrawings:
     """Plan, soil, history."""
 
     def test_plan_has_dimensions_names_and_notes(self) -> None:
-        """The sides in metres, names of what stands there, numbers of loads; what is too far away is told."""
-        drawn = plan_drawing(described(["part"]))
-        texts = [each.text for each in page(str(drawn.svg)).all("text")]
-        assert {"9.6", "7.2", "L2", "L3", "L5", "x", "y"} <= set(texts)
-        assert "L4" not in texts  # it stands on a column
-        notes = " ".join(drawn.notes)
-        assert "L1 (uniform), L6 (settlement)" in notes
-        assert "(50, 0)" in notes
+        """The sides in meters, names of what stands there, numbers of loads; what is too far away is named."""
+        drawn = draw_case(described(["part"]))
+        found = [each.text for each in page(drawn.svg).all("text")]
+        assert {"9.6", "7.2", "L2", "L3", "L5", "x", "y"} <= set(found)
+        assert "L4" not in found  # it stands on a column
+        assert "L1 (uniform), L6 (settlement)" in drawn.caption
+        assert "(50, 0)" in drawn.caption
 
     def test_plan_is_to_scale(self) -> None:
         """The plate's outline has the proportions of the plate, y upwards."""
-        drawn = page(str(plan_drawing(described(["part"])).svg))
-        path = drawn.one("path", class_="d-plate").attributes["d"].split("Z")[0]
-        x, y = np.array([pair.split(" ") for pair in path[1:].split("L")], dtype=float).T
-        assert np.ptp(x) / np.ptp(y) == pytest.approx(synthetic.LENGTH_X / synthetic.LENGTH_Y, rel=1e-3)
-        assert y[0] == y.max()  # the first corner is the lower left one
+        figure = draw_case_plan(described(["part"]))
+        (axes,) = figure.axes
+        outline = axes.patches[0]
+        corners = axes.transData.transform(outline.get_xy())
+        (width, height), (x, y) = np.ptp(corners, axis=0), corners[0]
+        assert width / height == pytest.approx(synthetic.LENGTH_X / synthetic.LENGTH_Y, rel=1e-3)
+        assert (x, y) == (corners[:, 0].min(), corners[:, 1].min())  # the first corner is the lower left one
 
     def test_corners_have_dimensions_of_their_own(self) -> None:
-        """An L has a chain of dimensions along each side, beside those of the whole."""
+        """An L has a chain of dimensions along each side, beside those of the entire plate."""
         plate = {
             "outline": {"kind": "polygon", "points": [(0, 0), (30, 0), (30, 10), (12, 10), (12, 20), (0, 20)]},
             "thickness": 0.4, "E": 30e9, "nu": 0.2,
         }  # fmt: skip
         model = Model(plate=plate, ground={"kind": "winkler", "k": 2e7}, loads=[{"kind": "uniform", "q": 1e3}])
-        texts = [each.text for each in page(str(plan_drawing(model).svg)).all("text")]
-        assert [texts.count(length) for length in ("12", "18", "30", "10", "20")] == [1, 1, 1, 2, 1]
+        found = texts(draw_case_plan(model))
+        assert [found.count(length) for length in ("12", "18", "30", "10", "20")] == [1, 1, 1, 2, 1]
 
     def test_labels_keep_apart(self) -> None:
-        """Many labels at one place do not lie upon each other as long as there is room."""
-        labels = Labels((0, 0, 200, 200))
+        """Many labels at one place do not lie upon each other as long as there is space."""
+        labels = LabelPlacement((0, 200, 0, 200))
         for _ in range(6):
-            labels.beside((100, 100), "name", "d-text")
+            labels.place_beside((100, 100), (20, 6), 7, SIDES)
         boxes = labels.taken
         assert len(boxes) == 6
         for i, a in enumerate(boxes):
             for b in boxes[:i]:
-                assert not (a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3])
+                assert abs(a[0] - b[0]) >= a[2] + b[2] or abs(a[1] - b[1]) >= a[3] + b[3]
 
     def test_attributes_and_texts_of_drawings_are_escaped(self) -> None:
-        """Neither a text nor a value can end what it stands in."""
-        assert element("text", '<b>"', x='"><b>') == '<text x="&#34;&gt;&lt;b&gt;">&lt;b&gt;&#34;</text>'
+        """Neither a text nor a label can end what it stands in, nor is it taken for an attribute of ours."""
+        evil = '"><b> id="x" style="y" #1b1f23 url(#z)'
+
+        def draw() -> Any:
+            from matplotlib.figure import Figure
+
+            figure = Figure()
+            figure.text(0.5, 0.5, evil)
+            return figure
+
+        svg = page(to_inline_svg(draw, "evil", evil)).one("svg")
+        assert svg.attributes["aria-label"] == svg.one("title").text == svg.one("text").text == evil
+        assert not list(svg.all("b"))
+
+    def test_fonts_in_shorthand(self) -> None:
+        """Older versions of Matplotlib write slope, weight, size and family as one property."""
+        found = dict(export._font_attributes("oblique 700 8.5px 'DejaVu Sans', sans-serif"))
+        assert found == {"font-style": "oblique", "font-weight": "700", "font-size": "8.5px"}
+
+    def test_ids_begin_with_the_name(self) -> None:
+        """Two drawings on one page have no id in common, and what refers to one finds it."""
+        found = [page(to_inline_svg(lambda: plot(synthetic.results(), "p"), name, "p")) for name in "ab"]
+        ids, used = [], []
+        for root in found:
+            ids.append({each.attributes["id"] for each in root.all() if "id" in each.attributes})
+            values = [value for each in root.all() for value in each.attributes.values()]
+            links = {each.attributes["href"].removeprefix("#") for each in root.all() if "href" in each.attributes}
+            used.append(links | {name for value in values for name in re.findall(r"url\(#(.+)\)", value)})
+        assert not ids[0] & ids[1]
+        assert set() < used[0] <= ids[0]
 
     def test_soil_is_to_scale(self, plain: Combined) -> None:
-        """Layers are drawn by their thickness, beside the words of the description."""
-        drawn = soil_drawing(profiles_of(next(iter(plain.results.values()))))
+        """Layers are drawn by their thickness, with their moduli, constants and modes."""
+        results = next(iter(plain.results.values()))
+        combination = PlottedCombination(results.combination, results.limit_state, results, certified=True)
+        figure = soil.draw_columns(results.model, soil.soil_columns(results.model, [combination]))
+        boxes = [axes for axes in figure.axes if axes.get_ylabel() == "depth z [m]"]
+        assert [[patch.get_height() for patch in axes.patches[:2]] for axes in boxes] == [[2.0, 4.0]] * 3
+        assert sum(axes.get_xlabel() == r"$\psi$ [-]" and len(axes.lines) == 1 for axes in figure.axes) == 3
+        drawn = draw_soil(results)
         assert drawn is not None
-        root = page(str(drawn))
-        heights = [float(each.attributes["height"]) for each in root.all("rect")]
-        assert heights == pytest.approx([100, 200] * 3)
-        texts = [each.text for each in root.all("text")]
-        assert texts.count("1: E = 10 MPa") == texts.count("ν = 0.3, h = 2 m") == 3
-        assert len(list(root.all("path", class_="d-mode"))) == 3
+        found = [each.text for each in page(drawn.svg).all("text")]
+        assert found.count("10") >= 3
+        assert found.count("0.3") == 6
+        assert found.count(results.combination) == 3
 
     def test_springs_have_no_column(self) -> None:
         """Ground without layers has nothing to draw."""
-        assert soil_drawing(profiles_of(synthetic.results())) is None
+        assert draw_soil(synthetic.results()) is None
 
     def test_history(self) -> None:
-        """Each step is a mark; the last, which changes nothing, lies on the axis."""
+        """Each step is a mark, empty on coarser meshes; the last, which changes nothing, lies on the axis."""
         steps = synthetic.results().steps
-        marks = list(page(str(history_drawing(steps))).all("circle"))
-        assert [each.attributes["class"] for each in marks] == ["d-step-coarse", "d-step", "d-step"]
-        heights = [float(each.attributes["cy"]) for each in marks]
-        assert heights[2] > heights[1] > heights[0]
-        page(str(history_drawing(())))
+        (axes,) = draw_thumbnail(steps).axes
+        assert [(line.get_markerfacecolor() == "white", list(line.get_ydata())) for line in axes.lines] == [
+            (True, [8]), (False, [1, 0]),
+        ]  # fmt: skip
+        assert {"step"} <= set(texts(draw_thumbnail(())))
 
 
 class TestGrids:
@@ -626,8 +686,8 @@ class TestGrids:
     def test_wide_tables_are_cut(self) -> None:
         """Each part repeats the columns that say which row it is, and no column is lost."""
         heads = [("a", ""), *((f"c{n}", "m") for n in range(25))]
-        grid = grid_of(table_of("extremes", "Wide", heads, [["x", *range(25)]], ["note"]))
-        parts = parts_of(grid, 1)
+        grid = layout_table(table_of("extremes", "Wide", heads, [["x", *range(25)]], ["note"]))
+        parts = split_columns(grid, 1)
         assert [part.heads[0].text for part in parts] == ["a"] * 3
         assert [head.text for part in parts for head in part.heads[1:]] == [f"c{n}" for n in range(25)]
         assert all(len(part.heads) <= MOST_COLUMNS for part in parts)
@@ -635,7 +695,7 @@ class TestGrids:
 
     def test_short_tables_have_no_digest(self) -> None:
         """A table that is printed whole needs none, and one of extremes has the envelope."""
-        assert digest_of(table_of("lines", "Lines", [("combination", ""), ("line", "")], [["a", "b"]])) is None
+        assert summarize_table(table_of("lines", "Lines", [("combination", ""), ("line", "")], [["a", "b"]])) is None
 
     @pytest.mark.parametrize(
         ("symbol", "pieces"),
@@ -649,11 +709,11 @@ class TestGrids:
     )
     def test_symbols(self, symbol: str, pieces: list[tuple[str, str]]) -> None:
         """Greek letters are such, what follows an underscore is a subscript."""
-        assert pieces_of(symbol) == pieces
+        assert split_symbol(symbol) == pieces
 
     def test_symbols_within_words(self) -> None:
         """Words with an underscore are symbols, all others stay as they are."""
-        pieces = pieces_of_words("largest |m_xy| of beta_x, gamma")
+        pieces = split_words("largest |m_xy| of beta_x, gamma")
         assert "".join(base for base, _ in pieces) == "largest |m| of β, gamma"
         assert [sub for _, sub in pieces if sub] == ["xy", "x"]
 

@@ -1,6 +1,6 @@
 """The case as a reader checks it: every key with its symbol, its value in a fitting unit, and what it means.
 
-All of it is derived from what ``model`` states of each key, so that a new key is told without a change here.
+All of it is derived from what ``model`` states of each key, so that a new key appears without a change here.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, key_of, meaning_of, nested
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
 from groundslab.units import coordinate, together
-from groundslab.views.report.table_layout import GREEK, Cell, Grid, Head, Kind, without_empty
+from groundslab.views.report.table_layout import GREEK, Cell, Kind, TableHeader, TableLayout, drop_empty_columns
 from groundslab.views.summary.combinations import factors_text
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from groundslab.model.model import Model
 
-#: Titles of the sections of a case, in the order in which the report tells of them.
+#: Titles of the sections of a case, in the order of the report.
 SECTIONS = {
     "plate": "Plate",
     "ground": "Ground",
@@ -44,9 +44,9 @@ SECTIONS = {
 }
 #: What one of a list is called, by the name of the list.
 ONE = {"soil_zones": "Zone of soil", "boreholes": "Borehole", "zones": "Zone", "gaps": "Measured gap"}
-#: Keys that are told even if all of a list have what a case has that says nothing; and what nothing then means.
+#: Keys that are listed even if all of a list have what a case has that says nothing; and what nothing then means.
 ALWAYS = {"psi_0": "", "psi_1": "", "psi_2": "", "stiffness": "rigid"}
-_ITEM = (Head("key"), Head("symbol"), Head("value"), Head("meaning"))
+_ITEM = (TableHeader("key"), TableHeader("symbol"), TableHeader("value"), TableHeader("meaning"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,10 +55,10 @@ class InputTable:
 
     key: str
     title: str
-    grids: tuple[Grid, ...]
+    grids: tuple[TableLayout, ...]
 
 
-def echo(model: Model) -> list[InputTable]:
+def input_tables(model: Model) -> list[InputTable]:
     """Return all of a case, section by section; what is not there is left out."""
     found = []
     for name, title in SECTIONS.items():
@@ -77,7 +77,7 @@ def echo(model: Model) -> list[InputTable]:
     return found
 
 
-def told(key: FieldType, value: Any) -> str:
+def format_value(key: FieldType, value: Any) -> str:
     """Return a value as people write it: quantities with five digits and a fitting unit, numbers with six."""
     if isinstance(key, Quantity):
         (text,), unit = together([value], key.dimension)
@@ -94,8 +94,8 @@ def told(key: FieldType, value: Any) -> str:
     return str(value)
 
 
-def shape_told(shape: Section) -> str:
-    """Return a shape in words, its places in metres."""
+def describe_shape(shape: Section) -> str:
+    """Return a shape in words, its places in meters."""
     if isinstance(shape, Circle):
         return f"circle about {_places([shape.centre])} m, radius {shape.radius:.6g} m"
     if isinstance(shape, Rectangle):
@@ -106,12 +106,12 @@ def shape_told(shape: Section) -> str:
 
 
 def _span(ends: tuple[float, float]) -> str:
-    """Return two lengths in metres."""
+    """Return two lengths in meters."""
     return f"{coordinate(ends[0]):.6g} to {coordinate(ends[1]):.6g}"
 
 
 def _places(places: Sequence[Sequence[float]]) -> str:
-    """Return places in metres."""
+    """Return places in meters."""
     return " ".join(f"({', '.join(f'{coordinate(value):.6g}' for value in place)})" for place in places)
 
 
@@ -123,20 +123,20 @@ def _several(key: ListOf, values: Sequence[Any]) -> str:
     if isinstance(each, Quantity):
         texts, unit = together(values, each.dimension)
         return f"{' to '.join(texts)} {unit}" if key.rising else f"({', '.join(texts)}) {unit}"
-    return ", ".join(told(each, value) for value in values)
+    return ", ".join(format_value(each, value) for value in values)
 
 
-def _part(part: Section, title: str) -> Iterator[Grid]:
+def _part(part: Section, title: str) -> Iterator[TableLayout]:
     """Yield what a part says itself, then the parts in it."""
     rows: list[tuple[Cell, ...]] = []
-    below: list[Grid] = []
+    below: list[TableLayout] = []
     for name, field in type(part).model_fields.items():
         value, key = getattr(part, name), key_of(field)
         if key is not None:
             if value is not None and value != ():
                 rows.append(_row(name, key, value, field))
         elif isinstance(value, Rectangle | Polygon | Circle):
-            rows.append((Cell(name), Cell(""), Cell(shape_told(value)), Cell(meaning_of(field), "muted")))
+            rows.append((Cell(name), Cell(""), Cell(describe_shape(value)), Cell(meaning_of(field), "muted")))
         elif isinstance(value, Section):
             below += _part(value, _words(name))
         elif isinstance(value, tuple):
@@ -144,7 +144,7 @@ def _part(part: Section, title: str) -> Iterator[Grid]:
         elif value is not None:
             rows.append((Cell("kind"), Cell(""), Cell(str(value)), Cell(meaning_of(field), "muted")))
     if rows:
-        yield without_empty(Grid(title, _ITEM, tuple(rows)))
+        yield drop_empty_columns(TableLayout(title, _ITEM, tuple(rows)))
     yield from below
 
 
@@ -154,10 +154,10 @@ def _row(name: str, key: FieldType, value: Any, field: FieldInfo) -> tuple[Cell,
     meaning = f"{key.meaning} (default)" if default and "by default" not in key.meaning else key.meaning
     words = name if name == key.symbol else name.replace("_", " ")
     symbol = Cell("" if name == key.symbol and name not in GREEK else key.symbol, "symbol")
-    return Cell(words, "words"), symbol, Cell(told(key, value)), Cell(meaning, "muted")
+    return (Cell(words, "words"), symbol, Cell(format_value(key, value)), Cell(meaning, "muted"))
 
 
-def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[Grid]:
+def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayout]:
     """Yield a list of parts, those of one kind in one grid, numbered as in the case; lists in them stand below."""
     kinds: dict[type[Section], list[tuple[int, Section]]] = {}
     for number, part in enumerate(parts, 1):
@@ -178,9 +178,9 @@ def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[Grid]:
                 yield from _part(value, f"{called}: {inner}")
 
 
-def _columns(kind: type[Section], numbered: list[tuple[int, Section]], title: str) -> Grid:
+def _columns(kind: type[Section], numbered: list[tuple[int, Section]], title: str) -> TableLayout:
     """Return parts of one kind, one a row; keys that are nowhere given have no column."""
-    heads, columns = [Head("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]]
+    heads, columns = ([TableHeader("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]])
     for name, field in kind.model_fields.items():
         values = [getattr(part, name) for _, part in numbered]
         key, default = key_of(field), field.get_default()
@@ -190,16 +190,16 @@ def _columns(kind: type[Section], numbered: list[tuple[int, Section]], title: st
         if key is not None:
             head, cells = _column(name, key, values)
         elif isinstance(next(value for value in values if value is not None), Rectangle | Polygon | Circle):
-            head = Head(_words(name).lower())
-            cells = [Cell("" if value is None else shape_told(value)) for value in values]
+            head = TableHeader(_words(name).lower())
+            cells = [Cell("" if value is None else describe_shape(value)) for value in values]
         else:
             continue
         heads.append(head)
         columns.append(cells)
-    return Grid(title, tuple(heads), tuple(zip(*columns, strict=True)))
+    return TableLayout(title, tuple(heads), tuple(zip(*columns, strict=True)))
 
 
-def _column(name: str, key: FieldType, values: list[Any]) -> tuple[Head, list[Cell]]:
+def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, list[Cell]]:
     """Return the column of a key; its quantities have one unit."""
     words, symbol = name.replace("_", " "), key.symbol
     if symbol == name:
@@ -207,22 +207,27 @@ def _column(name: str, key: FieldType, values: list[Any]) -> tuple[Head, list[Ce
     nothing = Cell(ALWAYS.get(name, ""))
     if not isinstance(key, Quantity):
         kind: Kind = "number" if isinstance(key, Number | Integer) else ""
-        cells = [nothing if value is None else Cell(told(key, value), kind) for value in values]
-        return Head(words, "", bool(kind), symbol), cells
+        cells = [nothing if value is None else Cell(format_value(key, value), kind) for value in values]
+        return TableHeader(words, "", bool(kind), symbol), cells
     texts, unit = together([value for value in values if value is not None], key.dimension)
     left = iter(texts)
     cells = [nothing if value is None else Cell(next(left), "number") for value in values]
-    return Head(words, unit if texts else "", number=True, symbol=symbol), cells
+    return TableHeader(words, unit if texts else "", number=True, symbol=symbol), cells
 
 
-def _combinations(model: Model) -> Grid:
+def _combinations(model: Model) -> TableLayout:
     """Return what is solved: the combinations that the case lists and those made by EN 1990, or each case."""
-    heads = (Head("no.", number=True), Head("name"), Head("limit state"), Head("loads that act together"))
+    heads = (
+        TableHeader("no.", number=True),
+        TableHeader("name"),
+        TableHeader("limit state"),
+        TableHeader("loads that act together"),
+    )
     rows = tuple(
         (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))
         for number, each in enumerate(combinations_of(model), 1)
     )
-    return Grid("", heads, rows, ("Each is solved by itself, with all its loads growing together.",))
+    return TableLayout("", heads, rows, ("Each is solved by itself, with all its loads growing together.",))
 
 
 def _words(name: str) -> str:

@@ -1,0 +1,197 @@
+"""Words on panels: the title above, labels of columns and zones, the extremes; each label where it covers least."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from groundslab.results.contact_zone import goes_below_zero
+from groundslab.views.plots.panels import Panel, find_extremes
+from groundslab.views.plots.style import BASE, FOOT, GREY, INK, PT, SMALL, format_place, number, plain_text, text_width
+from groundslab.views.plots.symbols import white_outline
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from groundslab.arrays import Array
+    from groundslab.model.model import Model
+
+Point = tuple[float, float]
+
+#: The eight sides of a place, the better ones first: as multiples of half a word's size beyond it.
+AROUND: tuple[Point, ...] = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
+#: What it costs to leave the drawing by a millimeter, in square millimeters that are covered.
+OUTSIDE = 8.0
+#: So much better is each side than the next one, where all else is equal.
+ORDER = 1e-3
+
+
+@dataclass(slots=True)
+class LabelPlacement:
+    """What is taken on a drawing: boxes by their middles and half sides, within limits x0, x1, y0, y1."""
+
+    limits: tuple[float, float, float, float]
+    taken: list[tuple[float, float, float, float]] = field(default_factory=list)
+
+    def reserve(self, middle: Point, half: Point) -> None:
+        """Let nothing else stand in a box, if that can be helped."""
+        self.taken.append((*middle, *half))
+
+    def place_beside(self, place: Point, half: Point, distance: float, sides: Sequence[Point] = AROUND) -> Point:
+        """Return the middle of a box of some half size beside a place, and take it."""
+        return self.place_best(
+            ((place[0] + right * (half[0] + distance), place[1] + up * (half[1] + distance)) for right, up in sides),
+            half,
+        )
+
+    def place_best(self, middles: Iterable[Point], half: Point) -> Point:
+        """Return the middle of those given whose box covers least, and take it; of equal ones the first."""
+        found = min(enumerate(middles), key=lambda each: self._cost(each[1], half) + ORDER * each[0])[1]
+        self.reserve(found, half)
+        return found
+
+    def _cost(self, middle: Point, half: Point) -> float:
+        """Return how much a box covers [mm2], with a high price for what leaves the drawing."""
+        x0, x1, y0, y1 = self.limits
+        (x, y), (wide, high) = middle, half
+        cost = OUTSIDE * max(x0 + wide - x, x + wide - x1, y0 + high - y, y + high - y1, 0.0)
+        for other_x, other_y, other_wide, other_high in self.taken:
+            over_x, over_y = wide + other_wide - abs(x - other_x), high + other_high - abs(y - other_y)
+            if over_x > 0 and over_y > 0:
+                cost += over_x * over_y
+        return cost
+
+
+class TitleLine(NamedTuple):
+    """A line of words and how it is written."""
+
+    text: str
+    size: float
+    color: str
+    weight: str
+
+
+def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleLine]:
+    """Return the lines above a plan: of what it is if that is to be facts, what it shows, its extremes, the contact."""
+    uplift = panel.quantity.name == "settlement" and goes_below_zero(panel.values)
+    facts = []
+    for word, value, where, whose in find_extremes(panel):
+        called, shown = ("uplift", -value) if uplift and word == "smallest" else (word, value)
+        governs = f" ({plain_text(whose, 40)})" if whose else ""
+        facts.append(f"{called} {number(shown)} {panel.quantity.field.unit} at {format_place(where)}{governs}")
+    if not facts:
+        facts.append("zero everywhere")
+    if panel.line_force is not None:
+        facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {format_place(panel.line_force[1])}")
+    if panel.quantity.name in ("pressure", "gap") and panel.share is not None:
+        facts.append(f"{number(100 * panel.share)} % of the plate in contact")
+    title = panel.quantity.field.meaning[0].upper() + panel.quantity.field.meaning[1:]
+    lines = [TitleLine(each, BASE, GREY, "bold") for each in (_wrapped(panel.source, width) if with_source else [])]
+    lines += [TitleLine(each, BASE, INK, "bold") for each in _wrapped(title, width)]
+    return [*lines, *(TitleLine(each, SMALL, GREY, "normal") for each in _joined(facts, width))]
+
+
+def title_height(head: Sequence[TitleLine]) -> float:
+    """Return the height [mm] of the lines above a plan."""
+    return 3.0 + sum(1.3 * line.size * PT for line in head)
+
+
+def draw_title(axes: Axes, head: Sequence[TitleLine]) -> None:
+    """Write lines above a plan."""
+    height = 1.6
+    for line in reversed(head):
+        axes.annotate(
+            line.text, (0, 1), xycoords="axes fraction", xytext=(0, height / PT), textcoords="offset points",
+            fontsize=line.size, color=line.color, fontweight=line.weight, va="baseline", parse_math=False,
+        )  # fmt: skip
+        height += 1.3 * line.size * PT
+
+
+def _wrapped(words: str, width: float) -> list[str]:
+    """Return bold words in at most two lines that are not wider than a width [mm]."""
+    clean = plain_text(words, 500)
+    letters = int(len(clean) * min(1.0, width / max(text_width(clean, BASE, "bold"), 1e-9))) + 1
+    lines = clean.splitlines()
+    while letters > 8 and any(text_width(line, BASE, "bold") > width for line in lines):
+        lines = plain_text(clean, letters, 2).splitlines()
+        letters -= 1
+    return lines
+
+
+def _joined(parts: Sequence[str], width: float) -> list[str]:
+    """Return parts joined on as few lines as they need in a width [mm]."""
+    lines = [parts[0]]
+    for part in parts[1:]:
+        longer = f"{lines[-1]};  {part}"
+        if text_width(longer, SMALL) <= width:
+            lines[-1] = longer
+        else:
+            lines.append(part)
+    return lines
+
+
+#: More columns than this are not named, nor those of plans with fewer millimeters for a meter.
+MOST_NAMES, LEAST_SCALE = 60, 2.0
+#: Where the name of a column stands beside it, and the thickness of a zone within it; the better places first.
+BESIDE: tuple[Point, ...] = ((1, 1), (-1, 1), (1, -1), (-1, -1))
+INSIDE: tuple[Point, ...] = ((-1, -1), (1, -1), (-1, 1), (1, 1), (0, -1), (0, 1), (-1, 0), (1, 0), (0, 0))
+
+
+def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> None:
+    """Name the columns, with_source the thickness of zones, mark the extremes by rings with their values.
+
+    The words cover neither each other nor the columns, as far as there is space.
+    """
+    x0, x1, y0, y1 = (per_meter * bound for bound in model.plate.bounds)
+    placement = LabelPlacement((x0, x1, y0, y1))
+    extremes = find_extremes(panel)
+    for each in extremes:
+        placement.reserve((each.place[0] * per_meter, each.place[1] * per_meter), (1.0, 1.0))
+    named = model.columns if per_meter >= LEAST_SCALE and len(model.columns) <= MOST_NAMES else ()
+    for column in model.columns:
+        (x, y), half = _bounding_box(np.array(column.ring().flat(np.inf)) * per_meter)
+        placement.reserve((x, y), half)
+    for word, value, (x, y), _ in extremes:
+        axes.plot(
+            x, y, "o", markersize=3.6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.9, zorder=7,
+            clip_on=False,
+        )  # fmt: skip
+        words = f"{'max' if word == 'largest' else 'min'} {number(value)}"
+        half = text_width(words, SMALL - 0.5) / 2 + 0.5, 0.6 * SMALL * PT
+        middle = placement.place_beside((x * per_meter, y * per_meter), half, 1.6)
+        _write_label(axes, words, middle, per_meter, SMALL - 0.5, boxed=True)
+    for column in named:
+        (x, y), half = _bounding_box(np.array(column.ring().flat(np.inf)) * per_meter)
+        words = plain_text(column.name, 12)
+        own = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
+        corners = [(x + i * (half[0] + own[0]), y + j * (half[1] + own[1])) for i, j in BESIDE]
+        _write_label(axes, words, placement.place_best(corners, own), per_meter, FOOT, boxed=False)
+    for zone in model.plate.zones:
+        if zone.thickness is not None:
+            words = f"t = {zone.thickness:g} m"
+            own = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT
+            (x, y), half = _bounding_box(np.array(zone.shape.ring().flat(np.inf)) * per_meter)
+            inner = half[0] - own[0] - 0.6, half[1] - own[1] - 0.6
+            corners = [(x + i * inner[0], y + j * inner[1]) for i, j in INSIDE]
+            _write_label(axes, words, placement.place_best(corners, own), per_meter, FOOT + 0.5, boxed=False)
+
+
+def _bounding_box(places: Array) -> tuple[Point, Point]:
+    """Return middle and half sides of the box around places (k, 2)."""
+    low, high = places.min(axis=0), places.max(axis=0)
+    (x, y), (wide, high_) = (low + high) / 2, (high - low) / 2
+    return (float(x), float(y)), (float(wide), float(high_))
+
+
+def _write_label(axes: Axes, words: str, middle: Point, per_meter: float, size: float, *, boxed: bool) -> None:
+    """Write words about a place [mm]."""
+    look: dict[str, Any] = {"path_effects": white_outline(1.5)}
+    if boxed:
+        look = {"bbox": {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6}}
+    axes.text(
+        middle[0] / per_meter, middle[1] / per_meter, words, fontsize=size, ha="center", va="center", color=INK,
+        parse_math=False, zorder=8, **look,
+    )  # fmt: skip
