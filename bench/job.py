@@ -32,10 +32,10 @@ import numpy as np
 
 from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested
 from groundslab.case import casefile
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.fem import system
 from groundslab.model.model import Model
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 from groundslab.solvers import contact, factor_reuse, factorization, pardiso
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "table1.toml"
@@ -136,7 +136,7 @@ def timed(function: Callable[..., Any], phase: str, spent: dict[str, float]) -> 
 def bare(model: Model) -> Callable[[], float]:
     """Return what times PARDISO alone on the glued matrix of the finest mesh."""
     glued = model.replace(contact={"tensionless": False})
-    s = system.build_system(discretise(glued))
+    s = system.build_system(discretize(glued))
     upper = system.stiffness(s, s.problem.ground)
     f = system.right_hand_side(s, 1.0)
     from pypardiso import PyPardisoSolver
@@ -156,7 +156,7 @@ def bare(model: Model) -> Callable[[], float]:
     return once
 
 
-def settlements(results: Results) -> dict[str, float]:
+def settlements(results: CombinationResult) -> dict[str, float]:
     """Return the settlements [m] by which the first plate is compared with other programs; uplift is negative."""
     x, y = results.plate.nodes.T
     w = results.plate.settlement
@@ -180,7 +180,7 @@ def keep_memory() -> None:
 
 def assembly(model: Model) -> float:
     """Return the time [s] that pattern, element matrices, matrix and right-hand side of the finest mesh take."""
-    found = discretise(model)
+    found = discretize(model)
     start = time.perf_counter()
     s = system.build_system(found)
     system.stiffness(s, s.problem.ground)
@@ -225,7 +225,7 @@ def memory(model: Model) -> dict[str, float]:
     }
 
 
-def written(results: Results) -> float:
+def written(results: CombinationResult) -> float:
     """Return the time [s] that writing the results takes, all files but the picture."""
     from groundslab.views.files import results_folder  # not needed by whoever times a whole process
 

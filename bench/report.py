@@ -54,7 +54,7 @@ COLOURS = {
     "PyNite": ("#E69F00", "*"),
 }
 
-Results = Mapping[str, Any]
+CombinationResult = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class Target:
     what: str
     least: float
     aim: float
-    measured: Callable[[Results], Measured | None]
+    measured: Callable[[CombinationResult], Measured | None]
     less: bool = True
 
     def verdict(self, found: Measured | None) -> str:
@@ -97,20 +97,20 @@ class Target:
         return found.value <= limit if self.less else found.value >= limit
 
 
-def own(kind: str, size: str, key: str) -> Callable[[Results], Measured | None]:
+def own(kind: str, size: str, key: str) -> Callable[[CombinationResult], Measured | None]:
     """Return what looks up a figure of ours."""
 
-    def look(results: Results) -> Measured | None:
+    def look(results: CombinationResult) -> Measured | None:
         value = results["own"].get(kind, {}).get(size, {}).get(key)
         return None if value is None else Measured(value)
 
     return look
 
 
-def worst(key: str, kinds: Sequence[str], sizes: Sequence[str] = ()) -> Callable[[Results], Measured | None]:
+def worst(key: str, kinds: Sequence[str], sizes: Sequence[str] = ()) -> Callable[[CombinationResult], Measured | None]:
     """Return what looks up the largest of a figure of ours over kinds and sizes (all, if none is named)."""
 
-    def look(results: Results) -> Measured | None:
+    def look(results: CombinationResult) -> Measured | None:
         found = [
             row[key]
             for kind in kinds
@@ -122,14 +122,14 @@ def worst(key: str, kinds: Sequence[str], sizes: Sequence[str] = ()) -> Callable
     return look
 
 
-def small_job(results: Results) -> Measured | None:
+def small_job(results: CombinationResult) -> Measured | None:
     """Return our whole process over the fastest peer's."""
     medians = {name: row["median"] for name, row in results["small"].items() if "median" in row}
     others = [median for name, median in medians.items() if not name.startswith(OWN)]
     return Measured(medians[OWN] / min(others)) if OWN in medians and others else None
 
 
-def against_every_peer(results: Results) -> Measured | None:
+def against_every_peer(results: CombinationResult) -> Measured | None:
     """Return how many times our time the fastest peer takes at 250k, tensionless."""
     mine = results["peers"].get(OWN, {}).get("250k", {}).get("total [s]")
     if mine is None:
@@ -176,7 +176,7 @@ TARGETS = [
 ]
 
 
-def reference(results: Results) -> Reference | None:
+def reference(results: CombinationResult) -> Reference | None:
     """Return the mean of our finest mesh's settlements and of NGSolve's, and how far the two are apart."""
     sources, found = [], []
     for name in (OWN, OTHER):
@@ -206,7 +206,7 @@ def error(row: Mapping[str, Any], place: str, to: Reference | None) -> float | N
     return None if to is None or value is None else abs(value - to.value[place]) / abs(to.value[place])
 
 
-def tables(results: Results) -> dict[str, str]:
+def tables(results: CombinationResult) -> dict[str, str]:
     """Return all tables by the names of their markers."""
     return {
         "targets": targets(results),
@@ -220,7 +220,7 @@ def tables(results: Results) -> dict[str, str]:
     }
 
 
-def targets(results: Results) -> str:
+def targets(results: CombinationResult) -> str:
     """Return the targets and what was measured."""
     rows = []
     for target in TARGETS:
@@ -231,13 +231,13 @@ def targets(results: Results) -> str:
     return table(["what", "", "at least", "aim", "measured", "reached"], rows)
 
 
-def picture(results: Results) -> str:
+def picture(results: CombinationResult) -> str:
     """Return the link to the picture, if there is anything to draw."""
     drawn = any(points for _, _, points in lines(results))
     return f"![Time against unknowns]({PICTURE.name})" if drawn else "Not measured yet."
 
 
-def own_rows(results: Results) -> str:
+def own_rows(results: CombinationResult) -> str:
     """Return our own jobs."""
     to = reference(results)
     rows = []
@@ -258,7 +258,7 @@ def own_rows(results: Results) -> str:
     return table([*head, "error, centre", "error, corner", "further ratios"], rows)
 
 
-def small_rows(results: Results) -> str:
+def small_rows(results: CombinationResult) -> str:
     """Return the whole processes of the small job, the fastest first."""
     medians = {name: row["median"] for name, row in results["small"].items() if "median" in row}
     one = medians.get(OWN)
@@ -269,7 +269,7 @@ def small_rows(results: Results) -> str:
     return table(["program", "whole process [s]", f"times {OWN}'s"], rows)
 
 
-def peer_rows(results: Results) -> str:
+def peer_rows(results: CombinationResult) -> str:
     """Return all programs by sizes, ours among them."""
     to = reference(results)
     mine = results["peers"].get(OWN, {})
@@ -291,7 +291,7 @@ def _row(name: str, row: Mapping[str, Any], slower: float | None, to: Reference 
     return [name, f"{row['unknowns']:,}", *(figure(value) for value in keys), *errors]
 
 
-def equal_errors(results: Results) -> str:
+def equal_errors(results: CombinationResult) -> str:
     """Return the shortest time in which each program comes within an error, at both places."""
     to = reference(results)
     rows = []
@@ -306,7 +306,7 @@ def equal_errors(results: Results) -> str:
     return table(["program", *(f"error at most {limit:g}" for limit in ERRORS)], rows)
 
 
-def reference_rows(results: Results) -> str:
+def reference_rows(results: CombinationResult) -> str:
     """Return the reference settlements, their sources and how far these are apart."""
     to = reference(results)
     if to is None:
@@ -315,7 +315,7 @@ def reference_rows(results: Results) -> str:
     return "Sources: " + "; ".join(to.sources) + ".\n\n" + table(["place", "settlement [mm]", "sources apart"], rows)
 
 
-def machine_rows(results: Results) -> str:
+def machine_rows(results: CombinationResult) -> str:
     """Return machine, date, commit and the versions of all programs."""
     rows = [[key, str(value)] for key, value in results["machine"].items()]
     rows += [["date", results["date"]], ["commit", results["commit"]]]
@@ -328,7 +328,7 @@ def machine_rows(results: Results) -> str:
     return table(["", ""], rows)
 
 
-def missing(row: Mapping[str, Any], results: Results) -> str:
+def missing(row: Mapping[str, Any], results: CombinationResult) -> str:
     """Return why a job has no figures."""
     if "not reached" not in row:
         return "out of memory" if "memory" in row.get("error", "") else "failed"
@@ -382,7 +382,7 @@ def filled(page: str, parts: Mapping[str, str]) -> str:
     return out
 
 
-def lines(results: Results) -> Iterator[tuple[str, str, list[tuple[float, float]]]]:
+def lines(results: CombinationResult) -> Iterator[tuple[str, str, list[tuple[float, float]]]]:
     """Yield key, label and pairs of unknowns and time [s] of each line of the picture.
 
     What others are compared with is ours in a fresh process, as theirs is.
@@ -412,7 +412,7 @@ def spread(places: Sequence[float], gap: float) -> list[float]:
     return out
 
 
-def draw(results: Results, path: Path) -> None:
+def draw(results: CombinationResult, path: Path) -> None:
     """Draw time against unknowns, each line named at its end."""
     import matplotlib
 

@@ -80,7 +80,7 @@ def error(element: plate.PlateElement, t: float, amount: float) -> float:
     x, y = nodes.T
     on_edge = (x == 0.5) | (y == 0.5)
     held = np.concatenate([on_edge, on_edge | (x == 0.0), on_edge | (y == 0.0)])
-    if not element.centre_w:
+    if not element.center_w:
         held[elements[:, 8]] = True
     free = np.flatnonzero(~held)
     A = A[free][:, free]
@@ -93,7 +93,7 @@ def error(element: plate.PlateElement, t: float, amount: float) -> float:
 
 def main() -> None:
     """Print the table."""
-    six = plate.PlateElement("mitc9, six points", six_point_shear, 3, centre_w=True)
+    six = plate.PlateElement("mitc9, six points", six_point_shear, 3, center_w=True)
     print(f"clamped square plate, {COUNT} x {COUNT} elements on a quarter, error of the centre's settlement")
     print(f"{'element':<20}{'t/L':>8}{'regular':>12}{'distorted':>12}")
     for element in (*plate.ELEMENTS.values(), six):

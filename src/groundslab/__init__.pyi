@@ -54,7 +54,7 @@ from .model.varying_ground import Borehole as Borehole
 from .model.varying_ground import GapPoint as GapPoint
 from .model.varying_ground import SoilZone as SoilZone
 from .model.varying_ground import Void as Void
-from .results.results import Combined as Combined
+from .results.results import CombinationResult as CombinationResult
 from .results.results import Results as Results
 from .study.evaluation.study import open_study as open_study
 from .views.files.results_folder import load_results as load_results

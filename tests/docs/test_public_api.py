@@ -97,7 +97,7 @@ def solved() -> Any:
 
 EXAMPLES = [
     groundslab.load, groundslab.check, groundslab.solve, groundslab.save_results, groundslab.load_results,
-    groundslab.tables_of, groundslab.Combined, mesh_results.PlateResult.value_at, mesh_results.PlateResult.element_at,
+    groundslab.tables_of, groundslab.Results, mesh_results.PlateResult.value_at, mesh_results.PlateResult.element_at,
     mesh_results.GroundResult.value_at,
 ]  # fmt: skip
 

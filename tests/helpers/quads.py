@@ -85,7 +85,7 @@ def solve(A: Any, f: np.ndarray, held: np.ndarray, values: np.ndarray) -> np.nda
 def centres(name: str, elements: np.ndarray, n: int) -> np.ndarray:
     """Return which of the unknowns (3 n,) do not exist: the centres' w of elements that have none of their own."""
     none = np.zeros(3 * n, dtype=bool)
-    if not plate.ELEMENTS[name].centre_w:
+    if not plate.ELEMENTS[name].center_w:
         none[elements[:, 8]] = True
     return none
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from groundslab.model.columns import Column
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, has_ultimate
+from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, has_ultimate_combination
 from groundslab.model.loads.load_types import (
     AreaLoad,
     LineLoad,
@@ -26,7 +26,7 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone, Void
-from groundslab.schema.base import Section, key_of
+from groundslab.schema.base import Section, get_field_type
 from groundslab.schema.fields import Boolean, Choice, ListOf, Text
 
 
@@ -44,7 +44,7 @@ GAMMAS = st.just("iterate") | st.floats(0.3, 5.0)
 
 def any_of(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all values of a key that is a choice, a flag or a text, from what the key says itself."""
-    key = key_of(part.model_fields[name])
+    key = get_field_type(part.model_fields[name])
     if isinstance(key, Choice):
         return st.sampled_from(key.words)
     if isinstance(key, Boolean):
@@ -386,7 +386,7 @@ def combines() -> st.SearchStrategy[Combine]:
 
 def any_of_each(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all words of which a key holds a list."""
-    key = key_of(part.model_fields[name])
+    key = get_field_type(part.model_fields[name])
     assert isinstance(key, ListOf)
     assert isinstance(key.each, Choice)
     return st.sampled_from(key.each.words)
@@ -456,7 +456,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
         extra = {"output": draw(outputs(plate))} | draw(varied_ground(ground, plate))
     if cases:
         extra |= {"combinations": draw(combinations(cases, whole)), "combine": draw(st.none() | combines())}
-    if whole and has_ultimate(tuple(extra.get("combinations", ())), extra.get("combine")):
+    if whole and has_ultimate_combination(tuple(extra.get("combinations", ())), extra.get("combine")):
         extra["reinforcement"] = draw(st.none() | reinforcements(plate))
     longer = max(plate.sides)
     mesh = Mesh(size=draw(st.floats(longer / 6, longer / 2))) if supports else draw(meshes(plate))

@@ -18,7 +18,7 @@ from groundslab.model.plate import Edges, Plate
 from groundslab.model.supports import plan_of_plate
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 
 LENGTH_X, LENGTH_Y = 9.6, 7.2
 K0, K1 = 20e6, 30e6
@@ -49,7 +49,7 @@ def grid(nx: int, ny: int, length_x: float, length_y: float) -> tuple[np.ndarray
     return np.column_stack([X.ravel(), Y.ravel()]), first[:, None] + offsets
 
 
-def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: Any) -> Results:
+def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: Any) -> CombinationResult:
     """Return made-up results on n by n elements: a bowl that lifts at its corners, or a flat settlement.
 
     With ``shear`` the ground has k1 and reaches beyond the plate, and there is a line force along its edges in contact.
@@ -110,10 +110,10 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "supports": (),
     }
     values |= changes
-    return Results(**{"elements": elements_of(values["plate"], values["model"])} | values)
+    return CombinationResult(**{"elements": elements_of(values["plate"], values["model"])} | values)
 
 
-def combined() -> Combined:
+def combined() -> Results:
     """Return made-up results of four combinations: two certified, one that is not, and one without any.
 
     The second has twice the settlements of the first and no uplift.
@@ -146,7 +146,7 @@ def combined() -> Combined:
         "uncertified": NotCertified(found.pop("uncertified")),
         "wind alone": NoEquilibrium("the loads pull the plate off"),
     }
-    return Combined(whole, given, found, refused)
+    return Results(whole, given, found, refused)
 
 
 def elements_of(plate: PlateResult, model: Model) -> ElementResult:

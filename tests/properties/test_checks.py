@@ -7,7 +7,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from groundslab.analysis.driver import check
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from helpers.strategies import models, rich_models
@@ -29,5 +29,5 @@ def refusal(work: object, model: Model) -> set[str]:
 @given(st.one_of(models(), rich_models(), rich_models(whole=True)))
 def test_what_is_refused_in_solving_is_refused_in_checking(model: Model) -> None:
     """Of random models of every kind, check names the same faults as the making of the arrays to be solved."""
-    found = refusal(discretise, model)
+    found = refusal(discretize, model)
     assert found <= refusal(check, model)

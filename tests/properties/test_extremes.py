@@ -19,7 +19,7 @@ from groundslab.case.casefile import from_table, loads, starter
 from groundslab.design.tables import tables_of
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.geometry.plan import MOST_CHORDS
-from groundslab.model.consistency import plate_elements
+from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
 from groundslab.model.shapes import Polygon
 
@@ -161,7 +161,7 @@ def test_sizes_far_off_end_well(data: Any, draw: st.DataObject) -> None:
     with contextlib.suppress(InputError):
         model = from_table(data)
         check(model)
-        if plate_elements(model.plate, model.mesh) < 200 and model.analysis.increments < 5:
+        if estimate_elements(model.plate, model.mesh) < 200 and model.analysis.increments < 5:
             solved(model)
 
 

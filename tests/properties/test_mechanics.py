@@ -17,7 +17,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.varying_ground import Void
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 
 
 def few(count: int) -> Any:
@@ -64,7 +64,7 @@ def assert_same(a: np.ndarray, b: np.ndarray, tolerance: float = SAME) -> None:
     np.testing.assert_allclose(a / scale, b / scale, atol=tolerance)
 
 
-def at(result: Results, points: np.ndarray, touching: np.ndarray | None = None) -> np.ndarray:
+def at(result: CombinationResult, points: np.ndarray, touching: np.ndarray | None = None) -> np.ndarray:
     """Return the plate nodes that lie at some points, in their order; of two at the edge of a void the one alike."""
     distance = np.linalg.norm(result.plate.nodes[:, None] - points, axis=2)
     other = np.zeros(distance.shape) if touching is None else result.plate.in_contact[:, None] != touching

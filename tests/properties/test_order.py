@@ -12,17 +12,17 @@ from hypothesis import strategies as st
 
 from groundslab.analysis.driver import solve, solve_combinations
 from groundslab.arrays import Array
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.errors import InputError, NoEquilibrium
 from groundslab.fem.bearings import CLOSED
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import Problem
 from groundslab.fem.system import build_system, current_bearings, nodal_table, right_hand_side, stiffness
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_types import LineLoad
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport
-from groundslab.results.results import Combined
+from groundslab.results.results import Results
 from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.equilibrium import require_equilibrium
 from helpers.strategies import rich_models
@@ -35,7 +35,7 @@ PLATE: dict[str, Any] = {"length_x": 6, "length_y": 4, "thickness": 0.3, "E": 3e
 BASE: dict[str, Any] = {"plate": PLATE, "ground": {"kind": "pasternak", "k0": 2e7, "k1": 5e6}, "mesh": {"size": 0.5}}
 
 
-def combined(model: Model) -> Combined:
+def combined(model: Model) -> Results:
     """Return all results of a model; what no mesh can hold is no example."""
     try:
         return solve_combinations(model)
@@ -50,7 +50,7 @@ def assert_same(one: Array, other: Array, tolerance: float = SAME) -> None:
     np.testing.assert_allclose(one / scale, other / scale, atol=tolerance)
 
 
-def assert_alike(one: Combined, other: Combined) -> None:
+def assert_alike(one: Results, other: Results) -> None:
     """Hold the results of all combinations to each other by their settlements and pressures."""
     assert set(one.refused) == set(other.refused)
     for name, results in one.results.items():
@@ -74,7 +74,7 @@ def test_order_in_the_file(model: Model, random: Any) -> None:
 def test_combination_by_itself(model: Model) -> None:
     """A combination that starts from the one before has the result of a model with this combination alone."""
     together = combined(model)
-    for combination in combinations_of(model)[-3:]:
+    for combination in list_combinations(model)[-3:]:
         if model.cases:
             own = combined(model.replace(combinations=[combination], combine=None))
             assert (combination.name in own.refused) == (combination.name in together.refused)
@@ -142,7 +142,7 @@ def test_node_numbers(element: str, seed: int) -> None:
                   {"kind": "line", "points": [(-3, -1), (-1.5, -1)], "acts": "in compression", "gap": 1e-3}],
         loads=[{"kind": "point", "P": 4e5, "x": -2, "y": 0}, {"kind": "uniform", "q": 1e4}],
     )  # fmt: skip
-    problem = discretise(model)
+    problem = discretize(model)
     changed, new = renumbered(problem, seed)
     require_equilibrium(changed)
     one, other = solved(problem), solved(changed)[new]

@@ -14,7 +14,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Zone
 from groundslab.model.settings import Beyond, Mesh
 from groundslab.model.shapes import Polygon, Rectangle
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 
 pytestmark = pytest.mark.slow
 
@@ -29,7 +29,7 @@ def moved(points: list[tuple[float, float]], turns: int, x: float, y: float) -> 
     return [(a + x, b + y) for a, b in points]
 
 
-def raft(turns: int = 0, x: float = 0.0, y: float = 0.0, **changes: Any) -> Results:
+def raft(turns: int = 0, x: float = 0.0, y: float = 0.0, **changes: Any) -> CombinationResult:
     """Return the results of an L-shaped raft with an opening, somewhere, turned."""
 
     def polygon(points: list[tuple[float, float]]) -> Polygon:
@@ -49,7 +49,7 @@ def raft(turns: int = 0, x: float = 0.0, y: float = 0.0, **changes: Any) -> Resu
     return solve(Model(**{"plate": plate, "ground": GROUND, "loads": loads, "mesh": Mesh(size=0.5), **changes}))
 
 
-def at_places(results: Results, places: list[tuple[float, float]], field: str = "settlement") -> np.ndarray:
+def at_places(results: CombinationResult, places: list[tuple[float, float]], field: str = "settlement") -> np.ndarray:
     """Return a field of the plate at places."""
     return np.array([results.plate.value_at(field, *place) for place in places])
 

@@ -15,7 +15,7 @@ from scipy.optimize import linprog
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.errors import IllConditioned, NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.problem import Problem, W
 from groundslab.model.ground import Pasternak, Winkler
@@ -25,7 +25,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.settings import Contact, Mesh
 from groundslab.model.supports import PointSupport
 from groundslab.model.varying_ground import Void
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 from helpers.paths import DATA
 
 pytestmark = pytest.mark.slow
@@ -115,7 +115,7 @@ def room_for_balance(problem: Problem) -> float:
     return float(found.x[-1]) if found.status == 0 else -1.0
 
 
-def settled(described: Model) -> Results | None:
+def settled(described: Model) -> CombinationResult | None:
     """Return the certified results within some tens of steps, nothing where a refusal is right."""
     steps: list[Any] = []
     try:
@@ -123,7 +123,7 @@ def settled(described: Model) -> Results | None:
     except NeutralEquilibrium:
         return None
     except NoEquilibrium:
-        assert room_for_balance(discretise(described)) < 1e-5
+        assert room_for_balance(discretize(described)) < 1e-5
         return None
     except IllConditioned:
         assert not steps
@@ -144,7 +144,7 @@ def test_random_models_end_well(seed: int) -> None:
 def test_a_coarser_mesh_does_not_decide_on_equilibrium() -> None:
     """Near its limit pressure the ground cannot balance the loads from the few nodes of a coarser mesh, and yet can."""
     described = random_model(473)
-    assert room_for_balance(discretise(described)) > 0.01
+    assert room_for_balance(discretize(described)) > 0.01
     assert settled(described) is not None
 
 

@@ -17,7 +17,7 @@ from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.model.shapes import Circle, Polygon, Rectangle
-from groundslab.schema.base import Section, key_of
+from groundslab.schema.base import Section, get_field_type
 from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.wording import quote
 from groundslab.units import QuantityError, parse
@@ -36,7 +36,7 @@ pytestmark = pytest.mark.slow
 def leaves(part: Section) -> Iterator[tuple[Any, Any]]:
     """Yield the kinds and values of all keys that a case gives; of shapes none, as they are told in words."""
     for name, field in type(part).model_fields.items():
-        value, key = getattr(part, name), key_of(field)
+        value, key = getattr(part, name), get_field_type(field)
         if isinstance(value, Section):
             yield from () if isinstance(value, Rectangle | Circle | Polygon) else leaves(value)
         elif key is None and isinstance(value, tuple):

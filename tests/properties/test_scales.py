@@ -18,21 +18,21 @@ from groundslab.model.plate import Plate
 from groundslab.model.settings import Contact, Mesh
 from groundslab.model.supports import PointSupport
 from groundslab.model.varying_ground import GapPoint, Void
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 
 FACTORS = [1e3, 1e6, 1e9, 1e12]
 #: The loads press all but a corner of the plate down, so that a tolerance that is too wide can be seen.
 LOADS = [UniformLoad(q=10e3), PointLoad(P=100e3, x=0.0, y=0.0), PointLoad(P=80e3, x=2.5, y=1.5)]
 
 
-def solved(ground: str = "winkler", **keys: Any) -> Results:
+def solved(ground: str = "winkler", **keys: Any) -> CombinationResult:
     """Return the results of a plate of 6 x 4 m on springs."""
     k = {"winkler": Winkler(k=20e6), "pasternak": Pasternak(k0=20e6, k1=10e6)}[ground]
     plate = Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2)
     return solve(Model(plate=plate, ground=k, mesh=Mesh(size=0.5, symmetry="off"), **{"loads": LOADS, **keys}))
 
 
-def assert_same(a: Results, b: Results) -> None:
+def assert_same(a: CombinationResult, b: CombinationResult) -> None:
     """Hold settlement, moments, contact and pressure of two results to each other, to 1e-6 of the largest value."""
     assert b.certificate.holds
     for name in ("settlement", "moment_x", "shear_y", "pressure"):

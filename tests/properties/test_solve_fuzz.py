@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog
 
 from groundslab.analysis.driver import solve, solve_combinations
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.fem.problem import BETA_X, TOP, Problem, W
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
 from groundslab.solvers.equilibrium import require_equilibrium
@@ -53,7 +53,7 @@ def test_most_models_have_a_result(model):
     if getattr(model.ground, "formulas", "exact") == "as printed":
         return
     try:
-        require_equilibrium(discretise(model))
+        require_equilibrium(discretize(model))
     except GroundslabError:
         return
     assert solve(model).certificate.holds
@@ -82,7 +82,7 @@ def room(problem: Problem) -> float:
 
     place, kind = np.nonzero(problem.unknown[:, :TOP] < 0)
     free = np.isin(place, problem.plate_nodes)
-    if not problem.element.centre_w:
+    if not problem.element.center_w:
         free &= ~(np.isin(place, problem.mesh.elements[problem.plate_elements, 8]) & (kind == W))
     two_sided = np.hstack([rows(place[free], kind[free]), rows(b.node[law.bilateral], b.field[law.bilateral])])
     use = ~law.bilateral & (law.limit_force > 0)
@@ -106,8 +106,8 @@ def room(problem: Problem) -> float:
 def judge(model: Model) -> tuple[int, int]:
     """Solve all combinations, hold each to its promise and each refusal to the linear programme; return the counts."""
     combined = solve_combinations(model)
-    problem = discretise(model)
-    wanted = combinations_of(model)
+    problem = discretize(model)
+    wanted = list_combinations(model)
     assert [each.name for each in combined.combinations] == [each.name for each in wanted]
     for combination in wanted:
         given_factors = dict(combination.factors)

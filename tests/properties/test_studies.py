@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, key_of, nested
+from groundslab.schema.base import Section, get_field_type, nested
 from groundslab.schema.fields import FROM_FILE, Factors
 from groundslab.schema.issues import FieldError
 from groundslab.study.definition import case_paths
@@ -29,7 +29,7 @@ def all_paths(part: Section, path: str) -> Iterator[tuple[str, Any]]:
     for name, field in type(part).model_fields.items():
         below = f"{path}.{name}" if path else name
         held = getattr(part, name)
-        key = key_of(field)
+        key = get_field_type(field)
         if isinstance(key, Factors):
             yield from ((f'{below}."{each.replace(chr(92), chr(92) * 2).replace(chr(34), chr(92) + chr(34))}"', value)
                         for each, value in held)  # fmt: skip

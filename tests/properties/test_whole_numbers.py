@@ -16,7 +16,7 @@ import groundslab as g
 from groundslab.analysis.driver import Variants
 from groundslab.design import design_moments, punching, reinforcement, section_cuts, tilt
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 from groundslab.verification import analytic
 
 pytestmark = pytest.mark.slow
@@ -46,7 +46,7 @@ def model(number: Callable[[int], float]) -> g.Model:
 
 
 @cache
-def solved() -> Results:
+def solved() -> CombinationResult:
     """Return the results of the model built of floats."""
     return g.solve(model(float))
 
@@ -110,10 +110,10 @@ def _required(m: Any, d: Any, d_2: Any, t: Any) -> reinforcement.Reinforcement:
 
 
 CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
-    "section line": (lambda *a: section_cuts.along(solved().plate, *a), (np.array([[-3, 0], [3, 1]]), 1)),
+    "section line": (lambda *a: section_cuts.cut_along(solved().plate, *a), (np.array([[-3, 0], [3, 1]]), 1)),
     "cut": (lambda *a: section_cuts.cut(solved().plate, *a), ((1, -2), (2, 2))),
     "strip": (lambda *a: section_cuts.strip(solved().plate, *a, 5), ((-3, 0), (3, 0), 2)),
-    "differences": (lambda a: tilt.between(solved().plate, a), ({"A": (1, 1), "B": (-2, 1)},)),
+    "differences": (lambda a: tilt.settlement_differences(solved().plate, a), ({"A": (1, 1), "B": (-2, 1)},)),
     "punching": (_punching, (0, 0, 1, 1, 100_000)),
     "principal moments": (design_moments.principal_moments, (np.array([1, 2]), np.array([4, -5]), np.array([1, 0]))),
     "design moments": (design_moments.wood_armer, (np.array([1, -3]), np.array([-5, 0]), np.array([1, 2]))),

@@ -24,7 +24,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Beyond
 from groundslab.model.settings import Mesh as Density
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 
 LX, LY = 6.0, 4.0
 PLATE = Plate(length_x=LX, length_y=LY, thickness=0.25, E=30e9, nu=0.2)
@@ -42,7 +42,7 @@ GROUNDS: dict[str, Any] = {
 
 
 @cache
-def solved(ground: str, n: int) -> Results:
+def solved(ground: str, n: int) -> CombinationResult:
     """Return the results with n elements on the short side; the plate's corners lift off."""
     kind, beyond = GROUNDS[ground]
     patch = PatchLoad(q=Q, x=X, y=Y)
@@ -51,7 +51,7 @@ def solved(ground: str, n: int) -> Results:
     return result
 
 
-def beside(result: Results, axis: int, place: float) -> tuple[float, float]:
+def beside(result: CombinationResult, axis: int, place: float) -> tuple[float, float]:
     """Return shear [N] and moment [N m] on the cut x (axis 0) or y = place, from what acts ahead of it.
 
     Nodal contact forces are pressure times area; of nodes on the cut half belongs to either side, and about the cut
@@ -66,7 +66,7 @@ def beside(result: Results, axis: int, place: float) -> tuple[float, float]:
     return load - force.sum(), float(force @ lever) - load * ((low + high) / 2 - place)
 
 
-def across(result: Results, axis: int, place: float) -> tuple[float, float]:
+def across(result: CombinationResult, axis: int, place: float) -> tuple[float, float]:
     """Return shear and moment on the same cut, by the package."""
     ends = ((place, -LY / 2), (place, LY / 2)) if axis == 0 else ((LX / 2, place), (-LX / 2, place))
     found = cut(result.plate, *ends)
@@ -96,7 +96,7 @@ def test_cuts_along_element_sides(ground: str, axis: int, place: float) -> None:
     assert moments[0] > moments[1] > moments[2]
 
 
-def by_winkler(result: Results, a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:
+def by_winkler(result: CombinationResult, a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:
     """Return shear and moment on any straight cut across the plate, from k w_ground and the loads ahead of it."""
     start, run = np.array(a), np.array(b) - np.array(a)
     t = run / np.linalg.norm(run)
@@ -104,7 +104,7 @@ def by_winkler(result: Results, a: tuple[float, float], b: tuple[float, float]) 
     ahead = Polygon([start - 50 * t, start + 50 * t, start + 50 * (t + n), start + 50 * (n - t)])
     ground = result.ground
     mesh = Mesh(ground.nodes, ground.elements)
-    shares = load_vectors.over_polygon(mesh, np.arange(len(mesh.elements)), ahead)
+    shares = load_vectors.integrate_over_polygon(mesh, np.arange(len(mesh.elements)), ahead)
     # w times the lever is not in the elements' space; what its interpolation leaves out is of third order
     pressure = K * ground.settlement[0]
     lever = (ground.nodes - start) @ n

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from groundslab import Model, NoEquilibrium, Results, solve
+from groundslab import CombinationResult, Model, NoEquilibrium, solve
 
 K0, K1, L, WIDTH = 10e6, 40e6, 6.0, 1.0
 E, T = 30e9, 0.3
@@ -18,7 +18,7 @@ Q, FROM, TO = 150e3, -1.5, 1.8
 OWN = 30e3
 
 
-def strip(n: int, beyond: str, **contact: Any) -> Results:
+def strip(n: int, beyond: str, **contact: Any) -> CombinationResult:
     """Return a strip of a plate, with nu = 0 and ground beyond its ends alone, so that all depends on x only."""
     beside = {"kind": beyond, "sides": ["left", "right"]} if beyond != "none" else {"kind": "none"}
     return solve(
@@ -71,7 +71,7 @@ def exact(infinite: bool) -> dict[str, np.ndarray]:
     }
 
 
-def ends(results: Results, field: str) -> np.ndarray:
+def ends(results: CombinationResult, field: str) -> np.ndarray:
     """Return a field in the middle of both ends."""
     plate = results.plate
     at = [np.argmin(np.hypot(plate.nodes[:, 0] - x, plate.nodes[:, 1])) for x in (-L / 2, L / 2)]

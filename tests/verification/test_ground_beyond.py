@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab import Model, NotCertified, Results, solve
-from groundslab.discretize.discretize import discretise
+from groundslab import CombinationResult, Model, NotCertified, solve
+from groundslab.discretize.discretize import discretize
 from groundslab.fem.foundation import Layer as GroundLayer
 from groundslab.fem.foundation import consistent_stack, decay_length, interface_stack, single
-from groundslab.results.results import alone
-from groundslab.views.summary import single as summary
+from groundslab.results.results import results_of
+from groundslab.views.summary import sections as summary
 from groundslab.views.summary.json_summary import to_json
 
 pytestmark = pytest.mark.slow
@@ -32,7 +32,7 @@ def slab(beyond: dict[str, str] | None = None, **mesh: object) -> Model:
     )
 
 
-def largest(results: Results) -> float:
+def largest(results: CombinationResult) -> float:
     """Return the largest settlement [mm]."""
     return float(results.plate.settlement.max() * 1e3)
 
@@ -55,7 +55,7 @@ def test_corner_load_on_shallow_stiff_soil(fine: float, width: float | None, siz
 
 def test_the_plates_elements_are_fine_at_its_edges_only() -> None:
     """Beside the edges elements are shorter than the ground's decay, in the middle as large as allowed."""
-    problem = discretise(slab(size=1.25))
+    problem = discretize(slab(size=1.25))
     sides = np.ptp(problem.mesh.xy[problem.plate_elements], axis=1)
     decay = decay_length(problem.ground.column(1.0))
     at_corner = np.abs(problem.mesh.xy[problem.plate_elements]).max(axis=1).min(axis=1) == 5.0
@@ -68,7 +68,7 @@ def test_the_wider_mesh_has_the_same_elements_and_more() -> None:
     shape = {"kind": "polygon", "points": [(0, 0), (6, 0), (6, 2), (2, 2.1), (2, 5), (0, 5)]}
     drawn = pasternak(None).replace(plate={"outline": shape, "thickness": 0.3, "E": 30e9, "nu": 0.2})
     for model in (pasternak(None), drawn):
-        narrow, wide = discretise(model, margin=1.0).mesh, discretise(model, margin=2.0).mesh
+        narrow, wide = discretize(model, margin=1.0).mesh, discretize(model, margin=2.0).mesh
         np.testing.assert_array_equal(wide.nodes[: len(narrow.nodes)], narrow.nodes)
         np.testing.assert_array_equal(wide.elements[: len(narrow.elements)], narrow.elements)
         width = np.ptp(narrow.nodes, axis=0) - (np.array([4.0, 4.0]) if model is not drawn else np.array([6.0, 5.0]))
@@ -102,7 +102,7 @@ def test_a_margin_that_matters_fails_the_certificate() -> None:
     section = summary.certificate_section(results.certificate)
     assert [row.key for row in section.rows if row.ok is False] == ["margin_effect"]
     assert "beyond.width" in section.notes[0]
-    assert not to_json(alone(results))["certified"]
+    assert not to_json(results_of(results))["certified"]
 
 
 @pytest.mark.parametrize("width", [1e-3, 0.1])
@@ -116,7 +116,7 @@ def test_a_margin_next_to_nothing_is_judged_by_a_decay_length(width: float) -> N
 def test_a_rigid_block_on_point_supports_is_the_same_with_any_margin() -> None:
     """A block of 15 m on 0.5 m of rock, the margin 340 decay lengths wide: as with one of three, and of one."""
 
-    def block(**beyond: Any) -> Results:
+    def block(**beyond: Any) -> CombinationResult:
         corners = [(x, y) for x in (-15.0, 15.0) for y in (-7.5, 7.5)]
         supports = [{"kind": "point", "x": x, "y": y} for x, y in corners]
         return solve(

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from groundslab.analysis.driver import solve
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.fem import plate
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, W
@@ -25,7 +25,7 @@ from groundslab.model.plate import Edges, Plate, Zone
 from groundslab.model.settings import Contact, Mesh
 from groundslab.model.shapes import Polygon
 from groundslab.results import patch_recovery, recovery
-from groundslab.results.result_mesh import frame
+from groundslab.results.result_mesh import make_result_mesh
 from groundslab.verification import analytic
 from helpers import quads
 
@@ -215,13 +215,13 @@ def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[
         loads=[UniformLoad(q=1e5)],
         mesh=Mesh(size=0.4),
     )
-    problem = discretise(model, 0, 1.0)
+    problem = discretize(model, 0, 1.0)
     x, y = problem.mesh.nodes.T
     a, b = 2e-3, -1e-3
     U = np.zeros(problem.unknown.shape)
     U[:, W], U[:, BETA_X], U[:, BETA_Y] = (a * x * x + b * y * y) / 2, a * x, b * y
 
-    own = frame(model, problem)
+    own = make_result_mesh(model, problem)
     mesh, node = own.mesh, own.node
     found = recovery.section_forces(problem, U, own)
     thick = np.zeros(len(mesh.nodes), dtype=bool)
@@ -251,11 +251,11 @@ def test_values_at_centres_belong_to_one_element_each(name: str) -> None:
         loads=[UniformLoad(q=1e5)],
         mesh=Mesh(counts=(3, 3), symmetry="off"),
     )
-    problem = discretise(model, 0, 1.0)
+    problem = discretize(model, 0, 1.0)
     middle = problem.plate_elements[np.argmin(np.abs(problem.mesh.nodes[problem.mesh.elements[:, 8]]).sum(axis=1))]
     U = np.zeros(problem.unknown.shape)
     U[problem.mesh.elements[middle, 8], BETA_X] = 1e-3
-    own = frame(model, problem)
+    own = make_result_mesh(model, problem)
     forces = recovery.gauss_forces(problem, U, own)
     assert forces.shape == (9, 4, 5)
     assert (np.flatnonzero(np.abs(forces).max(axis=(1, 2))) == middle).all()

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from groundslab import Model, Results, solve
+from groundslab import CombinationResult, Model, solve
 
 E, T, FACTOR = 30e9, 0.25, 5 / 6
 D, S = E * T**3 / 12, FACTOR * E / 2 * T
@@ -54,14 +54,14 @@ def beam(pieces: list[tuple[float, float, float, float, bool]]) -> list[Any]:
     return [float(end[:-1] @ unknown + end[-1]) for end in ends]
 
 
-def strip(mesh: dict[str, Any], ground: dict[str, Any], **parts: Any) -> Results:
+def strip(mesh: dict[str, Any], ground: dict[str, Any], **parts: Any) -> CombinationResult:
     """Return the results of the plate 6 x 4 m as a strip: nu = 0, loads alike along y."""
     plate = {"length_x": 6.0, "length_y": 4.0, "thickness": T, "E": E, "nu": 0.0, "shear_factor": FACTOR}
     loads = parts.pop("loads", [{"kind": "uniform", "q": 20e3}])
     return solve(Model(plate=plate, ground=ground, loads=loads, mesh=mesh, **parts))
 
 
-def at(results: Results, x: float) -> float:
+def at(results: CombinationResult, x: float) -> float:
     """Return the settlement at (x, 0)."""
     return results.plate.value_at("settlement", float(x), 0.0)
 

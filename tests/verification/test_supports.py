@@ -13,7 +13,7 @@ from groundslab.errors import NoEquilibrium
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.record import Step
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 from groundslab.solvers import factorization
 
 #: A plate that does not bend to speak of, and one that does.
@@ -34,7 +34,7 @@ def pile(x: float, y: float, **keys: Any) -> dict[str, Any]:
     return {"kind": "point", "x": x, "y": y, **keys}
 
 
-def certified(results: Results) -> Results:
+def certified(results: CombinationResult) -> CombinationResult:
     """Return results after a look at their certificate."""
     assert results.certificate.holds
     return results

@@ -17,7 +17,7 @@ from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.table import Table
 from groundslab.errors import NoEquilibrium
 from groundslab.model.model import Model
-from groundslab.results.results import Combined
+from groundslab.results.results import Results
 
 MODEL = Model(
     title="A small raft",
@@ -55,13 +55,13 @@ G, Q = 1280, 620
 
 
 @pytest.fixture(scope="module")
-def combined() -> Combined:
+def combined() -> Results:
     """Return the solved combinations."""
     return groundslab.solve(MODEL)
 
 
 @pytest.fixture(scope="module")
-def tables(combined: Combined) -> dict[str, Table]:
+def tables(combined: Results) -> dict[str, Table]:
     """Return all ten tables by name."""
     found = {table.name: table for table in tables_of(combined)}
     assert len(found) == 10
@@ -76,7 +76,7 @@ def rows(table: Table, **where: Any) -> list[dict[str, Any]]:
 
 
 @pytest.mark.slow
-def test_sums_of_loads(combined: Combined, tables: dict[str, Table]) -> None:
+def test_sums_of_loads(combined: Results, tables: dict[str, Table]) -> None:
     """The sums are those worked out by hand, and one combination cannot be: everything pushes up."""
     assert isinstance(combined.refused["upside down"], NoEquilibrium)
     uls, down, use = rows(tables["combinations"])
@@ -87,7 +87,7 @@ def test_sums_of_loads(combined: Combined, tables: dict[str, Table]) -> None:
         assert each["reaction"] == pytest.approx(each["sum of loads"], rel=1e-6)
 
 
-def test_pile_and_pressure_carry_the_loads(combined: Combined, tables: dict[str, Table]) -> None:
+def test_pile_and_pressure_carry_the_loads(combined: Results, tables: dict[str, Table]) -> None:
     """The pile's force is 50 MN/m times its settlement; with the pressure over the area it is the sum of the loads."""
     (pile,) = rows(tables["supports"], combination="ULS")
     assert pile["force"] == pytest.approx(50 * pile["greatest settlement"])
@@ -96,7 +96,7 @@ def test_pile_and_pressure_carry_the_loads(combined: Combined, tables: dict[str,
 
 
 @pytest.mark.slow
-def test_strips_are_cuts(combined: Combined, tables: dict[str, Table]) -> None:
+def test_strips_are_cuts(combined: Results, tables: dict[str, Table]) -> None:
     """Forces across the whole width at x = 1 m are those of the cut, and of the loads and pressure beyond it."""
     (one,) = rows(tables["strips"], combination="in use", s=5.0)
     plate = combined["in use"].plate
@@ -115,7 +115,7 @@ def test_strips_are_cuts(combined: Combined, tables: dict[str, Table]) -> None:
     assert one["moment"] == pytest.approx(by_statics[1], rel=1e-3)
 
 
-def test_points_and_lines(combined: Combined, tables: dict[str, Table]) -> None:
+def test_points_and_lines(combined: Results, tables: dict[str, Table]) -> None:
     """Values at the point are the result's own; the line ends where the plate does."""
     for name in ("ULS", "in use"):
         (point,) = rows(tables["points"], combination=name)
@@ -130,7 +130,7 @@ def test_points_and_lines(combined: Combined, tables: dict[str, Table]) -> None:
         assert middle["pressure p"] == pytest.approx(20 * middle["settlement w"], rel=1e-3)
 
 
-def test_columns(combined: Combined, tables: dict[str, Table]) -> None:
+def test_columns(combined: Results, tables: dict[str, Table]) -> None:
     """Loads by hand; punching as called directly; V_Ed is the field of shear forces around the column, too."""
     a, b = rows(tables["columns"], combination="ULS")
     assert (a["load"], b["load"]) == pytest.approx((1.35 * 500 + 1.5 * 200, 1.35 * 300))
@@ -152,7 +152,7 @@ def test_columns(combined: Combined, tables: dict[str, Table]) -> None:
     assert a["V_Ed"] == pytest.approx(inside.shear / 1e3, rel=2e-3)
 
 
-def test_reinforcement(combined: Combined, tables: dict[str, Table]) -> None:
+def test_reinforcement(combined: Results, tables: dict[str, Table]) -> None:
     """Areas are those of direct calls for the one ultimate combination that is solved."""
     plate = combined["ULS"].plate
     moments = wood_armer(plate.moment_x, plate.moment_y, plate.moment_xy)

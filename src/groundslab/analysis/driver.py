@@ -14,7 +14,7 @@ from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
 from groundslab.analysis.parallel import run_parallel
 from groundslab.arrays import Array
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import coarsest
 from groundslab.errors import (
@@ -26,14 +26,14 @@ from groundslab.errors import (
     SingularMatrix,
 )
 from groundslab.fem.foundation import Column
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
 from groundslab.results.record import Step
 from groundslab.results.recovery import increment, recover
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution
 
@@ -76,12 +76,12 @@ def check(model: Model) -> None:
     ratio = estimate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
-    ground = discretise(model, max(0, math.ceil(math.log2(ratio) / 2)), loaded=False).ground
+    ground = discretize(model, max(0, math.ceil(math.log2(ratio) / 2)), loaded=False).ground
     if not isinstance(ground, Column):
         ground.column(ground.gamma or GAMMA_START)
 
 
-def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Combined:
+def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Results:
     """Solve every combination of a model, and return the certified results.
 
     Meshes, matrices and factors are kept from one combination to the next.
@@ -137,9 +137,9 @@ def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombina
 
 def solve_combinations(
     model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
-) -> Combined:
+) -> Results:
     """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
-    combinations = combinations_of(model)
+    combinations = list_combinations(model)
     return _combine(model, combinations, _outcomes(model, combinations, on_step), on_combination)
 
 
@@ -153,14 +153,14 @@ class Variants:
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
         self._reference = ReferenceSolutions()
-        combinations = combinations_of(base)
+        combinations = list_combinations(base)
         #: The results of the base case.
         self.base = _combine(base, combinations, _outcomes(base, combinations, None, self._reference))
         self._reference.close()
 
     def solve_combinations(
         self, model: Model, factors: Factors | None = None, on_step: OnStep | None = None
-    ) -> Combined:
+    ) -> Results:
         """Return the results of every combination of a model, as the function of that name does.
 
         `factors` multiply constants of the ground from place to place, by their names in the file: a function of x and
@@ -169,18 +169,18 @@ class Variants:
         """
         if factors:
             model = model.replace(mesh=model.mesh.replace(symmetry="off"))
-        combinations = combinations_of(model)
+        combinations = list_combinations(model)
         return _combine(model, combinations, _outcomes(model, combinations, on_step, self._reference, factors))
 
 
 def _combine(
     model: Model,
     combinations: Sequence[Combination],
-    outcomes: Iterator[Results | GroundslabError],
+    outcomes: Iterator[CombinationResult | GroundslabError],
     on_combination: OnCombination | None = None,
-) -> Combined:
+) -> Results:
     """Return the outcomes of all combinations together."""
-    results: dict[str, Results] = {}
+    results: dict[str, CombinationResult] = {}
     refused: dict[str, GroundslabError] = {}
     for combination in combinations:
         if on_combination is not None:
@@ -190,7 +190,7 @@ def _combine(
             refused[combination.name] = outcome
         else:
             results[combination.name] = outcome
-    return Combined(model, tuple(combinations), results, refused)
+    return Results(model, tuple(combinations), results, refused)
 
 
 def _outcomes(
@@ -199,25 +199,27 @@ def _outcomes(
     on_step: OnStep | None,
     reference: ReferenceSolutions | None = None,
     ground: Factors | None = None,
-) -> Iterator[Results | GroundslabError]:
+) -> Iterator[CombinationResult | GroundslabError]:
     """Yield for each combination its results, or why it has none; those with the same factors are solved once."""
     keys = [tuple(_case_factors(model, each).tolist()) for each in combinations]
     first: dict[tuple[float, ...], Combination] = {}
     for key, combination in zip(keys, combinations, strict=True):
         first.setdefault(key, combination)
     solved = _solve_each(model, list(first.values()), on_step or (lambda _: None), reference, ground)
-    found: dict[tuple[float, ...], Results | GroundslabError] = {}
+    found: dict[tuple[float, ...], CombinationResult | GroundslabError] = {}
     for key, combination in zip(keys, combinations, strict=True):
         if key not in found:
             found[key] = next(solved)
         yield _rename(found[key], combination)
 
 
-def _rename(outcome: Results | GroundslabError, combination: Combination) -> Results | GroundslabError:
+def _rename(
+    outcome: CombinationResult | GroundslabError, combination: Combination
+) -> CombinationResult | GroundslabError:
     """Return the outcome of a combination as that of another one with the same factors."""
     if isinstance(outcome, NotCertified):
         return NotCertified(_rename(outcome.results, combination))
-    if not isinstance(outcome, Results) or outcome.combination == combination.name:
+    if not isinstance(outcome, CombinationResult) or outcome.combination == combination.name:
         return outcome
     name, limit_state = combination.name, combination.limit_state
     return replace(outcome, combination=name, limit_state=limit_state, factors=combination.factors)
@@ -229,7 +231,7 @@ def _solve_each(
     on_step: OnStep,
     reference: ReferenceSolutions | None,
     ground: Factors | None,
-) -> Iterator[Results | GroundslabError]:
+) -> Iterator[CombinationResult | GroundslabError]:
     """Yield for each combination its results, or why it has none; several are solved in parallel."""
     name, solver = factorization.choose(model.analysis.solver)
     keep = len(combinations) > 1 or reference is not None
@@ -248,7 +250,7 @@ def _solve_each(
     for hierarchy in hierarchies if _is_infinite(model) else [finest]:
         for coarsening in required_coarsenings(hierarchy, combinations):
             hierarchy.level(coarsening)
-    finest.level(0).frame(model)
+    finest.level(0).result_mesh(model)
     of_lanes = [hierarchies, *([each.clone() for each in hierarchies] for _ in range(lanes - 1))]
     # whichever lane is faster, each has the same tasks in the same order, and so the same factors to begin with
     tasks = [
@@ -261,7 +263,7 @@ def _solve_each(
 
 def _outcome(
     model: Model, combination: Combination, hierarchies: Sequence[MeshHierarchy], solver: str, on_step: OnStep
-) -> Results | GroundslabError:
+) -> CombinationResult | GroundslabError:
     """Return the results of a combination, or why it has none.
 
     hierarchies are the finest meshes, and two for the effect of the margin; `solver` is the name in the results.
@@ -277,10 +279,10 @@ def _outcome(
     try:
         *earlier, solution = solve_nested(finest, combination.name, factors, report)
         effect = margin_effect(margins, combination.name, factors) if _is_infinite(model) else None
-        frame, before = finest.frame(solution), _with_load_shares(earlier)
+        result_mesh, before = finest.result_mesh(solution), _with_load_shares(earlier)
         proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
-        increments = tuple(increment(each, frame, share) for share, each in before)
-        results = recover(model, combination, solution, frame, proof, tuple(steps), solver, increments)
+        increments = tuple(increment(each, result_mesh, share) for share, each in before)
+        results = recover(model, combination, solution, result_mesh, proof, tuple(steps), solver, increments)
         return results if results.certificate.holds else NotCertified(results)
     except (IllConditioned, NoEquilibrium, NotConverged, SingularMatrix) as error:
         # its traceback would keep meshes and factors alive

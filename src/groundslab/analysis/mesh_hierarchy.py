@@ -7,15 +7,15 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.foundation import Column
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, build_system, stiffness
 from groundslab.model.model import Model
-from groundslab.results.certificate import moved_as_a_whole
-from groundslab.results.result_mesh import Frame, frame
+from groundslab.results.certificate import exact_rigid_products
+from groundslab.results.result_mesh import ResultMesh, make_result_mesh
 from groundslab.solvers import warm_start
 from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio
 from groundslab.solvers.equilibrium import rigid_motions
@@ -23,8 +23,8 @@ from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
-#: Sections of a model on which the frame of its results depends.
-FRAME_SECTIONS = ("plate", "supports", "columns", "loads")
+#: Sections of a model on which the mesh of its results depends.
+RESULT_MESH_SECTIONS = ("plate", "supports", "columns", "loads")
 
 
 @dataclass(slots=True)
@@ -38,14 +38,14 @@ class Level:
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
     locations: warm_start.NodeLocations | None = None  # of its nodes in the next coarser mesh
     rigid: Array | None = None  # the plate's rigid motions
-    framed: tuple[Model, Frame] | None = None  # the frame of results, and a model that has it
+    cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
         if self.matrix is None or self.matrix[0] != gamma:
             A = stiffness(self.system, column)
             if stiffness_ratio(self.system, column) > NEARLY_RIGID:
-                A = replace(A, exact_products=moved_as_a_whole(self.system, column))
+                A = replace(A, exact_products=exact_rigid_products(self.system, column))
             self.matrix = gamma, A
         return self.matrix[1]
 
@@ -56,16 +56,16 @@ class Level:
             self.rigid = rigid_motions(self.system.problem)
         return self.rigid
 
-    def frame(self, model: Model) -> Frame:
-        """Return the frame of a model's results, cached for models with the same plate, supports, loads and voids."""
+    def result_mesh(self, model: Model) -> ResultMesh:
+        """Return the mesh of a model's results, cached for models with the same plate, supports, loads and voids."""
         problem = self.system.problem
         if (
-            self.framed is None
-            or any(getattr(model, name) != getattr(self.framed[0], name) for name in FRAME_SECTIONS)
-            or not np.array_equal(problem.depths.dominant, self.framed[1].depth[self.framed[1].mesh.elements[:, 0]])
+            self.cached is None
+            or any(getattr(model, name) != getattr(self.cached[0], name) for name in RESULT_MESH_SECTIONS)
+            or not np.array_equal(problem.depths.dominant, self.cached[1].depth[self.cached[1].mesh.elements[:, 0]])
         ):
-            self.framed = model, frame(model, problem)
-        return self.framed[1]
+            self.cached = model, make_result_mesh(model, problem)
+        return self.cached[1]
 
     def clone(self) -> Level:
         """Return the same level with an analysis and a factor of its own, for use on another thread."""
@@ -114,10 +114,10 @@ class MeshHierarchy:
         reference = self.reference or ReferenceSolutions()
         like = reference.levels.get((coarsening, self.margin))
         earlier = None if like is None else (like.model, like.system.problem)
-        problem = discretise(self.model, coarsening, self.margin, reference.meshes, self.factors, earlier)
+        problem = discretize(self.model, coarsening, self.margin, reference.meshes, self.factors, earlier)
         s = build_system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
-            level = Level(self.model, s, self.solver, like.factorization, locations=like.locations, framed=like.framed)
+            level = Level(self.model, s, self.solver, like.factorization, locations=like.locations, cached=like.cached)
         else:
             level = Level(
                 self.model, s, self.solver, CachedFactorization(self.solver(s.pattern.indptr, s.pattern.indices))
@@ -132,10 +132,10 @@ class MeshHierarchy:
         """Return the same hierarchy with factors of its own, for use on another thread."""
         return replace(self, levels={number: level.clone() for number, level in self.levels.items()})
 
-    def frame(self, solution: Solution) -> Frame:
-        """Return the frame of the results of a solution on the finest mesh."""
+    def result_mesh(self, solution: Solution) -> ResultMesh:
+        """Return the mesh of the results of a solution on the finest mesh."""
         level = self.levels.get(self.finest)
-        return frame(self.model, solution.system.problem) if level is None else level.frame(self.model)
+        return make_result_mesh(self.model, solution.system.problem) if level is None else level.result_mesh(self.model)
 
     def store(self, combination: str, solutions: list[Solution]) -> None:
         """Store the solutions of a combination, one for each load increment, for similar models."""

@@ -13,7 +13,7 @@ Report = TypeVar("Report")
 Result = TypeVar("Result")
 
 
-class Stopped(Exception):
+class Cancelled(Exception):
     """The caller no longer waits for the task."""
 
 
@@ -33,7 +33,7 @@ def run_parallel(
     def run(task: Callable[[Callable[[Report], None]], Result], reports: SimpleQueue[Report | None]) -> Result:
         def report(item: Report) -> None:
             if stop.is_set():
-                raise Stopped
+                raise Cancelled
             reports.put(item)
 
         try:

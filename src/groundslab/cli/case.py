@@ -41,7 +41,7 @@ def check_case(options: argparse.Namespace) -> int:
     if "sampling" in tables:
         from groundslab import study
 
-        print_stdout("\n".join(study.described(Path(options.case))))
+        print_stdout("\n".join(study.describe_file(Path(options.case))))
         return EXIT_OK
     model = casefile.from_table(tables)
     from groundslab.analysis import driver
@@ -78,7 +78,7 @@ def _cases_and_combinations(model: Model) -> list[str]:
     """Return the load cases of a model and what is solved of them in words, a line each."""
     if not model.cases:
         return []
-    from groundslab.model.combinations import combinations_of
+    from groundslab.model.combinations import list_combinations
     from groundslab.views.summary.combinations import factors_text
 
     lines = []
@@ -86,15 +86,15 @@ def _cases_and_combinations(model: Model) -> list[str]:
         count = sum(load.case == case.name for load in model.loads)
         lines.append(f"  case {case.name}: {case.action}, {count} load{'' if count == 1 else 's'}")
     return lines + [
-        f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in combinations_of(model)
+        f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in list_combinations(model)
     ]
 
 
 def _remarks(model: Model) -> list[str]:
     """Return what is allowed and yet worth knowing, a line each."""
-    from groundslab.model.loads.clipping import clipped_loads
+    from groundslab.model.loads.clipping import find_clipped_loads
 
-    return [f"  remark: {each.words()}" for each in clipped_loads(model.plate, model.loads)]
+    return [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads)]
 
 
 def write_starter(options: argparse.Namespace) -> int:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 
     from groundslab.model.model import Model
-    from groundslab.results.results import Combined
+    from groundslab.results.results import Results
     from groundslab.views.summary.progress import StatusLine
 
 
@@ -62,17 +62,17 @@ def run(options: argparse.Namespace) -> int:
     return EXIT_OK
 
 
-def _solve(model: Model, quiet: bool) -> Combined:
+def _solve(model: Model, quiet: bool) -> Results:
     """Return the results, those of an only combination that is not certified among them."""
     from groundslab.analysis.driver import solve
-    from groundslab.model.combinations import combinations_of
-    from groundslab.results.results import alone
+    from groundslab.model.combinations import list_combinations
+    from groundslab.results.results import results_of
 
-    with _progress(quiet, len(combinations_of(model))) as status:
+    with _progress(quiet, len(list_combinations(model))) as status:
         try:
             return solve(model, status, status.begin if status is not None else None)
         except NotCertified as error:
-            return alone(error.results)
+            return results_of(error.results)
 
 
 def _is_helper(model: Model) -> bool:
@@ -84,10 +84,10 @@ def _is_helper(model: Model) -> bool:
     factorization.choose("mumps")
     from groundslab.solvers import mumps
 
-    return not mumps.leads()
+    return not mumps.is_root_process()
 
 
-def _save(results: Combined, folder: Path, options: argparse.Namespace) -> None:
+def _save(results: Results, folder: Path, options: argparse.Namespace) -> None:
     """Write results into the folder and print their summary; if the folder cannot be written, keep them elsewhere."""
     from groundslab.views.files import results_folder
 
@@ -105,7 +105,7 @@ def _save(results: Combined, folder: Path, options: argparse.Namespace) -> None:
         print_stderr(f"results in {folder}: {names}")
 
 
-def _print_summary(results: Combined, options: argparse.Namespace) -> None:
+def _print_summary(results: Results, options: argparse.Namespace) -> None:
     """Print the summary to standard output, as text or as JSON."""
     if options.json:
         from groundslab.views.summary.json_summary import json_text
@@ -123,7 +123,7 @@ def _print_summary(results: Combined, options: argparse.Namespace) -> None:
         print_stdout(captured.get().rstrip("\n"))
 
 
-def _print_design(results: Combined) -> None:
+def _print_design(results: Results) -> None:
     """Print what fails in the design of certified results: the exit code is that of the analysis."""
     from groundslab.design.tables.design_checks import design_of
 
@@ -132,7 +132,7 @@ def _print_design(results: Combined) -> None:
         print_stderr(f"{design.headline} The analysis itself is certified (exit code 0).")
 
 
-def _print_refused(results: Combined) -> None:
+def _print_refused(results: Results) -> None:
     """Print why combinations have no certified result, and which if there are several."""
     if len(results.combinations) == 1:
         print_stderr(f"error: {next(iter(results.refused.values()))}")

@@ -55,7 +55,7 @@ def run(options: argparse.Namespace) -> int:
     """Run a study, and say what became of its variants; interrupted or not, rows that are there are kept."""
     from groundslab import study
 
-    folder = study.folder_of(options.study, options.out)
+    folder = study.study_folder(options.study, options.out)
     again = f"groundslab study {options.study}" + (f" --out {options.out}" if options.out is not None else "")
     _end_on_sigterm()
     try:
@@ -72,9 +72,9 @@ def run(options: argparse.Namespace) -> int:
         raise
     except (KeyboardInterrupt, GroundslabError) as error:
         print_stderr("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")
-        print_stderr(study.how_to_go_on(folder, again))
+        print_stderr(study.resume_hint(folder, again))
         return EXIT_INTERRUPTED if isinstance(error, KeyboardInterrupt) else EXIT_NO_RESULT
-    print_stdout("\n".join(study.outcome(found)))
+    print_stdout("\n".join(study.summarize(found)))
     if len(found):
         try:
             print_stdout(f"evaluation: {study.evaluate(found)[0]}")
@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
             # the rows are there, only a library that evaluates them is not
             print_stderr(format_issues(error))
     if len(found) < found.count:
-        print_stderr(study.how_to_go_on(folder, again))
+        print_stderr(study.resume_hint(folder, again))
         return EXIT_NO_RESULT
     return EXIT_OK
 

@@ -125,7 +125,7 @@ def demand(
         raise InputError(issues)
     line = perimeter(plate, column, reach, OPENING_REACH * d)
     mesh = Mesh(plate.nodes, plate.elements)
-    shares = load_vectors.over_polygon(mesh, np.arange(len(mesh.elements)), line.inside)
+    shares = load_vectors.integrate_over_polygon(mesh, np.arange(len(mesh.elements)), line.inside)
     pressure = float((shares * (plate.contact_force / plate.area)[mesh.elements]).sum())
     V_Ed = force + distributed * line.inside.area - pressure
     shear, largest = _shear(plate, line)

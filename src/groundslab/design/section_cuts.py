@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.design_moments import wood_armer
 from groundslab.errors import InputError, Issue
-from groundslab.fem.line_traversal import ON_LINE, Pieces, continues, interpolation, pieces
+from groundslab.fem.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.results.fields import PLATE_FIELDS
 
@@ -93,7 +93,7 @@ class StripResult:
     top_across: Array  # (c,)
 
 
-def along(plate: PlateResult, points: Array, spacing: float | None = None) -> SectionCut:
+def cut_along(plate: PlateResult, points: Array, spacing: float | None = None) -> SectionCut:
     """Return all nodal fields along a polyline (k, 2) [m], by the shape functions of the element that holds a sample.
 
     Samples stand at the polyline's corners, at the ends of each part, and in between every `spacing` [m], or without
@@ -105,7 +105,7 @@ def along(plate: PlateResult, points: Array, spacing: float | None = None) -> Se
         raise InputError([Issue("spacing", f"{spacing:g} m", "a length greater than zero")])
     mesh = Mesh(plate.nodes, plate.elements)
     line = _on_plate(mesh, ends, "points")
-    goes_on = continues(mesh, line)
+    goes_on = is_continuous(mesh, line)
     piece, s = _samples(line, goes_on, spacing)
     nodes, N = interpolation(mesh, line, piece, s)
     values = {name: np.einsum("pa,pa->p", N, getattr(plate, name)[nodes]) for name in PLATE_FIELDS}

@@ -22,7 +22,7 @@ from groundslab.model.plate import Plate
 ACTING = ("plate", "columns", "supports", "cases", "loads")
 
 
-def discretise(
+def discretize(
     model: Model,
     coarsening: int = 0,
     margin: float = 1.0,
@@ -120,7 +120,7 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     present = np.ones((n, TOP + surfaces), dtype=bool)
     present[:, :TOP] = under[:, None]
     present[:, TOP] = model.contact.tensionless | ~under
-    if not element.centre_w:
+    if not element.center_w:
         present[mesh.elements[plate_elements, 8], W] = False
 
     x0, x1, y0, y1 = model.plate.bounds

@@ -12,7 +12,7 @@ from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.problem import BETA_X, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
-from groundslab.model.loads.clipping import line_on_plate
+from groundslab.model.loads.clipping import clip_line_load
 from groundslab.model.loads.load_types import (
     AnyLoad,
     AreaLoad,
@@ -23,7 +23,7 @@ from groundslab.model.loads.load_types import (
     SettlementLoad,
     TemperatureLoad,
     UniformLoad,
-    pressure_of,
+    pressure_function,
 )
 from groundslab.model.model import Model
 
@@ -65,7 +65,7 @@ def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.P
             force = _spread(load, model, plan, thickness)
             forces += force
             size += float(np.abs(force).sum())
-    if not element.centre_w:
+    if not element.center_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
     table[:, W] = scatter(mesh.elements[elements], forces, n)
@@ -84,21 +84,21 @@ def _spread(
     """Return the nodal forces (mp, 9) [N] of a distributed load on the meshed part of the plate."""
     mesh, elements = plan.mesh, plan.plate_elements
     if isinstance(load, SelfWeight):
-        weight: Array = load.unit_weight * thickness[:, None] * load_vectors.over_elements(mesh, elements)
+        weight: Array = load.unit_weight * thickness[:, None] * load_vectors.integrate_over_elements(mesh, elements)
         return weight
     if isinstance(load, LineLoad):
         return _along(load, model, plan)
-    pressure = pressure_of(load)
+    pressure = pressure_function(load)
     if isinstance(load, UniformLoad):
-        return load_vectors.over_elements(mesh, elements, pressure)
-    return load_vectors.over_polygon(mesh, elements, load.drawn(math.inf), pressure)
+        return load_vectors.integrate_over_elements(mesh, elements, pressure)
+    return load_vectors.integrate_over_polygon(mesh, elements, load.drawn(math.inf), pressure)
 
 
 def _along(load: LineLoad, model: Model, plan: Layout) -> Array:
     """Return the nodal forces (mp, 9) [N] of a line load on the plate."""
     total = np.zeros((len(plan.plate_elements), 9))
-    for piece in line_on_plate(model.plate, load):
-        total += load_vectors.along_line(plan.mesh, plan.plate_elements, piece.edge, piece.q)
+    for piece in clip_line_load(model.plate, load):
+        total += load_vectors.integrate_along_line(plan.mesh, plan.plate_elements, piece.edge, piece.q)
     return total
 
 
@@ -120,7 +120,7 @@ def _at_point(load: PointLoad, model: Model, plan: Layout) -> tuple[Array, Array
         q: Array = load.P / place.area + (places - centre) @ slope
         return q
 
-    return load_vectors.over_polygon(mesh, elements, place, pressure), none
+    return load_vectors.integrate_over_polygon(mesh, elements, place, pressure), none
 
 
 def _share(load: PointLoad, plan: Layout) -> float:

@@ -22,7 +22,7 @@ from groundslab.fem.mesh import (
     grid,
     sides_on_boundary,
 )
-from groundslab.fem.shape_functions import distinct
+from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Plan, Ring, rectangle
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
@@ -87,7 +87,7 @@ class Layout:
     @property
     def plate_nodes(self) -> Integers:
         """Return the nodes of the plate, ascending."""
-        return distinct(self.mesh.elements[self.plate_elements])[0]
+        return unique_integers(self.mesh.elements[self.plate_elements])[0]
 
 
 def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: float, meshes: Meshes) -> Layout:

@@ -14,7 +14,7 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
-from groundslab.fem.load_vectors import over_elements
+from groundslab.fem.load_vectors import integrate_over_elements
 from groundslab.fem.problem import MIDSIDES, Depths, largest_share
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Ring
@@ -80,7 +80,7 @@ def depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> D
 def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:
     """Return depths from the share (mp, d) of each plate element that each depth (d,) takes."""
     mesh, elements = plan.mesh, plan.mesh.elements[plan.plate_elements]
-    area = over_elements(mesh, plan.plate_elements)
+    area = integrate_over_elements(mesh, plan.plate_elements)
     first = np.zeros(len(mesh.nodes), dtype=np.int64)
     for k in range(len(depth) - 1, -1, -1):
         first[elements[share[:, k] > 0]] = k
@@ -115,7 +115,7 @@ def bottoms(plan: Layout, found: Depths, column: Column) -> tuple[Integers, Inte
     Nodes (s,), which depth each lies at (s,), stiffnesses (s,) [N/m] and areas (s,) [m2]; none for cavities.
     """
     mesh, elements = plan.mesh, plan.mesh.elements[plan.plate_elements]
-    area = over_elements(mesh, plan.plate_elements)
+    area = integrate_over_elements(mesh, plan.plate_elements)
     k0 = np.broadcast_to(column.A0[..., 0, 0], len(mesh.elements))[plan.plate_elements]
     nodes, which, stiffness, areas = [], [], [], []
     for k in np.flatnonzero(np.isfinite(found.depth) & (found.depth > 0)):

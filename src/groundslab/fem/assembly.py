@@ -172,7 +172,7 @@ def scatter(places: Integers, values: Array, size: int) -> Array:
     return np.bincount(places.ravel(), values.ravel(), size).astype(float, copy=False)
 
 
-def congruent(xy: Array) -> tuple[Integers, Integers]:
+def find_congruent(xy: Array) -> tuple[Integers, Integers]:
     """Return representatives (u,) of the element shapes among xy (m, 9, 2), and the kind of each element (m,)."""
     relative = (xy - xy[:, 8:]).reshape(len(xy), 18)
     size = np.abs(relative).max(axis=1)

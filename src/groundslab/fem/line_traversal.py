@@ -95,7 +95,7 @@ def interpolation(mesh: Mesh, line: Pieces, piece: Integers, s: Array) -> tuple[
     return mesh.elements[element], N
 
 
-def continues(mesh: Mesh, line: Pieces) -> Flags:
+def is_continuous(mesh: Mesh, line: Pieces) -> Flags:
     """Return for each piece (p,) whether it goes on from the one before in the same region of the mesh.
 
     It does if there is nothing between them and their elements have a node in common: across the border of two

@@ -56,7 +56,7 @@ def inertia(part: Polygon) -> tuple[Array, Array]:
     return centre, total / 24 * np.sign(cross.sum())
 
 
-def over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> Array:
+def integrate_over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> Array:
     """Return int q N dA (m, 9) over whole elements: [m2], or [N] for a pressure q [Pa] of places (..., 2)."""
     points, weights = gauss(3)
     N, dN = q9(points)
@@ -68,7 +68,7 @@ def over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> A
 
 def nodal_area(mesh: Mesh, elements: Integers) -> Array:
     """Return each node's share of the area of some elements, int N dA (n,) [m2]."""
-    return scatter(mesh.elements[elements], over_elements(mesh, elements), len(mesh.nodes))
+    return scatter(mesh.elements[elements], integrate_over_elements(mesh, elements), len(mesh.nodes))
 
 
 def near(mesh: Mesh, part: Polygon) -> Integers:
@@ -82,7 +82,7 @@ def near(mesh: Mesh, part: Polygon) -> Integers:
     return np.flatnonzero(((low - reach <= (x1, y1)) & (high + reach >= (x0, y0))).all(axis=1))
 
 
-def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one) -> Array:
+def integrate_over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one) -> Array:
     """Return int q N dA (m, 9) over the part of each element that lies in a polygon: [m2], or [N] for a q [Pa]."""
     from shapely import contains, intersection, intersects, polygons, prepare
 
@@ -91,7 +91,7 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressu
     prepare(part)
     touched = intersects(outlines, part)
     inside = touched & contains(part, outlines)
-    shares[inside] = over_elements(mesh, elements[inside], pressure)
+    shares[inside] = integrate_over_elements(mesh, elements[inside], pressure)
     cut = np.flatnonzero(touched & ~inside)
     pieces = intersection(outlines[cut], part)
     triangles, owner = _triangles(pieces)
@@ -106,7 +106,7 @@ def over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressu
     return shares
 
 
-def along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple[float, float] = (1.0, 1.0)) -> Array:
+def integrate_along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple[float, float] = (1.0, 1.0)) -> Array:
     """Return int q N ds (m, 9) along a straight line or an arc on the plate: [m], or [N] for a q [N/m].
 
     q changes linearly from the start to the end. The line is cut where it enters another element; a line along common

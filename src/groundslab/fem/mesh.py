@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.shape_functions import COLUMN, ROW, distinct, parallelograms, q9
+from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9, unique_integers
 from groundslab.geometry.plan import SAME_PLACE
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def extrude(mesh: Mesh, axis: int, outward: int, distances: Array) -> Mesh:
     sides, n = sides_on_boundary(mesh.elements), len(mesh.nodes)
     coordinate = outward * mesh.nodes[:, axis]
     sides = sides[(coordinate[sides] == coordinate.max()).all(axis=1)]
-    along, row = distinct(sides)
+    along, row = unique_integers(sides)
     offsets = with_midpoints(np.concatenate([[0.0], distances]))[1:]
     shift = np.zeros((len(offsets), 1, 2))
     shift[:, 0, axis] = outward * offsets
@@ -205,10 +205,10 @@ def local_coordinates(xy: Array, points: Array) -> Array:
     return local
 
 
-Whereabouts = tuple[Integers, Array]
+MeshLocations = tuple[Integers, Array]
 
 
-def whereabouts(mesh: Mesh, points: Array, elements: Integers | None = None) -> Whereabouts:
+def locate_nearest(mesh: Mesh, points: Array, elements: Integers | None = None) -> MeshLocations:
     """Return the element that holds each point (p, 2) or, for points outside, the nearest; and the places in them.
 
     Of some elements only, if they are given. Where a boundary is curved, a finer mesh has points a little outside a
@@ -223,14 +223,14 @@ def whereabouts(mesh: Mesh, points: Array, elements: Integers | None = None) -> 
     return (element if elements is None else elements[element]), place
 
 
-def interpolated(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
+def interpolated(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
     """Return nodal values (n,) or (n, k) at places in elements, by the shape functions, (p,) or (p, k)."""
     element, place = where
     result: Array = np.einsum("pa,pa...->p...", q9(place)[0], values[mesh.elements[element]])
     return result
 
 
-def interpolate_bilinear(mesh: Mesh, values: Array, where: Whereabouts) -> Array:
+def interpolate_bilinear(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
     """Return nodal values (n,) at places in elements, bilinear between neighboring nodes, (p,)."""
     element, place = where
     hat = np.maximum(0.0, 1 - np.abs(np.clip(place, -1, 1)[:, None, :] - np.array([-1.0, 0.0, 1.0])[:, None]))
@@ -304,7 +304,7 @@ def elimination_order(mesh: Mesh) -> Integers:
     return rank
 
 
-def row_by_row(mesh: Mesh) -> tuple[Mesh, Integers, Integers]:
+def renumber_by_rows(mesh: Mesh) -> tuple[Mesh, Integers, Integers]:
     """Return the mesh with nodes and elements numbered by y, then x; old numbers of nodes (n,), elements (m,)."""
     old = np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1]))
     new = np.empty_like(old)

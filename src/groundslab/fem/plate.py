@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.fem.shape_functions import SERENDIPITY_CENTRE, gauss, jacobian, parallelograms, q9
+from groundslab.fem.shape_functions import SERENDIPITY_CENTER, gauss, jacobian, parallelograms, q9
 
 #: Where MITC9 takes the covariant shear strain along xi: at two points of each side, and all over for its mean.
 _SIDES = np.array([(r, s) for s in (-1.0, 1.0) for r in (-1 / np.sqrt(3.0), 1 / np.sqrt(3.0))])
@@ -29,12 +29,12 @@ class PlateElement:
     name: str
     shear_strain: Callable[[Array, Array, Array], Array]
     shear_points: int
-    centre_w: bool  # whether the center node has a w of its own
+    center_w: bool  # whether the center node has a w of its own
 
     def w_functions(self, xy: Array) -> Array:
         """Return T (m, 9, 9) with w = N T w: the identity, or the center's w from the eight others."""
         T = np.broadcast_to(np.eye(9), (len(xy), 9, 9))
-        return T if self.centre_w else _centre_from_boundary(xy)
+        return T if self.center_w else _centre_from_boundary(xy)
 
 
 def bending_strain(points: Array, xy: Array) -> Array:
@@ -103,12 +103,12 @@ def _centre_from_boundary(xy: Array) -> Array:
     with a serendipity w passes the constant-curvature patch test.
     """
     T = np.tile(np.eye(9), (len(xy), 1, 1))
-    T[:, 8] = np.append(SERENDIPITY_CENTRE, 0.0)
+    T[:, 8] = np.append(SERENDIPITY_CENTER, 0.0)
     odd = np.flatnonzero(~parallelograms(xy))
     centred = xy[odd] - xy[odd, 8:]
     x, y = np.moveaxis(centred / np.abs(centred).max(axis=(1, 2), keepdims=True), -1, 0)
     A = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=1)  # (m, 6, 9)
-    wanted = A[:, :, 8] - A[:, :, :8] @ SERENDIPITY_CENTRE
+    wanted = A[:, :, 8] - A[:, :, :8] @ SERENDIPITY_CENTER
     correction = np.linalg.pinv(A[:, :, :8], rcond=1e-10) @ wanted[..., None]
     T[odd, 8, :8] += correction[..., 0]
     return T
@@ -116,9 +116,9 @@ def _centre_from_boundary(xy: Array) -> Array:
 
 #: The paper's element comes first; the default is "mitc9".
 ELEMENTS: dict[str, PlateElement] = {
-    "q9": PlateElement("q9", displacement_shear, 3, centre_w=True),
-    "heterosis": PlateElement("heterosis", displacement_shear, 2, centre_w=False),
-    "mitc9": PlateElement("mitc9", tied_shear, 3, centre_w=False),
+    "q9": PlateElement("q9", displacement_shear, 3, center_w=True),
+    "heterosis": PlateElement("heterosis", displacement_shear, 2, center_w=False),
+    "mitc9": PlateElement("mitc9", tied_shear, 3, center_w=False),
 }
 
 

@@ -16,7 +16,7 @@ from groundslab.arrays import Array, Flags, Integers
 COLUMN = np.array([0, 2, 2, 0, 1, 2, 1, 0, 1])
 ROW = np.array([0, 0, 2, 2, 0, 1, 2, 1, 1])
 #: The center's value in the serendipity family: minus a quarter of the corners, half of the midsides.
-SERENDIPITY_CENTRE = np.array([-0.25, -0.25, -0.25, -0.25, 0.5, 0.5, 0.5, 0.5])
+SERENDIPITY_CENTER = np.array([-0.25, -0.25, -0.25, -0.25, 0.5, 0.5, 0.5, 0.5])
 
 
 def lagrange(xi: Array) -> tuple[Array, Array]:
@@ -80,7 +80,7 @@ def parallelograms(xy: Array) -> Flags:
     return flat
 
 
-def distinct(keys: Integers) -> tuple[Integers, Integers]:
+def unique_integers(keys: Integers) -> tuple[Integers, Integers]:
     """Return the different numbers, >= 0, among keys, ascending, and which of them each key is, in the keys' shape.
 
     As np.unique does by sorting; by marking where they are not too far apart.

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import assembly, plate
-from groundslab.fem.assembly import Pattern, congruent
+from groundslab.fem.assembly import Pattern, find_congruent
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay, mass_and_slope
 from groundslab.fem.problem import TOP, Problem, W
@@ -70,7 +70,7 @@ class Blocks:
 def blocks(problem: Problem) -> Blocks:
     """Return the element matrices of a problem, each computed once for all elements of its kind."""
     xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.mass_kinds
-    shapes, shape = congruent(xy)
+    shapes, shape = find_congruent(xy)
     section = np.full(len(xy), sections)  # none
     section[problem.plate_elements] = problem.section
     kinds, kind = np.unique(
@@ -154,7 +154,7 @@ def _ground(
             if A0.any() or A1.any():
                 for i in surface_fields(a):
                     for j in surface_fields(c):
-                        of_w = (field == W and not element.centre_w for field in (i, j))
+                        of_w = (field == W and not element.center_w for field in (i, j))
                         yield i, j, A0, A1, *between(*of_w)
 
 
@@ -236,7 +236,7 @@ def plate_settlement(s: System, U: Array) -> Array:
     """Return the plate's settlement at every node (n,) [m], dependent centers included."""
     problem = s.problem
     w: Array = U[:, W].copy()
-    if not problem.element.centre_w:
+    if not problem.element.center_w:
         elements = problem.mesh.elements[problem.plate_elements]
         at_centre = s.blocks.T[:, 8][s.blocks.kind[problem.plate_elements]]
         w[elements[:, 8]] = np.einsum("ea,ea->e", at_centre, w[elements])

@@ -317,7 +317,7 @@ def sections(plan: Plan, places: Array) -> Integers:
     return section
 
 
-def loaded_polygon(ring: Ring) -> Polygon:
+def equal_area_polygon(ring: Ring) -> Polygon:
     """Return the polygon inside a ring, its arcs replaced by chords that enclose the same area.
 
     The points between the ends of an arc lie a little off it, all as far: a uniform pressure keeps its force.

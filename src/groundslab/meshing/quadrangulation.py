@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.shape_functions import SERENDIPITY_CENTRE
+from groundslab.fem.shape_functions import SERENDIPITY_CENTER
 from groundslab.meshing.cells import Cells, FixedSides, angles_of, keys_of, least_sine, middles_of, sides_of
 from groundslab.meshing.quality import scaled_jacobians
 
@@ -162,7 +162,7 @@ def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
         away = np.maximum(np.linalg.norm(offset, axis=-1), 1e-300)
         curved = centre[sides] + offset * (radius[sides] / away)[..., None]
         eight = np.concatenate([corners, np.where(radius[sides][..., None] > 0, curved, middles)], axis=-2)
-        nine = np.concatenate([eight, (SERENDIPITY_CENTRE @ eight)[..., None, :]], axis=-2)
+        nine = np.concatenate([eight, (SERENDIPITY_CENTER @ eight)[..., None, :]], axis=-2)
         return scaled_jacobians(nine.reshape(-1, 9, 2)).reshape(corners.shape[:-2])
 
     for _ in range(MAX_IMPROVEMENTS):
@@ -185,6 +185,6 @@ def add_midside_nodes(nodes: Array, quadrilaterals: Integers, drawn: FixedSides)
     keys, number = np.unique(sides, return_inverse=True)
     places = np.concatenate([nodes, middles_of(nodes, keys, drawn)])
     eight = np.column_stack([quadrilaterals, n + number.reshape(sides.shape)])
-    centre = SERENDIPITY_CENTRE @ places[eight]
+    centre = SERENDIPITY_CENTER @ places[eight]
     elements = np.column_stack([eight, len(places) + np.arange(len(eight))])
     return np.concatenate([places, centre]), elements

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 
-def combinations_of(model: Model) -> tuple[Combination, ...]:
+def list_combinations(model: Model) -> tuple[Combination, ...]:
     """Return all combinations of a model: those given and those made by EN 1990.
 
     With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both

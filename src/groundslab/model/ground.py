@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.base import Check, Section, Table, get_kind
 from groundslab.schema.fields import Choice, Integer, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -205,5 +205,5 @@ Ground = Annotated[
     | Annotated[Pasternak, Tag("pasternak")]
     | Annotated[Vlasov, Tag("vlasov")]
     | Annotated[Layered, Tag("layered")],
-    Discriminator(kind_of),
+    Discriminator(get_kind),
 ]

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Tag
 
 from groundslab.geometry.plan import LARGEST_BULGE, Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
-from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.base import Check, Section, Table, get_kind
 from groundslab.schema.fields import ListOf, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -103,5 +103,5 @@ class Circle(Section):
 AnyShape = Rectangle | Polygon | Circle
 Shape = Annotated[
     Annotated[Rectangle, Tag("rectangle")] | Annotated[Polygon, Tag("polygon")] | Annotated[Circle, Tag("circle")],
-    Discriminator(kind_of),
+    Discriminator(get_kind),
 ]

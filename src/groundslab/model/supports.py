@@ -11,7 +11,7 @@ from groundslab.geometry.plan import Plan, Ring
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
-from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.base import Check, Section, Table, get_kind
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -93,7 +93,9 @@ class LineSupport(Section):
 
 
 AnySupport = PointSupport | LineSupport
-Support = Annotated[Annotated[PointSupport, Tag("point")] | Annotated[LineSupport, Tag("line")], Discriminator(kind_of)]
+Support = Annotated[
+    Annotated[PointSupport, Tag("point")] | Annotated[LineSupport, Tag("line")], Discriminator(get_kind)
+]
 
 
 def check_line_supports(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:

@@ -102,7 +102,7 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
     return forces
 
 
-def moved_as_a_whole(s: System, column: Column) -> tuple[Array, Array]:
+def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
     """Return orthonormal rigid motions of the plate with the ground under it (size, 3), and their forces (size, 3).
 
     The forces are the ground's alone, which the matrix knows with the rounding of a plate that may be much stiffer.
@@ -242,7 +242,7 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
 def _own_w(problem: Problem) -> Array:
     """Return 0.0 at centers whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
     own = np.ones(len(problem.mesh.nodes))
-    if not problem.element.centre_w:
+    if not problem.element.center_w:
         own[problem.mesh.elements[problem.plate_elements, 8]] = 0.0
     return own
 

@@ -11,11 +11,11 @@ from groundslab.fem.shape_functions import areas
 from groundslab.fem.system import plate_settlement
 from groundslab.results.certificate import ground_forces
 from groundslab.results.edge_forces import ground_shear, pressure_forces, split_contact_force
-from groundslab.results.result_mesh import Frame
+from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution
 
 
-def contact_fields(solution: Solution, frame: Frame) -> tuple[dict[str, Array], Array]:
+def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Array], Array]:
     """Return fields at the nodes of a frame (k,), whether they touch as 1 or 0, and each element's mean pressure (mp,).
 
     A node's pressure is the contact force on its own elements over their share of area, less the line force along the
@@ -47,7 +47,7 @@ def contact_fields(solution: Solution, frame: Frame) -> tuple[dict[str, Array], 
     }, np.einsum("ea,ea->e", frame.mean, at_elements)
 
 
-def _at_depths(solution: Solution, frame: Frame) -> tuple[Array, Array, Array, Array, Array]:
+def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Array, Array, Array]:
     """Return what lies at each depth at each node of the plate, arrays (n, d), and the edge line force (n,) [N/m].
 
     The pressure that it carries, 1.0 where it touches the plate, the gap above it and how far the plate has sunk into
@@ -85,7 +85,7 @@ def _at_depths(solution: Solution, frame: Frame) -> tuple[Array, Array, Array, A
     return pressure, touching, gap, sunk, _line_force(solution, frame, pressure)
 
 
-def _line_force(solution: Solution, frame: Frame, pressure: Array) -> Array:
+def _line_force(solution: Solution, frame: ResultMesh, pressure: Array) -> Array:
     """Return the line force along the plate's edge (n,) [N/m], and take it off the pressure (n, d) [Pa] in place.
 
     pressure holds it at first, spread over the area of each node of the edge. Ground without shear has none.

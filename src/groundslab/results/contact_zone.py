@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
     from groundslab.results.record import Certificate, Constants
-    from groundslab.results.results import Results
+    from groundslab.results.results import CombinationResult
 
 
 #: What a reader must know where the ground acts by a line force along the plate's edge.
@@ -30,7 +30,7 @@ EDGE_NOTE = (
 )
 
 
-def require_finite(results: Results) -> None:
+def require_finite(results: CombinationResult) -> None:
     """Raise GroundslabError if any number of the results is infinite or not a number."""
     parts: dict[str, PlateResult | ElementResult | GroundResult | Constants | Certificate] = {
         "plate": results.plate,
@@ -48,7 +48,7 @@ def require_finite(results: Results) -> None:
                 )
 
 
-def has_line_force(results: Results) -> bool:
+def has_line_force(results: CombinationResult) -> bool:
     """Return whether the ground acts by a line force, too, along the plate's edge: it does if it carries shear."""
     return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.edge_length.any())
 
@@ -58,7 +58,7 @@ def goes_below_zero(values: Array) -> bool:
     return bool(values.min() < -1e-9 * np.abs(values).max())
 
 
-def contact_function(results: Results) -> Array:
+def contact_function(results: CombinationResult) -> Array:
     """Return a field (n,) that is negative at nodes in contact, positive elsewhere, zero on the boundary.
 
     Without shear in the ground it is k0 g - p, with k0 of all layers in series: on Winkler ground it crosses

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Memo
 from groundslab.errors import InputError, Issue
-from groundslab.fem.mesh import Mesh, Whereabouts, bounding_boxes, interpolated, locate
+from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolated, locate
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -337,7 +337,7 @@ def _points(x: ArrayLike, y: ArrayLike) -> Array:
     return points
 
 
-def _located(mesh: Mesh, points: Array, region: str) -> Whereabouts:
+def _located(mesh: Mesh, points: Array, region: str) -> MeshLocations:
     """Return the elements that hold points (..., 2) and where in them; InputError names points outside."""
     boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
     where = locate(mesh, points.reshape(-1, 2), boxes=boxes)

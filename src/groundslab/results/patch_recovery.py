@@ -15,7 +15,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import sides_on_boundary
-from groundslab.fem.shape_functions import COLUMN, ROW, distinct, gauss
+from groundslab.fem.shape_functions import COLUMN, ROW, gauss, unique_integers
 
 #: Terms x^a y^b of a complete quadratic; the further ones of a biquadratic.
 _POWERS = np.array([(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (2, 1), (1, 2), (2, 2)])
@@ -73,7 +73,7 @@ def around(nodes: Array, elements: Integers, points: Array) -> Patches:
     y, whose points make rows and columns. That smears peaks less, but on other quadrilaterals it follows the scatter of
     the points' values.
     """
-    vertices, corner = distinct(elements[:, :4])
+    vertices, corner = unique_integers(elements[:, :4])
     on_edge = np.zeros(len(nodes), dtype=bool)
     on_edge[sides_on_boundary(elements)[:, :2]] = True
     inside = ~on_edge[vertices]

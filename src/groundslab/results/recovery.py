@@ -15,8 +15,8 @@ from groundslab.results.certificate import apply, resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
-from groundslab.results.result_mesh import Frame
-from groundslab.results.results import Increment, Results, SupportResult
+from groundslab.results.result_mesh import ResultMesh
+from groundslab.results.results import CombinationResult, Increment, SupportResult
 from groundslab.solvers.solution import Solution
 
 #: What is recovered from the Gauss points, in the order of plate.section_forces.
@@ -29,15 +29,15 @@ def recover(
     model: Model,
     combination: Combination,
     solution: Solution,
-    frame: Frame,
+    frame: ResultMesh,
     proof: Certificate,
     steps: tuple[Step, ...],
     solver: str,
     increments: tuple[Increment, ...] = (),
-) -> Results:
+) -> CombinationResult:
     """Return the results of a solution: nodal fields on the full plate and ground."""
     plate, elements, ground = _parts(solution, frame)
-    return Results(
+    return CombinationResult(
         model=model,
         plate=plate,
         elements=elements,
@@ -56,12 +56,12 @@ def recover(
     )
 
 
-def increment(solution: Solution, frame: Frame, share: float) -> Increment:
+def increment(solution: Solution, frame: ResultMesh, share: float) -> Increment:
     """Return the state under a share of the load; the solution's problem has that share for its load."""
     return Increment(share, *_parts(solution, frame))
 
 
-def _parts(solution: Solution, frame: Frame) -> tuple[PlateResult, ElementResult, GroundResult]:
+def _parts(solution: Solution, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:
     """Return the full plate, its elements and the ground with their fields."""
     problem, plate, ground = solution.system.problem, frame.plate, frame.ground
     contact, pressure = contact_fields(solution, frame)
@@ -112,7 +112,7 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     return tuple(found)
 
 
-def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
+def _plate_fields(solution: Solution, frame: ResultMesh) -> dict[str, Array]:
     """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1.
 
     Without those of contact, see `contact_fields`.
@@ -128,7 +128,7 @@ def _plate_fields(solution: Solution, frame: Frame) -> dict[str, Array]:
     return {**at_nodes, **shares, **section_forces(s.problem, U, frame)}
 
 
-def _element_fields(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
+def _element_fields(problem: Problem, U: Array, frame: ResultMesh) -> dict[str, Array]:
     """Return the fields at the centers of the plate's elements (mp,), the number of the section as a float among them.
 
     Without the pressure.
@@ -137,7 +137,7 @@ def _element_fields(problem: Problem, U: Array, frame: Frame) -> dict[str, Array
     return {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
 
 
-def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
+def gauss_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
     """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5)."""
     elements = problem.mesh.elements[problem.plate_elements]
     U = without_rigid_motion(problem, U)
@@ -150,7 +150,7 @@ def gauss_forces(problem: Problem, U: Array, frame: Frame) -> Array:
     return forces
 
 
-def centre_forces(problem: Problem, U: Array, frame: Frame) -> Array:
+def centre_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
     """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the centers of the plate's elements, (mp, 5).
 
     Nothing is averaged between elements: each has the mean of its 2 x 2 Gauss points, which is their bilinear field's
@@ -160,7 +160,7 @@ def centre_forces(problem: Problem, U: Array, frame: Frame) -> Array:
     return centers
 
 
-def section_forces(problem: Problem, U: Array, frame: Frame) -> dict[str, Array]:
+def section_forces(problem: Problem, U: Array, frame: ResultMesh) -> dict[str, Array]:
     """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, recovered part by part.
 
     From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992) in the parts of the

@@ -10,11 +10,11 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
-from groundslab.fem.assembly import congruent
+from groundslab.fem.assembly import find_congruent
 from groundslab.fem.load_vectors import nodal_area
-from groundslab.fem.mesh import SIDES, Mesh, Place, mirror, row_by_row, sides_along
+from groundslab.fem.mesh import SIDES, Mesh, Place, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
-from groundslab.fem.shape_functions import distinct, gauss, jacobian, q9
+from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
 from groundslab.geometry.plan import Ring, rectangle
 from groundslab.model.columns import footprint
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad
@@ -64,7 +64,7 @@ class MirroredMesh:
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class ResultMesh:
     """A mesh of the plate for results, with what recovers section forces and mirrors the meshed part.
 
     A node on the border of two sections or of a void, or along a line support, stands once for each side, so that
@@ -100,7 +100,7 @@ class Frame:
         return at_nodes
 
 
-def frame(model: Model, problem: Problem) -> Frame:
+def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
     supported = support_lines(model, problem)
     depth = problem.depths.dominant
@@ -115,7 +115,7 @@ def frame(model: Model, problem: Problem) -> Frame:
             images.append((axis, copied))
     at_nodes = np.empty(len(node), dtype=np.int64)
     at_nodes[mesh.elements] = depth[:, None]
-    return Frame(
+    return ResultMesh(
         mesh=mesh,
         node=node,
         area=nodal_area(mesh, np.arange(len(mesh.elements))),
@@ -150,7 +150,7 @@ def mirror_to_full(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
         odd[axis] = odd[axis] * np.where(on_axis, 0.0, side)
         odd_elements[axis] = odd_elements[axis] * np.repeat([1.0, -1.0], len(element) // 2)
         shares = shares[source] * np.where(on_axis, 2.0, 1.0)
-    mesh, old, order = row_by_row(mesh)
+    mesh, old, order = renumber_by_rows(mesh)
     x, y = (each[old] for each in odd)
     in_x, in_y = (each[order] for each in odd_elements)
     return MirroredMesh(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
@@ -168,14 +168,14 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
         key = key + n * len(problem.bending) * split_at(elements, creases, n)
     if depth is not None and depth.any():
         key = key + n * (key.max() // n + 1) * depth[:, None]
-    keys, own = distinct(key)
+    keys, own = unique_integers(key)
     return Mesh(problem.mesh.nodes[keys % n], own), keys % n
 
 
 def section_matrices(problem: Problem) -> tuple[Array, Integers]:
     """Return the matrices (kinds, 20, 27) to section forces at 2 x 2 Gauss points, and each plate element's kind."""
     xy, sections = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]], len(problem.bending)
-    shapes, shape = congruent(xy)
+    shapes, shape = find_congruent(xy)
     pairs, kind = np.unique(shape * sections + problem.section, return_inverse=True)
     D, S = problem.bending[pairs % sections], problem.shear[pairs % sections]
     matrices = plate.section_matrices(problem.element, gauss(2)[0], xy[shapes[pairs // sections]], D, S)

@@ -82,7 +82,7 @@ class Increment:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Results:
+class CombinationResult:
     """Results of one combination of loads, with the model that they belong to.
 
     Attributes
@@ -159,7 +159,7 @@ class Results:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Combined(Mapping[str, Results]):
+class Results(Mapping[str, CombinationResult]):
     """Results of all combinations of a model, perhaps one: a mapping from the names of those that were solved.
 
     The results of a model with one combination are at hand as `plate`, `elements`, `ground` and so on.
@@ -187,10 +187,10 @@ class Combined(Mapping[str, Results]):
 
     model: Model
     combinations: tuple[Combination, ...]
-    results: dict[str, Results]
+    results: dict[str, CombinationResult]
     refused: dict[str, GroundslabError]
 
-    def __getitem__(self, combination: str) -> Results:
+    def __getitem__(self, combination: str) -> CombinationResult:
         """Return the results of a combination; raises the reason if it has none."""
         if combination in self.refused:
             raise self.refused[combination]
@@ -212,7 +212,7 @@ class Combined(Mapping[str, Results]):
         return combination in self.results
 
     @property
-    def only(self) -> Results:
+    def only(self) -> CombinationResult:
         """The results of the only combination; InputError, which names them, if there are several."""
         if len(self.combinations) != 1:
             names = listed([quote(each.name) for each in self.combinations])
@@ -306,7 +306,7 @@ class Combined(Mapping[str, Results]):
         return plot(self, *fields, **options)
 
 
-def _figures(results: Results) -> tuple[str, str, str]:
+def _figures(results: CombinationResult) -> tuple[str, str, str]:
     """Return largest settlement [mm], area in contact [%] and verdict of the certificate as texts."""
     plate = results.plate
     settlement = format_number(plate.settlement.max() * PLATE_FIELDS["settlement"].scale, 4, trim=True)
@@ -314,12 +314,12 @@ def _figures(results: Results) -> tuple[str, str, str]:
     return settlement, contact, "certified" if results.certificate.holds else "NOT CERTIFIED"
 
 
-def alone(results: Results) -> Combined:
+def results_of(results: CombinationResult) -> Results:
     """Return the results of one combination as those of all there are."""
     from groundslab.model.loads.load_cases import Combination
 
     about = {"name": results.combination, "limit_state": results.limit_state}
     combination = Combination(**about, factors=dict(results.factors) or {"": 1.0})
     if results.certificate.holds:
-        return Combined(results.model, (combination,), {combination.name: results}, {})
-    return Combined(results.model, (combination,), {}, {combination.name: NotCertified(results)})
+        return Results(results.model, (combination,), {combination.name: results}, {})
+    return Results(results.model, (combination,), {}, {combination.name: NotCertified(results)})

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags
     from groundslab.model.ground import AnyGround
     from groundslab.model.model import Model
-    from groundslab.results.results import Results
+    from groundslab.results.results import CombinationResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,7 @@ def described(model: Model) -> list[tuple[str, tuple[SoilLayer, ...]]]:
     return [(name, _layers(ground)) for name, ground in grounds]
 
 
-def profiles_of(results: Results) -> tuple[Profile, ...]:
+def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     """Return each described column with the gamma, k0, k1 and mode that it has in one combination.
 
     All have the same decay of the settlement, int |grad w|^2 / int w^2, which is that of the mean gamma found;
@@ -131,7 +131,7 @@ class Coverage:
     crossed: float  # of elements that lie in it in part
 
 
-def crossed_borders(results: Results) -> tuple[Coverage, ...]:
+def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     """Return the soil zones and voids of which elements take a part, as their borders are no lines of the mesh."""
     model, ground, plate = results.model, results.ground, results.plate
     if not model.soil_zones and not model.contact.voids:

@@ -36,14 +36,14 @@ class Table:
 
 
 @dataclass(frozen=True, slots=True)
-class Nested:
+class NestedSections:
     """Sections that a field may hold, one or a list of them; none for a field that holds a value."""
 
     parts: tuple[type[Section], ...]
     many: bool
 
 
-def nested(field: FieldInfo) -> Nested:
+def nested(field: FieldInfo) -> NestedSections:
     """Return the sections that a field may hold."""
     found: list[type[Section]] = []
     many = False
@@ -60,20 +60,20 @@ def nested(field: FieldInfo) -> Nested:
                 walk(argument)
 
     walk(field.annotation)
-    return Nested(tuple(found), many and bool(found))
+    return NestedSections(tuple(found), many and bool(found))
 
 
-def key_of(field: FieldInfo) -> FieldType | None:
+def get_field_type(field: FieldInfo) -> FieldType | None:
     """Return the type of a field that holds a value, None for one that holds sections or a tag."""
     return next((item for item in field.metadata if isinstance(item, FieldType)), None)
 
 
-def most_of(field: FieldInfo) -> int | None:
+def get_most_sections(field: FieldInfo) -> int | None:
     """Return how many sections a field may hold, None for one that holds no list of sections."""
     return next((item.most for item in field.metadata if isinstance(item, Table) and nested(field).many), None)
 
 
-def meaning_of(field: FieldInfo) -> str:
+def get_meaning(field: FieldInfo) -> str:
     """Return what a field means."""
     return next((item.meaning for item in field.metadata if isinstance(item, FieldType | Table)), "")
 
@@ -109,13 +109,13 @@ class Section(BaseModel):
         super().__pydantic_init_subclass__(**options)
         lines = []
         for name, field in cls.model_fields.items():
-            key, inner = key_of(field), nested(field)
+            key, inner = get_field_type(field), nested(field)
             kinds = listed(part.__name__ for part in inner.parts) if inner.parts else "str"
-            kind = key.type_words().replace("`", "") if key else f"list of {kinds}" if inner.many else kinds
-            within = f" ({key.range_words()})" if key and key.range_words() else ""
+            kind = key.type_text().replace("`", "") if key else f"list of {kinds}" if inner.many else kinds
+            within = f" ({key.range_text()})" if key and key.range_text() else ""
             lines += [
                 f"{name} : {kind}{'' if field.is_required() else ', optional'}",
-                f"    {meaning_of(field)}{within}",
+                f"    {get_meaning(field)}{within}",
             ]
         raises = ["", "Raises", "------", "InputError", "    With all issues of the input."]
         cls.__doc__ = "\n".join([cls.summary(), "", "Parameters", "----------", *lines, *raises])
@@ -196,7 +196,7 @@ class Section(BaseModel):
         return made
 
 
-def kind_of(value: Any) -> str | None:
+def get_kind(value: Any) -> str | None:
     """Return the kind that a table or a section states, for unions of sections; None if there is none."""
     kind = value.get("kind") if isinstance(value, Mapping) else getattr(value, "kind", None)
     # only text is returned: pydantic would print anything else, however deep it is nested
@@ -226,7 +226,7 @@ def _too_long(cls: type[Section], data: Any) -> list[RelativeIssue]:
 @cache
 def _most_of_lists(cls: type[Section]) -> dict[str, int]:
     """Return how many sections each list of a section may hold."""
-    return {name: most for name, field in cls.model_fields.items() if (most := most_of(field)) is not None}
+    return {name: most for name, field in cls.model_fields.items() if (most := get_most_sections(field)) is not None}
 
 
 def _errors(error: ValidationError) -> list[Any]:
@@ -305,7 +305,7 @@ def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any) -> Re
         return _not_a_table(place, value)
     inner = nested(field)
     if kind in ("missing", "too_short"):
-        key = key_of(field)
+        key = get_field_type(field)
         table = "at least one table" if inner.many else "a table"
         if not cls.root():
             table += f" [[{place[0]}]]" if inner.many else f" [{place[0]}]"

@@ -52,11 +52,11 @@ class FieldType:
         """Return the value as TOML."""
         return toml_writer.value(value)
 
-    def type_words(self) -> str:
+    def type_text(self) -> str:
         """Return type or unit for the table of keys."""
         return self.TYPE
 
-    def range_words(self) -> str:
+    def range_text(self) -> str:
         """Return the range for the table of keys."""
         return ""
 
@@ -140,11 +140,11 @@ class Quantity(FieldType):
         """Return the quantity with its SI unit, in quotes."""
         return quote(units.write(value, self.dimension))
 
-    def type_words(self) -> str:
+    def type_text(self) -> str:
         """Return the dimension and an example of its units."""
         return f"{self.dimension} (`{quote(units.DIMENSIONS[self.dimension].example)}`)"
 
-    def range_words(self) -> str:
+    def range_text(self) -> str:
         """Return the range with its unit."""
         return f"{ranges.quantity_range(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
 
@@ -156,7 +156,7 @@ class Quantity(FieldType):
             "maxLength": units.LONGEST,
             "examples": [units.DIMENSIONS[self.dimension].example],
             "x-dimension": self.dimension,
-            "x-range": self.range_words(),
+            "x-range": self.range_text(),
         }
 
 
@@ -185,11 +185,11 @@ class Number(FieldType):
         """Return the range in words."""
         return listed([f"a number {self.range.words()}".strip(), *map(quote, self.words)])
 
-    def type_words(self) -> str:
+    def type_text(self) -> str:
         """Return that it is a number, or a word."""
         return listed(["number", *(f"`{quote(word)}`" for word in self.words)])
 
-    def range_words(self) -> str:
+    def range_text(self) -> str:
         """Return the range."""
         return ranges.number_range(self.range).signs()
 
@@ -220,7 +220,7 @@ class Integer(FieldType):
         """Return the range in words."""
         return f"a whole number from {self.at_least} to {self.at_most}"
 
-    def range_words(self) -> str:
+    def range_text(self) -> str:
         """Return the range."""
         return f">= {self.at_least}" if self.at_most == LARGEST_WHOLE else f"{self.at_least} to {self.at_most}"
 
@@ -251,7 +251,7 @@ class Choice(FieldType):
         """Return the words."""
         return listed(map(quote, self.words))
 
-    def type_words(self) -> str:
+    def type_text(self) -> str:
         """Return the words."""
         return listed(f"`{quote(word)}`" for word in self.words)
 
@@ -343,15 +343,15 @@ class ListOf(FieldType):
         """Return the list as TOML."""
         return f"[{', '.join(map(self.each.write, value))}]"
 
-    def type_words(self) -> str:
+    def type_text(self) -> str:
         """Return how many of what."""
         count = self.length or (f"{self.least} to {self._most}" if self.least else f"up to {self._most}")
-        return f"list of {count}: {self.each.type_words()}"
+        return f"list of {count}: {self.each.type_text()}"
 
-    def range_words(self) -> str:
+    def range_text(self) -> str:
         """Return each value's range and the order."""
         order = "rising" if self.rising else "no repeats" if self.unique else ""
-        return ", ".join(filter(None, (self.each.range_words(), order)))
+        return ", ".join(filter(None, (self.each.range_text(), order)))
 
     def json_schema(self) -> dict[str, Any]:
         """Return an array."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic.fields import FieldInfo
 
-from groundslab.schema.base import Section, key_of, meaning_of, most_of, nested
+from groundslab.schema.base import Section, get_field_type, get_meaning, get_most_sections, nested
 from groundslab.schema.fields import FieldType
 
 
@@ -47,7 +47,7 @@ def _part_schema(part: type[Section], definitions: dict[str, Any]) -> dict[str, 
 
 
 def _field_schema(field: FieldInfo, definitions: dict[str, Any]) -> dict[str, Any]:
-    key, about = key_of(field), meaning_of(field)
+    key, about = get_field_type(field), get_meaning(field)
     if key is not None:
         named = f"{key.symbol}: {about}" if key.symbol else about
         symbol = {"x-symbol": key.symbol} if key.symbol else {}
@@ -63,7 +63,7 @@ def _field_schema(field: FieldInfo, definitions: dict[str, Any]) -> dict[str, An
     one = references[0] if len(references) == 1 else {"oneOf": references}
     if inner.many:
         least = {"minItems": 1} if field.is_required() else {}
-        return {"description": about, "type": "array", "items": one, **least, "maxItems": most_of(field)}
+        return {"description": about, "type": "array", "items": one, **least, "maxItems": get_most_sections(field)}
     return {"description": about, "allOf": [one]} if len(references) == 1 else {"description": about, **one}
 
 
@@ -78,7 +78,7 @@ def _default_schema(field: FieldInfo, key: FieldType) -> dict[str, Any]:
 
 def _is_tag(field: FieldInfo) -> bool:
     """Whether a field only says of which kind its part is."""
-    return key_of(field) is None and not nested(field).parts
+    return get_field_type(field) is None and not nested(field).parts
 
 
 def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[str]:
@@ -98,8 +98,8 @@ def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[s
             tag = next((field for field in each.model_fields.values() if _is_tag(field)), None)
             which = f"given by {', '.join(_needed(each))}" if len(inner.parts) > 1 and not tag else ""
             names = (kind if path else "", f'kind = "{tag.default}"' if tag else "", which)
-            meaning = meaning_of(tag) if tag else meaning_of(field)
-            meaning += f" (at most {most_of(field):,} in the list)" if inner.many else ""
+            meaning = get_meaning(tag) if tag else get_meaning(field)
+            meaning += f" (at most {get_most_sections(field):,} in the list)" if inner.many else ""
             yield from _tables(each, below, ", ".join(filter(None, names)), meaning)
 
 
@@ -117,7 +117,7 @@ def _heading(path: str, kind: str) -> str:
 
 
 def _row(path: str, field: FieldInfo) -> str:
-    key = key_of(field)
+    key = get_field_type(field)
     if key is None:
         return f'| `{path}` |  | `"{field.default}"` |  | needed | says which kind it is |'
     default = default_of(field)
@@ -125,8 +125,8 @@ def _row(path: str, field: FieldInfo) -> str:
     cells = (
         f"`{path}`",
         key.symbol and f"`{key.symbol}`",
-        key.type_words(),
-        key.range_words(),
+        key.type_text(),
+        key.range_text(),
         shown,
         key.meaning,
     )

@@ -190,7 +190,7 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     x, y = problem.mesh.nodes[nodes].T
     one, zero = np.ones_like(x), np.zeros_like(x)
     own_w = np.ones(len(nodes), dtype=bool)
-    if not problem.element.centre_w:
+    if not problem.element.center_w:
         own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
     constraints = np.vstack(
         [

@@ -33,7 +33,7 @@ def _petsc() -> Any:
     return PETSc
 
 
-def leads() -> bool:
+def is_root_process() -> bool:
     """Return whether this process is the one of an MPI run that prints and writes files."""
     return bool(_petsc().COMM_WORLD.getRank() == 0)
 

@@ -104,7 +104,7 @@ def import_pardiso() -> Any:
     return pardiso_wrapper
 
 
-def repeatable() -> None:
+def make_reproducible() -> None:
     """Make MKL's results reproducible to the last bit, whatever the alignment of arrays, unless it was used before.
 
     Otherwise the order of a sum, and so its last bit, depends on what else the process did. Costs about a tenth of a

@@ -13,7 +13,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings
-from groundslab.fem.mesh import Whereabouts, interpolate_bilinear, interpolated, whereabouts
+from groundslab.fem.mesh import MeshLocations, interpolate_bilinear, interpolated, locate_nearest
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, on_plate_edge, plate_settlement, surface_settlement
@@ -36,21 +36,21 @@ MAX_ITERATIONS = 30
 class NodeLocations:
     """Where the nodes of a mesh lie in a coarser one."""
 
-    everywhere: Whereabouts  # (n,)
-    on_plate: Whereabouts  # of the plate's nodes alone, in elements of the plate
+    everywhere: MeshLocations  # (n,)
+    on_plate: MeshLocations  # of the plate's nodes alone, in elements of the plate
 
 
 def locate_nodes(before: Problem, problem: Problem) -> NodeLocations:
     """Return where a problem's nodes lie in the mesh of a coarser one."""
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
-    element, place = whereabouts(coarse, nodes)
+    element, place = locate_nearest(coarse, nodes)
     own, there = element[under], place[under]
     # nodes on the plate's edge may have been found in an element beside it
     on_plate = np.zeros(len(coarse.elements), dtype=bool)
     on_plate[before.plate_elements] = True
     astray = np.flatnonzero(~on_plate[own])
     if len(astray):
-        own[astray], there[astray] = whereabouts(coarse, nodes[under[astray]], before.plate_elements)
+        own[astray], there[astray] = locate_nearest(coarse, nodes[under[astray]], before.plate_elements)
     return NodeLocations((element, place), (own, there))
 
 

@@ -120,10 +120,10 @@ def recover_folder(target: Path, strangers: Callable[[Path], list[str]]) -> bool
     If the newer one is in place, the older one is removed. ``strangers`` returns the paths in such a folder that must
     not be removed; where there are any, nothing is touched.
     """
-    if not previous_of(target).is_dir():
+    if not previous_path(target).is_dir():
         return False
     with _locked(target.parent):
-        previous = previous_of(target)
+        previous = previous_path(target)
         if not previous.is_dir() or previous.is_symlink() or strangers(previous):
             return False
         if target.is_dir() and not any(target.iterdir()):
@@ -136,7 +136,7 @@ def recover_folder(target: Path, strangers: Callable[[Path], list[str]]) -> bool
     return False
 
 
-def previous_of(target: Path) -> Path:
+def previous_path(target: Path) -> Path:
     """Return the path of the previous folder while a target is replaced."""
     return helper(target, "previous")
 
@@ -150,7 +150,7 @@ def helper(target: Path, ending: str) -> Path:
     return target.with_name(f".{name}.{ending}")
 
 
-def require_possible(target: Path, inside: str = "") -> None:
+def check_name(target: Path, inside: str = "") -> None:
     """Raise OSError if the system can hold no such name, or no path like ``inside`` within such a folder."""
     for path in (target, target / inside, helper(target, "partial-01234567") / inside):
         with suppress(FileNotFoundError, NotADirectoryError):
@@ -177,7 +177,7 @@ def _locked(folder: Path) -> Iterator[None]:
 
 def _replace_folder(staging: Path, target: Path) -> None:
     """Replace the target by the staged folder; the old contents stay until the new ones are there."""
-    previous = previous_of(target)
+    previous = previous_path(target)
     replaces = os.path.lexists(target)
     if replaces:
         _rename(target, previous)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterator
 from pathlib import Path, PurePosixPath
 
 from groundslab.errors import InputError, Issue
-from groundslab.storage.atomic import LITTER, require_possible
+from groundslab.storage.atomic import LITTER, check_name
 
 #: Bytes of a file's beginning that are looked at.
 LOOK = 8192
@@ -35,7 +35,7 @@ def is_page(path: Path, what: str = "") -> bool:
     return f'<meta name="generator" content="groundslab {what}'.encode() in _bytes(path, 0, LOOK)
 
 
-def kind_fits(path: Path) -> bool:
+def has_expected_content(path: Path) -> bool:
     """Return whether a file holds what groundslab writes into files whose names end like that."""
     test = _KINDS.get(path.suffix)
     try:
@@ -54,7 +54,7 @@ def strangers(folder: Path, names: Collection[str]) -> list[str]:
     return sorted(_strangers(folder, "", names, folders))
 
 
-def require_replaceable(path: str | Path, ours: Callable[[Path], bool], what: str) -> Path:
+def check_replaceable(path: str | Path, ours: Callable[[Path], bool], what: str) -> Path:
     """Return the full path, links followed, if a file may be written there; else raise InputError saying why not.
 
     The name must be free, or that of a file that is ``ours``; ``what`` says in words what such a file is. Touches
@@ -63,7 +63,7 @@ def require_replaceable(path: str | Path, ours: Callable[[Path], bool], what: st
     target = Path(os.path.realpath(path))
     hint = "choose another name; nothing was changed"
     try:
-        require_possible(target)
+        check_name(target)
         mode = target.stat().st_mode if os.path.lexists(target) else None
         if mode is None:
             return _require_folder(path, target)
@@ -94,7 +94,7 @@ def _strangers(folder: Path, below: str, names: Collection[str], folders: Collec
         plain = path.is_file() and not path.is_symlink()
         if name in folders and path.is_dir() and not path.is_symlink():
             yield from _strangers(path, f"{name}/", names, folders)
-        elif not (plain and (path.name in LITTER or (name in names and kind_fits(path)))):
+        elif not (plain and (path.name in LITTER or (name in names and has_expected_content(path)))):
             yield name
 
 

@@ -98,20 +98,20 @@ def run(
     if workers is not None and scheduler is not None:
         raise InputError([Issue("workers", "workers and a scheduler", "one of them", "a cluster has its own workers")])
     resolved = files.read(study, case) if isinstance(study, str | Path) else files.resolve(study, case)
-    folder = folder_of(study, out)
+    folder = study_folder(study, out)
     with progress.show_progress(quiet) as on_progress:
         runner.run(resolved, folder, runner.Resources(workers, scheduler, dashboard), resume, on_progress)
     return Study(folder)
 
 
-def folder_of(study: str | Path | StudyFile, out: str | Path | None) -> Path:
+def study_folder(study: str | Path | StudyFile, out: str | Path | None) -> Path:
     """Return the folder of a study: `out`, or by default one beside the study's file."""
     if out is not None:
         return Path(out)
     return Path(study).with_name(f"{Path(study).stem}-study") if isinstance(study, str | Path) else Path("study")
 
 
-def described(path: Path) -> list[str]:
+def describe_file(path: Path) -> list[str]:
     """Return a summary of a study file, line by line; raises InputError with all its issues."""
     from groundslab.study.definition import files, setup
 
@@ -135,7 +135,7 @@ def _describe_variable(variable: Variable) -> str:
     return ", ".join(filter(None, parts))
 
 
-def outcome(study: Study) -> list[str]:
+def summarize(study: Study) -> list[str]:
     """Return a summary of a study's variants, line by line."""
     counts = study.counts()
     lines = [f"{study.folder}: {len(study)} of {study.count} variants have a row, {counts.pop('solved', 0)} solved"]
@@ -147,7 +147,7 @@ def outcome(study: Study) -> list[str]:
     return lines
 
 
-def how_to_go_on(folder: Path, command: str) -> str:
+def resume_hint(folder: Path, command: str) -> str:
     """Return how many rows an incomplete study has, and the command that continues it."""
     from groundslab.study.evaluation.study import Study
     from groundslab.study.execution import store

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 
-Run = Callable[[str], Results]
+Run = Callable[[str], CombinationResult]
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,7 +25,7 @@ from groundslab.discretize.ground import ground_of, varies
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import SoilLayer
 from groundslab.model.model import Model
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 from groundslab.verification.analytic import FORMULAS
 from groundslab.verification.proofs import PROOFS
 
@@ -120,9 +120,9 @@ def _can_be_imported(name: str) -> bool:
 
 def outcomes_of(case: Case) -> Iterator[Outcome]:
     """Yield the outcome of each row of a case; a model is solved once however many rows ask for it."""
-    solved: dict[tuple[str, tuple[int, ...]], Results] = {}
+    solved: dict[tuple[str, tuple[int, ...]], CombinationResult] = {}
 
-    def results_of(name: str, counts: Sequence[int] = ()) -> Results:
+    def results_of(name: str, counts: Sequence[int] = ()) -> CombinationResult:
         key = name, tuple(counts)
         if key not in solved:
             solved[key] = driver.solve(model_of(case, name, counts)).only
@@ -161,7 +161,7 @@ def _fitted(model: Model, fit: Mapping[str, Any]) -> Model:
         E = math.exp(points[-1][0] + (math.log(target) - points[-1][1]) / slope)
 
 
-Quantity = Callable[[Results, Mapping[str, Any]], float]
+Quantity = Callable[[CombinationResult, Mapping[str, Any]], float]
 
 #: What a row may ask for: the dimension of its unit, and how to take it from the results.
 QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
@@ -177,7 +177,7 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
 }
 
 
-def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Results]) -> Outcome:
+def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> Outcome:
     """Return the outcome of one row."""
     if "orders" in row:
         return _order(row, results_of)
@@ -205,7 +205,7 @@ def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Resul
     return Outcome(row["label"], published, computed, shown, "agrees" if ok else "FAILED", row.get("why", ""), ok)
 
 
-def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., Results]) -> float:
+def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> float:
     """Return the row's quantity in SI units; k0 and k1 for a given gamma need no solution."""
     if row["quantity"] in ("k0", "k1"):
         model = model_of(case, row["model"])
@@ -239,7 +239,7 @@ def _tolerance(row: Mapping[str, Any], published: str) -> float:
     return float(number) / 100 * abs(float(published)) if unit == "%" else float(number)
 
 
-def _order(row: Mapping[str, Any], results_of: Callable[..., Results]) -> Outcome:
+def _order(row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> Outcome:
     """Return the observed order of convergence over the last two refinements of a row's meshes."""
     take, exact = QUANTITIES[row["quantity"]][1], _exact(row)
     errors = [abs(take(results_of(row["model"], counts), row) - exact) for counts in row["orders"]]

@@ -15,7 +15,7 @@ from groundslab.analysis import driver
 from groundslab.errors import NotCertified
 from groundslab.model.model import Model
 from groundslab.results.record import Certificate
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 from groundslab.views.files import npz, results_folder
 
 FIELDS = ("settlement", "gap", "penetration", "pressure", "moment_x", "shear_y")
@@ -38,12 +38,12 @@ def model(share: float = 1.0, increments: int = 1, **changes: object) -> Model:
 
 
 @pytest.fixture(scope="module")
-def in_four() -> Results:
+def in_four() -> CombinationResult:
     """Return the results of four increments."""
     return driver.solve(model(increments=4)).only
 
 
-def test_each_state_is_that_of_a_load_of_its_size(in_four: Results) -> None:
+def test_each_state_is_that_of_a_load_of_its_size(in_four: CombinationResult) -> None:
     """The ground yields more with every increment, and thermal moments grow with it, too."""
     assert [each.share for each in in_four.increments] == [0.25, 0.5, 0.75]
     sunk = []
@@ -80,7 +80,7 @@ def test_the_worst_certificate_of_all_increments_counts() -> None:
     assert caught.value.results.certificate.load == made[0].load
 
 
-def test_states_stand_in_files_and_come_back(in_four: Results, tmp_path: Path) -> None:
+def test_states_stand_in_files_and_come_back(in_four: CombinationResult, tmp_path: Path) -> None:
     """ParaView's collection names a file for each share of the load; the archive gives the same states back."""
     folder = results_folder.save_results(in_four, tmp_path / "results")
     for part in ("plate", "ground"):

@@ -41,7 +41,7 @@ CHANGES: dict[str, dict[str, Any]] = {
 }
 
 
-def same(found: driver.Results, wanted: driver.Results) -> None:
+def same(found: driver.CombinationResult, wanted: driver.CombinationResult) -> None:
     """Hold two results against each other to what a certificate leaves open."""
     assert found.certificate.holds
     for name in ("settlement", "gap", "pressure", "moment_x", "shear_y"):

@@ -10,7 +10,7 @@ import pytest
 
 from groundslab.case.casefile import LARGEST, load, loads, starter, to_toml
 from groundslab.errors import InputError, Issue
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import Layered, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
@@ -174,7 +174,7 @@ def test_what_the_starter_says_when_switched_on() -> None:
     assert model.columns[0].width_y == 0.4
     assert [support.kind for support in model.supports] == ["point", "line"]
     assert [load.kind for load in model.loads][2:] == ["point", "settlement"]
-    made = combinations_of(loads(switched_on("[[cases]]", "[combine]")))
+    made = list_combinations(loads(switched_on("[[cases]]", "[combine]")))
     assert {each.limit_state for each in made} == {"ultimate", "characteristic"}
     holes = loads(switched_on("[[boreholes]] [[boreholes.layers]]")).boreholes
     assert [[layer.thickness for layer in hole.layers] for hole in holes] == [[1.5, 4], [3, 4]]

@@ -21,10 +21,10 @@ from groundslab.case import casefile
 from groundslab.cli import console, main
 from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged
 from groundslab.model.columns import Column
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.settings import Mesh
 from groundslab.model.supports import LineSupport, PointSupport
-from groundslab.results.results import Combined, alone
+from groundslab.results.results import Results, results_of
 from groundslab.views.files import npz, results_folder
 from helpers import synthetic
 
@@ -42,7 +42,7 @@ def solver(outcome: Any) -> Any:
     """Return a stand-in for the analysis, which reports one step and then returns or raises the outcome."""
 
     def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
-        (combination,) = combinations_of(model)
+        (combination,) = list_combinations(model)
         if on_combination is not None:
             on_combination(combination)
         if on_step is not None:
@@ -52,7 +52,7 @@ def solver(outcome: Any) -> Any:
         results = replace(outcome, model=model)
         if not results.certificate.holds:
             raise NotCertified(results)
-        return alone(results)
+        return results_of(results)
 
     return solve
 
@@ -222,7 +222,7 @@ class TestSolve:
         def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
             assert (on_step is None) == (on_combination is None)
             found.append(on_step)
-            return alone(replace(synthetic.results(), model=model))
+            return results_of(replace(synthetic.results(), model=model))
 
         fake(monkeypatch, "analysis.driver", solve=solve)
         main.main(["solve", str(case)])
@@ -243,7 +243,7 @@ def cases(tmp_path: Path) -> Path:
 class TestSeveral:
     """groundslab solve, with several combinations."""
 
-    def certified(self) -> Combined:
+    def certified(self) -> Results:
         """Return the combinations that have certified results alone."""
         combined = synthetic.combined()
         return replace(combined, combinations=combined.combinations[:2], refused={})

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from shapely import LineString, box
 
 from groundslab.design.design_moments import wood_armer
-from groundslab.design.section_cuts import along, cut, strip
+from groundslab.design.section_cuts import cut, cut_along, strip
 from groundslab.errors import InputError
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import PlateResult
@@ -122,7 +122,7 @@ def test_either_side_of_a_change_of_section() -> None:
 def test_a_section_reads_every_field(spacing: float | None) -> None:
     """At all samples every field is its formula; s is the length on the way, and it ends where the line ends."""
     points = np.array([[0.2, 0.3], [5.5, 1.1], [3.0, 3.9]])
-    found = along(PLATE, points, spacing)
+    found = cut_along(PLATE, points, spacing)
     assert found.values.keys() == PLATE_FIELDS.keys()
     for name, formula in FORMULAS.items():
         np.testing.assert_allclose(found.values[name], formula(found.x, found.y), atol=1e-8)
@@ -140,16 +140,16 @@ def test_a_section_reads_every_field(spacing: float | None) -> None:
 
 def test_stations_of_a_section() -> None:
     """With a spacing the samples stand at its multiples, once each, though some fall on sides of elements."""
-    found = along(plate_of(straight()), np.array([[0.0, 0.5], [6.0, 0.5]]), 0.25)
+    found = cut_along(plate_of(straight()), np.array([[0.0, 0.5], [6.0, 0.5]]), 0.25)
     np.testing.assert_allclose(found.s, np.arange(25) * 0.25)
-    found = along(plate_of(straight()), np.array([[0.0, 0.5], [6.0, 0.5]]), 0.1)
+    found = cut_along(plate_of(straight()), np.array([[0.0, 0.5], [6.0, 0.5]]), 0.1)
     np.testing.assert_allclose(found.s, np.arange(61) * 0.1, atol=1e-12)
 
 
 def test_both_values_at_a_change_of_section() -> None:
     """At the border the place stands twice, once in each part, with the moment of either side and one settlement."""
     for spacing in (None, 0.5, 0.7):
-        found = along(stepped(), np.array([[0.0, 0.5], [6.0, 0.5]]), spacing)
+        found = cut_along(stepped(), np.array([[0.0, 0.5], [6.0, 0.5]]), spacing)
         at = np.flatnonzero(np.isclose(found.x, 2.0))
         assert found.values["moment_x"][at].tolist() == [1.0, 5.0]
         assert found.part[at].tolist() == [0, 1]
@@ -160,7 +160,7 @@ def test_both_values_at_a_change_of_section() -> None:
 def test_an_opening_parts_a_section() -> None:
     """There are samples up to both sides of an opening, none within it, and no value is NaN."""
     plate = plate_of(without(straight(), (2, 4), (1, 3)), moment_x=lambda x, _: x)
-    found = along(plate, np.array([[-1.0, 2.5], [8.0, 2.5]]), 0.3)
+    found = cut_along(plate, np.array([[-1.0, 2.5], [8.0, 2.5]]), 0.3)
     one, two = found.parts()
     assert (found.x[one][0], found.x[one][-1], found.x[two][0], found.x[two][-1]) == pytest.approx((0, 2, 4, 6))
     np.testing.assert_allclose(found.values["moment_x"], found.x, atol=1e-12)
@@ -213,11 +213,11 @@ def test_stations_off_the_plate_are_left_out() -> None:
 @pytest.mark.parametrize(
     ("call", "place"),
     [
-        (lambda: along(PLATE, np.array([[0.0, 0.0]])), "points"),
-        (lambda: along(PLATE, np.array([[0.0, 0.0], [np.nan, 1.0]])), "points"),
-        (lambda: along(PLATE, np.array([[0.0, 0.0], [1.0, 1.0], [1.0, 1.0]])), "points[3]"),
-        (lambda: along(PLATE, np.array([[0.0, 9.0], [1.0, 9.0]])), "points"),
-        (lambda: along(PLATE, np.array([[0.0, 0.0], [1.0, 1.0]]), 0.0), "spacing"),
+        (lambda: cut_along(PLATE, np.array([[0.0, 0.0]])), "points"),
+        (lambda: cut_along(PLATE, np.array([[0.0, 0.0], [np.nan, 1.0]])), "points"),
+        (lambda: cut_along(PLATE, np.array([[0.0, 0.0], [1.0, 1.0], [1.0, 1.0]])), "points[3]"),
+        (lambda: cut_along(PLATE, np.array([[0.0, 9.0], [1.0, 9.0]])), "points"),
+        (lambda: cut_along(PLATE, np.array([[0.0, 0.0], [1.0, 1.0]]), 0.0), "spacing"),
         (lambda: cut(PLATE, (1, 1), (1, 1)), "cut"),
         (lambda: cut(PLATE, (1, 8), (2, 8)), "cut"),
         (lambda: strip(PLATE, (1, 1), (1, 1), 1.0, 3), "points[2]"),

@@ -9,7 +9,7 @@ import pytest
 
 from groundslab import Model, meshing
 from groundslab.discretize.borders import shares, with_borders
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.fem.mesh import grid
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import areas
@@ -44,7 +44,7 @@ def test_borders_are_lines_of_grids_and_zones_are_met_exactly() -> None:
     zone = stiffer({"kind": "rectangle", "x": (1.07, 50.0), "y": (-50.0, 3.13)})
     for mesh in ({}, {"size": 0.5}):
         for coarsening in (0, 1, 2):
-            found = discretise(model(mesh, soil_zones=[zone], beyond={"kind": "margin", "width": 2.0}), coarsening)
+            found = discretize(model(mesh, soil_zones=[zone], beyond={"kind": "margin", "width": 2.0}), coarsening)
             assert sides_at(found, 0, 1.07)
             assert sides_at(found, 1, 3.13)
             x, y = found.mesh.nodes[found.mesh.elements[:, 8]].T
@@ -54,8 +54,8 @@ def test_borders_are_lines_of_grids_and_zones_are_met_exactly() -> None:
 def test_borders_on_the_lines_of_a_grid_change_nothing() -> None:
     """A void whose edges are grid lines already leaves the equal elements and the symmetry of the plate."""
     void = {"x": (-1.0, 1.0), "y": (-0.5, 0.5)}
-    with_void = discretise(model({"size": 0.5}, contact={"voids": [void]}))
-    without = discretise(model({"size": 0.5}))
+    with_void = discretize(model({"size": 0.5}, contact={"voids": [void]}))
+    without = discretize(model({"size": 0.5}))
     assert with_void.symmetry == without.symmetry == (True, True)
     np.testing.assert_array_equal(with_void.mesh.nodes, without.mesh.nodes)
 
@@ -63,7 +63,7 @@ def test_borders_on_the_lines_of_a_grid_change_nothing() -> None:
 def test_symmetric_voids_off_the_lines_keep_the_symmetry() -> None:
     """A quarter is meshed with lines at the edges of the void, and the whole has a void of the area drawn."""
     void = {"x": (-1.1, 1.1), "y": (-0.3, 0.3)}
-    found = discretise(model({"size": 0.5}, contact={"voids": [void]}))
+    found = discretize(model({"size": 0.5}, contact={"voids": [void]}))
     assert found.symmetry == (True, True)
     assert found.mesh.nodes.min() == 0.0
     assert sides_at(found, 0, 1.1)
@@ -81,7 +81,7 @@ def test_arcs_and_oblique_borders_are_followed(mesh: str, monkeypatch: pytest.Mo
         pytest.importorskip("gmsh")
     oblique = {"kind": "polygon", "points": [(1.0, -3.0), (2.0, 9.0), (9.0, 9.0), (9.0, -3.0)]}
     void = {"shape": {"kind": "circle", "centre": (-1.5, 0.0), "radius": 0.7}}
-    found = discretise(model({"size": 0.5}, soil_zones=[stiffer(oblique)], contact={"voids": [void]}))
+    found = discretize(model({"size": 0.5}, soil_zones=[stiffer(oblique)], contact={"voids": [void]}))
     assert found.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=1e-4)
     k = found.ground.A0[:, 0, 0]  # type: ignore[union-attr]
     assert set(np.round(np.unique(k), -2)) == {2e7, 8e7}
@@ -94,7 +94,7 @@ def test_without_a_mesh_maker_borders_that_no_grid_follows_are_left_to_areas(mon
     monkeypatch.setattr(meshing, "available", lambda: False)
     with_borders.cache_clear()
     void = {"shape": {"kind": "circle", "centre": (-1.5, 0.0), "radius": 0.7}}
-    found = discretise(model({"size": 0.5}, ground={"kind": "winkler", "k": 2e7}, contact={"voids": [void]}))
+    found = discretize(model({"size": 0.5}, ground={"kind": "winkler", "k": 2e7}, contact={"voids": [void]}))
     with_borders.cache_clear()
     assert len(found.mesh.elements) == 96
     assert found.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=5e-3)

@@ -13,7 +13,7 @@ from scipy.sparse import csr_array
 
 from groundslab.analysis.driver import solve
 from groundslab.discretize import ground as rooms
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import winkler_modulus
 from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
@@ -85,7 +85,7 @@ PATCHES = {
 @pytest.mark.parametrize(("x", "y"), PATCHES.values(), ids=PATCHES.keys())
 def test_patch_loads_are_integrated_exactly(x: tuple[float, float], y: tuple[float, float]) -> None:
     """Nodal forces are q int N over the patch, wherever it cuts elements: products of exact line integrals."""
-    problem = discretise(model([PatchLoad(q=7.0, x=x, y=y)]))
+    problem = discretize(model([PatchLoad(q=7.0, x=x, y=y)]))
     wanted = (
         7.0 * np.outer(line_integrals(lines(problem.mesh, 1), *y), line_integrals(lines(problem.mesh, 0), *x)).ravel()
     )
@@ -117,14 +117,14 @@ def test_force_and_moments_of_all_loads(element: str, beyond: Beyond) -> None:
         patch * 0.3 + 2e3 * 1.23 - 3e2 * 3.0,
         patch * 0.7 - 2e3 * 1.11 - 3e2 * 2.0,
     ]
-    problem = discretise(model(loads, element=element, beyond=beyond))
+    problem = discretize(model(loads, element=element, beyond=beyond))
     np.testing.assert_allclose(resultant(problem), wanted, rtol=1e-12)
 
 
 @pytest.mark.parametrize("element", ELEMENTS)
 def test_nothing_is_loaded_that_has_no_unknown(element: str) -> None:
     """Every loaded w exists: where the centre hangs on its element's other nodes its share has gone to them."""
-    problem = discretise(model([UniformLoad(q=1.0), PointLoad(P=5.0, x=0.1, y=0.2)], element=element))
+    problem = discretize(model([UniformLoad(q=1.0), PointLoad(P=5.0, x=0.1, y=0.2)], element=element))
     loaded = problem.load[:, W] != 0
     assert (problem.unknown[loaded, W] >= 0).all()
     assert (problem.unknown[problem.mesh.elements[:, 8], W] >= 0).all() == (element == "q9")
@@ -133,13 +133,13 @@ def test_nothing_is_loaded_that_has_no_unknown(element: str) -> None:
 @pytest.mark.parametrize(("x", "y"), [(3.0, 2.0), (-3.0, -2.0), (3.0, 0.3), (-0.6, 2.0), (0.6, 2 / 3), (0.0, 0.0)])
 def test_point_loads_at_edges_corners_and_nodes(x: float, y: float) -> None:
     """At edges, corners and lines between elements a point load is counted once and stays in its place."""
-    problem = discretise(model([PointLoad(P=11.0, x=x, y=y)]))
+    problem = discretize(model([PointLoad(P=11.0, x=x, y=y)]))
     np.testing.assert_allclose(resultant(problem), [11.0, 11.0 * x, 11.0 * y], atol=1e-12)
 
 
 def test_point_load_at_a_node_loads_that_node_alone() -> None:
     """N is one at its own node: no force elsewhere."""
-    problem = discretise(model([PointLoad(P=11.0, x=3.0, y=2.0)]))
+    problem = discretize(model([PointLoad(P=11.0, x=3.0, y=2.0)]))
     corner = (problem.mesh.nodes == [3.0, 2.0]).all(axis=1)
     np.testing.assert_allclose(problem.load[:, W], np.where(corner, 11.0, 0.0), atol=1e-13)
 
@@ -158,7 +158,7 @@ def test_point_load_at_a_node_loads_that_node_alone() -> None:
 )
 def test_a_quarter_carries_its_share(loads: list[Any], share: float) -> None:
     """On lines of symmetry a point load is halved, or quartered at the centre; a patch is cut."""
-    problem = discretise(model(loads, counts=(6, 4), symmetry="auto"))
+    problem = discretize(model(loads, counts=(6, 4), symmetry="auto"))
     assert problem.symmetry == (True, True)
     assert problem.load[:, W].sum() == pytest.approx(share)
     assert (problem.mesh.nodes >= 0).all()
@@ -167,7 +167,7 @@ def test_a_quarter_carries_its_share(loads: list[Any], share: float) -> None:
 def test_half_of_the_plate() -> None:
     """Symmetric about one axis alone: half the mesh, half the load, the other axis whole."""
     loads = [PointLoad(P=8.0, x=0, y=1.0), PatchLoad(q=1.0, x=(-1, 1), y=(0, 2))]
-    problem = discretise(model(loads, counts=(6, 4), symmetry="auto"))
+    problem = discretize(model(loads, counts=(6, 4), symmetry="auto"))
     assert problem.symmetry == (True, False)
     assert problem.load[:, W].sum() == pytest.approx(4.0 + 2.0)
     assert problem.mesh.nodes.min(axis=0) == pytest.approx([0.0, -2.0])
@@ -176,7 +176,7 @@ def test_half_of_the_plate() -> None:
 def test_loads_that_are_all_zero_are_an_error() -> None:
     """Nothing to compute is said at once."""
     with pytest.raises(InputError, match="all zero"):
-        discretise(model([UniformLoad(q=0.0)]))
+        discretize(model([UniformLoad(q=0.0)]))
 
 
 BOTH = (True, True)
@@ -238,7 +238,7 @@ def test_a_size_is_never_exceeded() -> None:
     """Elements are no longer than asked, whether whole or half sides are divided."""
     for symmetry in ("auto", "off"):
         described = model(symmetry=symmetry).model_copy(update={"mesh": Mesh(size=0.7, symmetry=symmetry)})
-        mesh = discretise(described).mesh
+        mesh = discretize(described).mesh
         for axis in (0, 1):
             assert np.diff(lines(mesh, axis)).max() <= 0.7 * (1 + 1e-12)
             assert np.diff(lines(mesh, axis)).max() > 0.55
@@ -248,7 +248,7 @@ def test_coarser_meshes_halve_the_counts() -> None:
     """Each level of the nested iteration has half the elements, rounded up, on the same plate."""
     described = model(counts=(13, 8))
     for level, counts in enumerate([(13, 8), (7, 4), (4, 2), (2, 1)]):
-        mesh = discretise(described, level).mesh
+        mesh = discretize(described, level).mesh
         assert (len(lines(mesh, 0)) - 1, len(lines(mesh, 1)) - 1) == counts
         assert (mesh.nodes[:, 0].min(), mesh.nodes[:, 0].max()) == (-3.0, 3.0)
 
@@ -265,7 +265,7 @@ SUPPORTS = {
 @pytest.mark.parametrize("side", ["left", "right", "bottom", "top"])
 def test_supports_hold_what_they_say(side: str, kind: str) -> None:
     """Soft holds w, hinged also the rotation along the edge, clamped both rotations; nothing else is touched."""
-    problem = discretise(model(edges=Edges(**{side: kind})))
+    problem = discretize(model(edges=Edges(**{side: kind})))
     axis, place = {"left": (0, -3.0), "right": (0, 3.0), "bottom": (1, -2.0), "top": (1, 2.0)}[side]
     on_edge = problem.mesh.nodes[:, axis] == place
     holds_w, holds_normal, holds_along = SUPPORTS[kind]
@@ -277,7 +277,7 @@ def test_supports_hold_what_they_say(side: str, kind: str) -> None:
 
 def test_lines_of_symmetry_hold_the_normal_rotation() -> None:
     """On x = 0 beta_x vanishes, on y = 0 beta_y, and nothing else is held."""
-    problem = discretise(model(counts=(6, 4), symmetry="auto"))
+    problem = discretize(model(counts=(6, 4), symmetry="auto"))
     x, y = problem.mesh.nodes.T
     np.testing.assert_array_equal(problem.unknown[:, BETA_X] < 0, x == 0)
     np.testing.assert_array_equal(problem.unknown[:, BETA_Y] < 0, y == 0)
@@ -286,7 +286,7 @@ def test_lines_of_symmetry_hold_the_normal_rotation() -> None:
 
 def test_unknowns_are_numbered_once_each() -> None:
     """Numbers run from 0 without a hole or a repetition; plate unknowns exist under the plate alone."""
-    problem = discretise(model(beyond=Beyond(kind="margin", width=1.5), element="mitc9"))
+    problem = discretize(model(beyond=Beyond(kind="margin", width=1.5), element="mitc9"))
     numbers = np.sort(problem.unknown[problem.unknown >= 0])
     np.testing.assert_array_equal(numbers, np.arange(len(numbers)))
     under = np.zeros(len(problem.mesh.nodes), dtype=bool)
@@ -299,7 +299,7 @@ def test_unknowns_are_numbered_once_each() -> None:
 
 def test_glued_plates_have_no_gaps() -> None:
     """With a ground that can pull the gap is no unknown under the plate, while the ground beyond keeps its own."""
-    problem = discretise(model(tensionless=False, beyond=Beyond(kind="margin", width=1.5)))
+    problem = discretize(model(tensionless=False, beyond=Beyond(kind="margin", width=1.5)))
     under = np.zeros(len(problem.mesh.nodes), dtype=bool)
     under[problem.plate_nodes] = True
     np.testing.assert_array_equal(problem.unknown[:, TOP] < 0, under)
@@ -313,7 +313,7 @@ STACK = Layered(coupling="interface", layers=[InterfaceLayer(k0=30e6, k1=20e6), 
 def test_margin_with_a_free_or_a_fixed_edge(edge: str) -> None:
     """The mesh reaches as far as asked on the sides asked; a fixed outer edge holds all surfaces, a free one none."""
     beyond = Beyond(kind="margin", width=1.5, edge=edge, sides=("left", "top"))
-    problem = discretise(model(ground=STACK, beyond=beyond))
+    problem = discretize(model(ground=STACK, beyond=beyond))
     low, high = problem.mesh.nodes.min(axis=0), problem.mesh.nodes.max(axis=0)
     np.testing.assert_allclose([low, high], [[-4.5, -2.0], [3.0, 3.5]])
     x, y = problem.mesh.nodes.T
@@ -337,7 +337,7 @@ def test_margin_with_a_free_or_a_fixed_edge(edge: str) -> None:
 )
 def test_infinite_edges(sides: tuple[str, ...], symmetry: str, length: float, corners: int) -> None:
     """Tails stand all along the outer sides asked, with quarter planes between two, not on lines of symmetry."""
-    problem = discretise(
+    problem = discretize(
         model(counts=(6, 4), symmetry=symmetry, beyond=Beyond(kind="infinite", width=1.0, sides=sides))
     )
     ends = problem.mesh.nodes[problem.edges]
@@ -353,9 +353,9 @@ def test_infinite_edges(sides: tuple[str, ...], symmetry: str, length: float, co
 
 def test_width_of_infinite_ground_is_a_decay_length() -> None:
     """Without a width the mesh goes one decay length sqrt(k1/k0) beyond the plate."""
-    problem = discretise(model(ground=Pasternak(k0=30e6, k1=20e6), beyond=Beyond(kind="infinite")))
+    problem = discretize(model(ground=Pasternak(k0=30e6, k1=20e6), beyond=Beyond(kind="infinite")))
     assert problem.mesh.nodes[:, 0].max() == pytest.approx(3.0 + np.sqrt(2 / 3))
-    wider = discretise(model(ground=Pasternak(k0=30e6, k1=20e6), beyond=Beyond(kind="infinite")), margin=2.0)
+    wider = discretize(model(ground=Pasternak(k0=30e6, k1=20e6), beyond=Beyond(kind="infinite")), margin=2.0)
     assert wider.mesh.nodes[:, 0].max() == pytest.approx(3.0 + 2 * np.sqrt(2 / 3))
 
 
@@ -366,7 +366,7 @@ def test_initial_gap_is_the_uniform_one_and_the_deepest_void(order: int) -> None
     A node on the edge of a void has the least gap of what meets there.
     """
     voids = [Void(depth=0.02, x=(-1, 2), y=(-1, 1)), Void(depth=0.05, x=(1, 3), y=(0, 2))][::order]
-    problem = discretise(model(gap=0.01, voids=voids, beyond=Beyond(kind="margin", width=1.0), counts=(6, 4)))
+    problem = discretize(model(gap=0.01, voids=voids, beyond=Beyond(kind="margin", width=1.0), counts=(6, 4)))
     for (x, y), gap in zip(problem.mesh.nodes, problem.initial_gap, strict=True):
         wanted = 0.0
         if abs(x) <= 3 and abs(y) <= 2:
@@ -381,7 +381,7 @@ def test_initial_gap_is_the_uniform_one_and_the_deepest_void(order: int) -> None
 
 def test_nodal_areas_are_those_of_the_plate() -> None:
     """The nodes' shares add up to the plate's area, corners getting a 36th of an element, centres 16/36."""
-    problem = discretise(model(beyond=Beyond(kind="margin", width=1.0)))
+    problem = discretize(model(beyond=Beyond(kind="margin", width=1.0)))
     area = nodal_area(problem.mesh, problem.plate_elements)
     assert area.sum() == pytest.approx(LX * LY)
     one = LX * LY / 15
@@ -474,7 +474,7 @@ def test_constants_that_vary_in_plan(element: str, layers: int, tensionless: boo
         counts=(3, 2),
         beyond=Beyond(kind="margin", width=1.0, sides=("right",)),
     )
-    problem = discretise(described)
+    problem = discretize(described)
     m = len(problem.mesh.elements)
     k0, k1 = rng.uniform(1, 9, layers) * 1e7, rng.uniform(1, 9, layers) * 1e7
 
@@ -495,7 +495,7 @@ def test_constants_that_vary_in_plan(element: str, layers: int, tensionless: boo
 
 def test_energy_of_ground_that_varies_in_plan() -> None:
     """For w = 1 the ground's energy is that of k0 on each element's area, for w = x^2 that of k1 on the slope."""
-    problem = discretise(model(tensionless=False, counts=(3, 2)))
+    problem = discretize(model(tensionless=False, counts=(3, 2)))
     k0 = np.array([1.0, 2.0, 3.0, 5.0, 8.0, 13.0]) * 1e6
     k1 = np.array([7.0, 1.0, 4.0, 2.0, 9.0, 3.0]) * 1e6
     A = dense(problem, single(k0, k1)) - dense(problem, single(np.zeros(6), 0.0))
@@ -514,7 +514,7 @@ def test_energy_of_ground_that_varies_in_plan() -> None:
 def test_a_point_load_on_a_line_of_symmetry_up_to_rounding(off: float) -> None:
     """A coordinate that rounding has put beside the line of symmetry neither doubles nor drops the load."""
     for place in ({"x": off, "y": 0.0}, {"x": 0.0, "y": off}):
-        problem = discretise(model([PointLoad(P=8.0, **place)], counts=(6, 4), symmetry="auto"))
+        problem = discretize(model([PointLoad(P=8.0, **place)], counts=(6, 4), symmetry="auto"))
         assert problem.symmetry == (True, True)
         assert problem.load[:, W].sum() == pytest.approx(2.0)
 
@@ -527,7 +527,7 @@ def test_nodes_on_the_edge_of_a_void_bear(symmetry: str) -> None:
         for k in range(1, n // 2):
             edge = k * 6.0 / n
             void = Void(depth=0.01, x=(-edge, edge), y=(-1, 1))
-            problem = discretise(model(voids=[void], counts=(n, 4), symmetry=symmetry))
+            problem = discretize(model(voids=[void], counts=(n, 4), symmetry=symmetry))
             x, y = np.abs(problem.mesh.nodes).T
             inside = (x < edge - 1e-6) & (y < 1 - 1e-6)
             np.testing.assert_array_equal(problem.initial_gap > 0, inside)
@@ -536,7 +536,7 @@ def test_nodes_on_the_edge_of_a_void_bear(symmetry: str) -> None:
 def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
     """With two measured gaps the initial gap grows linearly, beyond them too; the uniform gap is added."""
     known = [GapPoint(x=-2.0, y=0.0, gap=1e-3), GapPoint(x=2.0, y=0.0, gap=5e-3)]
-    problem = discretise(model(gap=2e-3, gaps=known, counts=(6, 4)))
+    problem = discretize(model(gap=2e-3, gaps=known, counts=(6, 4)))
     along = np.flatnonzero(np.abs(problem.mesh.nodes[:, 1]) < 1e-12)
     x = problem.mesh.nodes[along, 0]
     np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + 3e-3 + 1e-3 * x, atol=1e-12)

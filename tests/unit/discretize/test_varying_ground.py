@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import ground_under, grounds_of, layer_of
 from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
@@ -35,7 +35,7 @@ def model(**keys: Any) -> Model:
 
 def ground(described: Model) -> Soil | Column:
     """Return the ground that an analysis of the description works on."""
-    return discretise(described).ground
+    return discretize(described).ground
 
 
 def box(x0: float, x1: float) -> Rectangle:
@@ -116,7 +116,7 @@ def test_zones_reach_beyond_the_plate() -> None:
     """Elements of the ground beyond the plate have the ground of their zone, and edges and corners continue it."""
     zone = SoilZone(shape=box(0.0, 50.0), ground=Pasternak(k0=8e7, k1=1e7))
     described = model(ground=Pasternak(k0=2e7, k1=1e7), soil_zones=[zone], beyond=Beyond(kind="infinite"))
-    problem = discretise(described)
+    problem = discretize(described)
     assert isinstance(problem.ground, Column)
     right = problem.mesh.nodes[problem.mesh.elements[:, 8], 0] > 0
     np.testing.assert_array_equal(problem.ground.A0[:, 0, 0], np.where(right, 8e7, 2e7))
@@ -212,7 +212,7 @@ def test_nothing_between_boreholes_leaves_their_range() -> None:
     thin, thick = (SoilLayer(E=3e7, nu=0.3, thickness=h) for h in (0.01, 9.0))
     at = [(-3.0, 0.0, thin), (-2.9, 0.3, thick), (3.0, 1.0, thin), (0.0, -2.0, thin), (-3.0, 2.0, thick)]
     holes = [Borehole(x=x, y=y, layers=[STIFF, layer]) for x, y, layer in at]
-    ground = discretise(model(ground=Vlasov(layers=[STIFF, thin]), boreholes=holes)).ground
+    ground = discretize(model(ground=Vlasov(layers=[STIFF, thin]), boreholes=holes)).ground
     assert isinstance(ground, Soil)
     thickness = np.asarray(ground.layers[1].thickness)
     assert thickness.min() == 0.01
@@ -270,7 +270,7 @@ def test_ground_under_follows_the_mesh() -> None:
         described = model(
             ground=Layered(coupling="consistent", layers=[SOFT]), boreholes=holes, mesh=Mesh(counts=counts)
         )
-        problem = discretise(described)
+        problem = discretize(described)
         found = ground_under(described, problem.mesh, problem.plate_elements, {})[0]
         assert isinstance(found, Column)
         rows = found.A0[:, 0, 0].reshape(counts[1], counts[0])

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab import InputError, Model, Results, solve
+from groundslab import CombinationResult, InputError, Model, solve
 from groundslab.design.tables import tables_of
 from groundslab.fem.shape_functions import areas
-from groundslab.results.results import alone
+from groundslab.results.results import results_of
 from groundslab.results.soil_profile import crossed_borders
-from groundslab.study.definition.outputs import Output, figure_of
+from groundslab.study.definition.outputs import Output, scalar_of
 from groundslab.views.files.vtk import plate_mesh
-from groundslab.views.summary import single
+from groundslab.views.summary import sections
 from groundslab.views.summary.json_summary import to_json
 
 CAVITY = {"x": (1.0, 2.0), "y": (-1.0, 1.0)}
@@ -22,7 +22,7 @@ SHEAR = {"kind": "pasternak", "k0": 2e7, "k1": 1e7}
 SPRINGS = {"kind": "winkler", "k": 2e7}
 
 
-def solved(void: dict[str, Any], mesh: dict[str, Any], ground: dict[str, Any], **contact: Any) -> Results:
+def solved(void: dict[str, Any], mesh: dict[str, Any], ground: dict[str, Any], **contact: Any) -> CombinationResult:
     """Return the results of a plate of 6 x 4 m that bears everywhere beside a void."""
     return solve(
         Model(
@@ -66,13 +66,13 @@ def test_all_readers_give_the_same_contact() -> None:
     """Summary, tables, ParaView's file and studies: 91.67 % where 2 of 24 m2 are a cavity."""
     results = solved(CAVITY, {"size": 0.5}, SPRINGS)
     combined = solve(results.model)
-    rows = {f"{s.key}.{row.key}": row.value for s in single.summary(results) for row in s.rows}
+    rows = {f"{s.key}.{row.key}": row.value for s in sections.summary(results) for row in s.rows}
     assert rows["contact.share"] == pytest.approx(22 / 24)
     data = plate_mesh(results).point_data
     share = data["area of the node in contact [m2]"].sum() / data["area of the node [m2]"].sum()
     assert share == pytest.approx(22 / 24)
     output = Output("share", "in contact", None, None, None, "", "", None)
-    assert figure_of(output, combined, list(combined.results)) == pytest.approx(22 / 24)
+    assert scalar_of(output, combined, list(combined.results)) == pytest.approx(22 / 24)
     texts = [cell for table in tables_of(combined) for row in table.rows() for cell in row if isinstance(cell, float)]
     assert any(value == pytest.approx(100 * 22 / 24) for value in texts)
 
@@ -141,9 +141,9 @@ def test_what_a_grid_cannot_follow_is_said() -> None:
     assert found.drawn == pytest.approx(2.0)
     # of 13 x 9 elements those in columns 9 and 10 of 8.67 to 10.83 and rows 2.25 to 6.75, by the larger part
     assert found.meshed == pytest.approx(2 * 5 * width * height)
-    document = to_json(alone(results))
+    document = to_json(results_of(results))
     assert document["plate"]["contact.voids[1].meshed"]["value"] == pytest.approx(found.meshed)
-    assert document["plate"]["notes"] == [single.CROSSED]
+    assert document["plate"]["notes"] == [sections.CROSSED]
     area = float(results.plate.area.sum() - results.plate.contact_area.sum())
     assert area == pytest.approx(found.meshed, abs=width * height)
 

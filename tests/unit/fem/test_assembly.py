@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_array
 
 from groundslab.fem import assembly
-from groundslab.fem.assembly import Pattern, assemble, build_pattern, congruent, number_unknowns, scatter
+from groundslab.fem.assembly import Pattern, assemble, build_pattern, find_congruent, number_unknowns, scatter
 from groundslab.fem.mesh import elimination_order, grid
 from groundslab.fem.sparse import Symmetric
 from helpers.quads import quadrilateral
@@ -142,7 +142,7 @@ def test_congruent_elements_share_a_kind() -> None:
     other[0, 2] += [1e-4, 0.0]
     shapes = [one, one * 2, one * [1.0, 1.01], one * [-1.0, 1.0], other]
     moved = [s + d for d in ([0.0, 0.0], [3.7, -12.1], [0.001, 900.0]) for s in shapes]
-    representatives, kind = congruent(np.concatenate(moved))
+    representatives, kind = find_congruent(np.concatenate(moved))
     assert len(representatives) == len(shapes)
     np.testing.assert_array_equal(kind.reshape(3, -1), np.tile(kind[: len(shapes)], (3, 1)))
     for k, r in enumerate(representatives):
@@ -155,4 +155,4 @@ def test_a_regular_mesh_has_hardly_any_kinds(length: float, n: int) -> None:
     """Rounding in equally spaced lines of any size does not tear alike elements apart."""
     lines = np.linspace(-length / 2, length / 2, n + 1)
     xy = grid(lines, np.array([0.0, length / n])).xy
-    assert len(congruent(xy)[0]) == 1
+    assert len(find_congruent(xy)[0]) == 1

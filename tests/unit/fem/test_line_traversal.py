@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Polygon, box
 
-from groundslab.fem.line_traversal import continues, pieces
+from groundslab.fem.line_traversal import is_continuous, pieces
 from groundslab.fem.mesh import Mesh, local_coordinates
 from helpers.plates import crooked, parted, straight, without
 
@@ -40,7 +40,7 @@ def test_a_line_along_element_sides(y: float) -> None:
     line = pieces(straight(), np.array([[[-1.0, y], [7.0, y]]]))
     np.testing.assert_allclose(line.low, np.arange(1.0, 7.0))
     np.testing.assert_allclose(line.high, np.arange(2.0, 8.0))
-    assert continues(straight(), line)[1:].all()
+    assert is_continuous(straight(), line)[1:].all()
 
 
 def test_a_slanted_edge() -> None:
@@ -70,7 +70,7 @@ def test_what_lies_off_the_mesh_is_left_out() -> None:
     mesh = without(straight(), (2, 4), (1, 3))
     line = pieces(mesh, np.array([[[0.0, 2.5], [6.0, 2.5]]]))
     np.testing.assert_allclose(line.low, [0, 1, 4, 5])
-    assert continues(mesh, line).tolist() == [False, True, False, True]
+    assert is_continuous(mesh, line).tolist() == [False, True, False, True]
     assert len(pieces(mesh, np.array([[[0.0, 9.0], [6.0, 9.0]]])).low) == 0
 
 
@@ -78,7 +78,7 @@ def test_the_border_of_two_sections_ends_a_region() -> None:
     """Where nodes stand twice the line does not go on in the same region, though there is nothing between."""
     mesh, _ = parted(straight(), 2.0)
     line = pieces(mesh, np.array([[[0.0, 0.3], [6.0, 2.5]]]))
-    broken = np.flatnonzero(~continues(mesh, line))
+    broken = np.flatnonzero(~is_continuous(mesh, line))
     assert len(broken) == 2
     assert line.points(broken, line.low[broken])[:, 0] == pytest.approx([0.0, 2.0])
 

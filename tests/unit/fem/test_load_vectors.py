@@ -10,7 +10,7 @@ from shapely import Point, Polygon, box
 
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh, grid
-from groundslab.geometry.plan import Ring, circle, loaded_polygon, segment
+from groundslab.geometry.plan import Ring, circle, equal_area_polygon, segment
 
 SQUARE = grid(np.linspace(0, 2, 4), np.linspace(0, 1.5, 3))
 
@@ -53,7 +53,7 @@ POLYGONS = {
 @pytest.mark.parametrize("mesh", [SQUARE, crooked()], ids=["rectangles", "crooked"])
 def test_forces_and_moments_of_an_area_load(polygon: Polygon, mesh: Mesh) -> None:
     """The nodal forces sum to the loaded area and to its first moments, whatever the polygon and the elements."""
-    shares = load_vectors.over_polygon(mesh, np.arange(len(mesh.elements)), polygon)
+    shares = load_vectors.integrate_over_polygon(mesh, np.arange(len(mesh.elements)), polygon)
     loaded = polygon.intersection(box(0, 0, 2, 1.5))
     centre = loaded.centroid
     wanted = [0, 0, 0] if loaded.area == 0 else [loaded.area, loaded.area * centre.x, loaded.area * centre.y]
@@ -65,16 +65,16 @@ def test_parts_of_an_area_load_add_up() -> None:
     mesh, whole = crooked(), box(0.2, 0.1, 1.9, 1.45)
     cut = Polygon([(-1, -1), (1.3, -1), (0.4, 3), (-1, 3)])
     elements = np.arange(len(mesh.elements))
-    parts = [load_vectors.over_polygon(mesh, elements, part) for part in (whole & cut, whole - cut)]
-    np.testing.assert_allclose(sum(parts), load_vectors.over_polygon(mesh, elements, whole), atol=1e-9)
+    parts = [load_vectors.integrate_over_polygon(mesh, elements, part) for part in (whole & cut, whole - cut)]
+    np.testing.assert_allclose(sum(parts), load_vectors.integrate_over_polygon(mesh, elements, whole), atol=1e-9)
 
 
 def test_a_whole_element_is_met_exactly_in_pieces() -> None:
     """Cut into pieces along its diagonal a rectangle gives the same shares as integrated whole."""
     elements = np.arange(len(SQUARE.elements))
     halves = [Polygon([(0, 0), (2, 0), (2, 1.5)]), Polygon([(0, 0), (2, 1.5), (0, 1.5)])]
-    pieces = sum(load_vectors.over_polygon(SQUARE, elements, half) for half in halves)
-    np.testing.assert_allclose(pieces, load_vectors.over_elements(SQUARE, elements), atol=1e-14)
+    pieces = sum(load_vectors.integrate_over_polygon(SQUARE, elements, half) for half in halves)
+    np.testing.assert_allclose(pieces, load_vectors.integrate_over_elements(SQUARE, elements), atol=1e-14)
 
 
 LINES = {
@@ -90,7 +90,7 @@ LINES = {
 def test_forces_and_moments_of_a_line_load(ends: list[tuple[float, float]], mesh: Mesh) -> None:
     """The nodal forces sum to the length and to its first moments, along and across the sides of elements."""
     line = np.array(ends)
-    shares = load_vectors.along_line(mesh, np.arange(len(mesh.elements)), segment(*ends))
+    shares = load_vectors.integrate_along_line(mesh, np.arange(len(mesh.elements)), segment(*ends))
     length, middle = np.linalg.norm(line[1] - line[0]), line.mean(axis=0)
     np.testing.assert_allclose(moments(mesh, shares), [length, *(length * middle)], atol=1e-12)
 
@@ -117,14 +117,14 @@ def test_forces_and_moments_of_an_arc(arc: tuple[tuple[float, float], tuple[floa
     sin = (-3 * math.cos(a + t) + math.cos(a)) / t + 2 * (math.sin(a + t) - math.sin(a)) / t**2
     length = r * abs(t)
     wanted = [2 * length, length * (2 * cx + r * cos), length * (2 * cy + r * sin)]
-    shares = load_vectors.along_line(mesh, np.arange(len(mesh.elements)), edge, (1.0, 3.0))
+    shares = load_vectors.integrate_along_line(mesh, np.arange(len(mesh.elements)), edge, (1.0, 3.0))
     np.testing.assert_allclose(moments(mesh, shares), wanted, rtol=1e-10, atol=1e-12)
 
 
 def test_a_ring_gives_its_area_and_its_moments() -> None:
     """A pressure on a circle of 0.5 m with a hole of 0.3 m beside its middle: pi (R^2 - r^2) and first moments."""
-    area = loaded_polygon(circle((1.0, 0.7), 0.5)).difference(loaded_polygon(circle((1.1, 0.7), 0.3)))
-    shares = load_vectors.over_polygon(SQUARE, np.arange(len(SQUARE.elements)), area)
+    area = equal_area_polygon(circle((1.0, 0.7), 0.5)).difference(equal_area_polygon(circle((1.1, 0.7), 0.3)))
+    shares = load_vectors.integrate_over_polygon(SQUARE, np.arange(len(SQUARE.elements)), area)
     R, r = math.pi * 0.25, math.pi * 0.09
     np.testing.assert_allclose(moments(SQUARE, shares), [R - r, R - 1.1 * r, 0.7 * (R - r)], rtol=1e-9)
 
@@ -135,7 +135,7 @@ def test_chords_keep_the_area_below_an_arc(bulge: float) -> None:
     ring = Ring(((0.0, 0.0), (10.0, 0.0), (5.0, 9.0)), (bulge,) if bulge > 0 else (0.0, bulge))
     if abs(bulge) > 1:
         ring = Ring(((0.0, 0.0), (10.0, 0.0)), (bulge, 0.0))
-    assert loaded_polygon(ring).area == pytest.approx(ring.area, rel=1e-11)
+    assert equal_area_polygon(ring).area == pytest.approx(ring.area, rel=1e-11)
 
 
 def test_a_force_on_a_node_goes_to_the_node() -> None:
@@ -162,8 +162,8 @@ def test_curved_elements_keep_their_area() -> None:
     nodes[mesh.elements[0, 5]] = [1.1, 0.5]
     curved = Mesh(nodes, mesh.elements)
     elements = np.arange(1)
-    whole = load_vectors.over_elements(curved, elements).sum()
-    halves = [load_vectors.over_polygon(curved, elements, box(0, a, 2, a + 0.5)).sum() for a in (0.0, 0.5)]
+    whole = load_vectors.integrate_over_elements(curved, elements).sum()
+    halves = [load_vectors.integrate_over_polygon(curved, elements, box(0, a, 2, a + 0.5)).sum() for a in (0.0, 0.5)]
     assert whole == pytest.approx(1 + 2 / 3 * 0.1, rel=1e-12)
     assert sum(halves) == pytest.approx(whole, rel=1e-12)
 
@@ -173,8 +173,8 @@ def test_curved_elements_keep_their_area() -> None:
 def test_elements_that_are_not_near_carry_nothing(polygon: Polygon, mesh: Mesh) -> None:
     """Over the elements near a polygon the integrals are those over all, and all others have none."""
     near = load_vectors.near(mesh, polygon)
-    whole = load_vectors.over_polygon(mesh, np.arange(len(mesh.elements)), polygon)
-    assert np.array_equal(load_vectors.over_polygon(mesh, near, polygon), whole[near])
+    whole = load_vectors.integrate_over_polygon(mesh, np.arange(len(mesh.elements)), polygon)
+    assert np.array_equal(load_vectors.integrate_over_polygon(mesh, near, polygon), whole[near])
     assert not np.delete(whole, near, axis=0).any()
 
 
@@ -183,6 +183,6 @@ def test_a_curved_side_reaches_beyond_its_nodes() -> None:
     xy = [(0, 0), (1, 0), (1.3, 1), (0, 1), (0.5, 0), (1.3, 0.5), (0.65, 1), (0, 0.5), (0.6, 0.5)]
     mesh = Mesh(np.array(xy, dtype=float), np.arange(9)[None])
     bulge = box(1.305, 0, 2, 1)
-    assert load_vectors.over_polygon(mesh, np.array([0]), bulge).sum() > 0
+    assert load_vectors.integrate_over_polygon(mesh, np.array([0]), bulge).sum() > 0
     assert load_vectors.near(mesh, bulge).tolist() == [0]
     assert load_vectors.near(mesh, box(2, 0, 3, 1)).tolist() == []

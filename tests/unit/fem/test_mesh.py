@@ -20,10 +20,10 @@ from groundslab.fem.mesh import (
     interpolated,
     local_coordinates,
     locate,
+    locate_nearest,
     mirror,
-    row_by_row,
+    renumber_by_rows,
     sides_on_boundary,
-    whereabouts,
     with_midpoints,
 )
 from groundslab.fem.shape_functions import areas, q9
@@ -103,7 +103,7 @@ def test_extruded_meshes_add_rows_of_rectangles(axis: int, outward: int) -> None
     end = lines[axis][-1 if outward > 0 else 0]
     lines[axis] = np.sort(np.concatenate([lines[axis], end + outward * np.array([0.5, 1.5])]))
     wanted = grid(*lines)
-    one, other = row_by_row(bigger)[0], row_by_row(wanted)[0]
+    one, other = renumber_by_rows(bigger)[0], renumber_by_rows(wanted)[0]
     np.testing.assert_allclose(one.nodes, other.nodes, rtol=0, atol=1e-14)
     assert (areas(bigger.xy) > 0).all()
     # each element has the same nodes, wherever its first corner is
@@ -193,7 +193,7 @@ def test_values_between_nodes_keep_bilinear_fields() -> None:
         return 1 - 2 * p[:, 0] + 0.5 * p[:, 1] + 3 * p[:, 0] * p[:, 1]
 
     np.testing.assert_allclose(
-        interpolate_bilinear(coarse, field(coarse.nodes), whereabouts(coarse, fine.nodes)),
+        interpolate_bilinear(coarse, field(coarse.nodes), locate_nearest(coarse, fine.nodes)),
         field(fine.nodes),
         atol=1e-12,
     )
@@ -204,7 +204,7 @@ def test_values_between_nodes_never_overshoot() -> None:
     coarse = grid(X, Y)
     wide = grid(np.linspace(-5, 9, 30), np.linspace(-3, 5, 30))
     values = np.where(np.random.default_rng(2).random(len(coarse.nodes)) < 0.5, -1.0, 1.0)
-    result = interpolate_bilinear(coarse, values, whereabouts(coarse, wide.nodes))
+    result = interpolate_bilinear(coarse, values, locate_nearest(coarse, wide.nodes))
     assert result.min() >= -1 - 1e-14
     assert result.max() <= 1 + 1e-14
     corner = (coarse.nodes == [X[-1], Y[-1]]).all(axis=1)
@@ -259,8 +259,8 @@ def test_elimination_order_saves_fill() -> None:
         return int(lu.L.nnz)
 
     by_rank = np.argsort(elimination_order(mesh))
-    row_by_row = np.arange(len(mesh.nodes))
-    assert fill(by_rank) < 0.6 * fill(row_by_row)
+    renumber_by_rows = np.arange(len(mesh.nodes))
+    assert fill(by_rank) < 0.6 * fill(renumber_by_rows)
 
 
 @pytest.mark.parametrize("axis", [0, 1])

@@ -44,7 +44,7 @@ def test_centre_hangs_on_the_others_or_does_not(name: str) -> None:
     element = plate.ELEMENTS[name]
     T = element.w_functions(quads.quadrilateral())[0]
     np.testing.assert_array_equal(T[:8], np.eye(9)[:8])
-    assert T[8, 8] == (1.0 if element.centre_w else 0.0)
+    assert T[8, 8] == (1.0 if element.center_w else 0.0)
 
 
 @every_element

@@ -16,7 +16,7 @@ from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Beyond, Contact
-from groundslab.views.summary.single import description_of_ground
+from groundslab.views.summary.sections import description_of_ground
 
 PLATE = {"length_x": 6, "length_y": 4, "thickness": 0.25, "E": 30e9, "nu": 0.2}
 LAYER = {"k0": 2e7, "k1": 0}

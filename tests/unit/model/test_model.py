@@ -21,7 +21,7 @@ from groundslab.model.model import Model, docs_table, json_schema
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.varying_ground import Void
-from groundslab.schema.base import Section, key_of, meaning_of, nested
+from groundslab.schema.base import Section, get_field_type, get_meaning, nested
 from groundslab.schema.fields import FROM_FILE, FieldType
 from helpers.paths import ROOT
 
@@ -538,8 +538,8 @@ def parts(part: type[Section] = Model) -> Iterator[type[Section]]:
 def test_every_field_says_what_it_is(part: type[Section]) -> None:
     """Each field states its meaning, and its kind of key unless it holds parts or a tag."""
     for name, field in part.model_fields.items():
-        assert meaning_of(field), name
-        assert isinstance(key_of(field), FieldType) or nested(field).parts or name == "kind"
+        assert get_meaning(field), name
+        assert isinstance(get_field_type(field), FieldType) or nested(field).parts or name == "kind"
 
 
 @pytest.mark.slow

@@ -8,7 +8,7 @@ import pytest
 
 from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model, json_schema
 from groundslab.model.shapes import Polygon
@@ -373,7 +373,7 @@ def test_design_without_ultimate_combinations_says_which_keys_to_add() -> None:
 def test_unfactored_loads_are_never_called_ultimate() -> None:
     """All loads of a file without cases, and each case by itself, are characteristic: nothing is factored there."""
     for data in (case(), cases()):
-        made = combinations_of(Model.model_validate(data, context=FROM_FILE))
+        made = list_combinations(Model.model_validate(data, context=FROM_FILE))
         assert {each.limit_state for each in made} == {"characteristic"}
 
 
@@ -448,7 +448,7 @@ def test_all_keys_are_written_and_read() -> None:
     assert Model(**model.model_dump()) == model
     for word in ("rotational_stiffness", "thermal_expansion", "limit_pressure", "q_end", "psi_1", "alpha_cc", "bend"):
         assert word in text
-    assert [each.name for each in combinations_of(model)][:2] == ['a "b"', "ULS 1"]
+    assert [each.name for each in list_combinations(model)][:2] == ['a "b"', "ULS 1"]
 
 
 def test_factors_from_python() -> None:
@@ -462,7 +462,7 @@ def test_psi_matter_for_variable_cases_only() -> None:
     """A permanent case may have any psi; they do not count."""
     data = cases(cases=[{"name": "dead", "psi_1": 0.0, "psi_2": 1.0}], combine={"sets": ["ultimate"]})
     model = Model.model_validate(data, context=FROM_FILE)
-    assert [dict(each.factors) for each in combinations_of(model)] == [{"dead": 1.35}, {"dead": 1.0}]
+    assert [dict(each.factors) for each in list_combinations(model)] == [{"dead": 1.35}, {"dead": 1.0}]
 
 
 def _check(value: Any, schema: dict[str, Any], root: dict[str, Any]) -> bool:

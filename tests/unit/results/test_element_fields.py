@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from groundslab.analysis.driver import solve
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.problem import BETA_X, BETA_Y
 from groundslab.model.ground import Pasternak, Winkler
@@ -22,8 +22,8 @@ from groundslab.model.shapes import Rectangle
 from groundslab.results import recovery
 from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult
-from groundslab.results.result_mesh import frame
-from groundslab.results.results import Results
+from groundslab.results.result_mesh import make_result_mesh
+from groundslab.results.results import CombinationResult
 from groundslab.views.files import vtk
 
 E, NU, T = 30e9, 0.2, 0.25
@@ -41,7 +41,7 @@ def model(symmetry: str = "auto", **changes: object) -> Model:
     return Model(**parts | changes)
 
 
-def cells(results: Results, folder: Path) -> tuple[meshio.Mesh, dict[str, np.ndarray]]:
+def cells(results: CombinationResult, folder: Path) -> tuple[meshio.Mesh, dict[str, np.ndarray]]:
     """Return the VTU file of the plate, read back, with its cell arrays."""
     vtk.write_plate(results, folder / "plate.vtu")
     mesh = meshio.read(folder / "plate.vtu")
@@ -56,11 +56,11 @@ def test_linear_moments_are_exact_at_centres(tmp_path: Path) -> None:
     zone = Zone(thickness=2 * T, shape=Rectangle(x=(0.5, 1.5), y=(-1.0, 0.5)))
     plate = Plate(length_x=4.0, length_y=3.0, thickness=T, E=E, nu=NU, zones=[zone])
     results = solve(model(plate=plate, ground=Winkler(k=1e8), beyond=Beyond(), mesh=Mesh(size=0.5))).only
-    problem = discretise(results.model, 0, 1.0)
+    problem = discretize(results.model, 0, 1.0)
     x, y = problem.mesh.nodes.T
     U = np.zeros(problem.unknown.shape)
     U[:, BETA_X], U[:, BETA_Y] = 1e-3 * x * x, 2e-3 * x * y
-    own = frame(results.model, problem)
+    own = make_result_mesh(results.model, problem)
     pressure = (own.mean * (1e4 + 2e3 * own.mesh.nodes[own.mesh.elements, 0])).sum(axis=1)
     of_part = recovery._element_fields(problem, U, own) | {"pressure": pressure}
     found = {name: own.plate.by_element(name, field) for name, field in of_part.items()}
@@ -130,7 +130,7 @@ def test_every_field_says_how_it_is_averaged() -> None:
 
 def test_area_shares_and_means_agree() -> None:
     """A nodal pressure that is one everywhere has the mean one in every element."""
-    problem = discretise(model(), 0, 1.0)
-    own = frame(model(), problem)
+    problem = discretize(model(), 0, 1.0)
+    own = make_result_mesh(model(), problem)
     np.testing.assert_allclose(own.mean.sum(axis=1), 1.0, rtol=1e-14)
     assert nodal_area(own.mesh, np.arange(len(own.mesh.elements))).sum() == pytest.approx(3.0)

@@ -16,12 +16,12 @@ import groundslab as g
 from groundslab.errors import InputError, NoEquilibrium, NotCertified
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import MOST_NAMED
-from groundslab.results.results import Combined, alone
+from groundslab.results.results import Results, results_of
 from helpers import synthetic
 
 
 @cache
-def corner_loaded() -> Combined:
+def corner_loaded() -> Results:
     """Return a plate of 6 m x 4 m with a load off its middle, on two layers that reach beyond it."""
     layers = [g.SoilLayer(thickness=2, E=20e6, nu=0.3), g.SoilLayer(thickness=4, E=60e6, nu=0.3)]
     return g.solve(
@@ -178,7 +178,7 @@ def test_several_combinations_are_a_mapping_by_name() -> None:
 )
 def test_results_of_an_only_combination_are_at_hand(name: str) -> None:
     """Every part is that of the only combination; of several, an error names them and says how to choose one."""
-    one = alone(synthetic.results())
+    one = results_of(synthetic.results())
     assert getattr(one, name) is getattr(one.only, name)
     with pytest.raises(InputError, match=r'"NUL".*results\["Größe 1/2: dead \+ wind"\]'):
         getattr(synthetic.combined(), name)
@@ -188,7 +188,7 @@ def test_an_only_combination_that_is_not_certified_raises_that() -> None:
     """Its results are within the error."""
     bad = replace(synthetic.CERTIFICATE, residual=1.0)
     with pytest.raises(NotCertified):
-        alone(synthetic.results(certificate=bad)).plate  # noqa: B018
+        results_of(synthetic.results(certificate=bad)).plate  # noqa: B018
 
 
 def test_short_text() -> None:

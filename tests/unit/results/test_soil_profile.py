@@ -9,7 +9,7 @@ import pytest
 
 from groundslab.model.model import Model
 from groundslab.results.record import Constants
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 from groundslab.results.soil_profile import Profile, Stratum, profiles_of
 from helpers import synthetic
 
@@ -17,7 +17,7 @@ SOFT = {"E": 10e6, "E_bottom": 20e6, "nu": 0.3, "thickness": 2.0}
 FIRM = {"E": 60e6, "nu": 0.25, "thickness": 3.0}
 
 
-def solved(constants: Constants, ground: dict[str, Any], **parts: Any) -> Results:
+def solved(constants: Constants, ground: dict[str, Any], **parts: Any) -> CombinationResult:
     """Return made-up results on a ground, with the constants that its analysis is said to have ended with."""
     model = Model(
         plate={"length_x": synthetic.LENGTH_X, "length_y": synthetic.LENGTH_Y, "thickness": 0.2, "E": 23e9, "nu": 0.2},
@@ -28,7 +28,7 @@ def solved(constants: Constants, ground: dict[str, Any], **parts: Any) -> Result
     return synthetic.results(4, model=model, constants=constants)
 
 
-def one(results: Results) -> Profile:
+def one(results: CombinationResult) -> Profile:
     """Return the only column."""
     (found,) = profiles_of(results)
     return found

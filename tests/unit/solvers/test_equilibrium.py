@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog
 
 from groundslab.analysis.driver import solve
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.problem import BETA_X
 from groundslab.model.ground import Winkler
@@ -42,7 +42,7 @@ def model(loads: list[Any], edges: Edges | None = None, **keys: Any) -> Model:
 def possible(described: Model) -> bool:
     """Return whether the module lets the model pass."""
     try:
-        require_equilibrium(discretise(described))
+        require_equilibrium(discretize(described))
     except NoEquilibrium:
         return False
     return True
@@ -81,24 +81,24 @@ def test_the_resultant_counts_not_each_load() -> None:
 def test_uplift_is_told_apart_from_toppling() -> None:
     """A net pull is reported as such with the sum of the loads, an eccentric push with the place of the resultant."""
     with pytest.raises(NoEquilibrium, match=r"do not press the plate down.* -30 kN"):
-        require_equilibrium(discretise(model([point(1e4, 0, 0), point(-4e4, 1, 1)])))
+        require_equilibrium(discretize(model([point(1e4, 0, 0), point(-4e4, 1, 1)])))
     with pytest.raises(NoEquilibrium, match=r"topple.* 10 kN acts at x = 5 m, y = 1 m"):
-        require_equilibrium(discretise(model([point(2e4, 2, 0), point(-1e4, -1, -1)])))
+        require_equilibrium(discretize(model([point(2e4, 2, 0), point(-1e4, -1, -1)])))
 
 
 def test_a_place_that_is_zero_but_for_rounding_is_zero() -> None:
     """0.1 + 0.2 - 0.3 is not quite 0 in a computer; the resultant of such loads acts at x = 0 m all the same."""
     loads = [point(1e4, 0.1, 1.5), point(1e4, 0.2, 1.5), point(1e4, -0.3, 1.5), point(-1e4, 0, -1.9)]
     with pytest.raises(NoEquilibrium, match=r"topple.* 20 kN acts at x = 0 m, y = 3\.2 m"):
-        require_equilibrium(discretise(model(loads)))
+        require_equilibrium(discretize(model(loads)))
 
 
 def test_whole_loads_are_named_when_a_quarter_is_meshed() -> None:
     """The message gives the sum over the whole plate, not over the meshed part."""
     with pytest.raises(NoEquilibrium, match=r"-24 kN"):
-        require_equilibrium(discretise(model([UniformLoad(q=-1e3)])))
+        require_equilibrium(discretize(model([UniformLoad(q=-1e3)])))
     with pytest.raises(NoEquilibrium, match=r"-24 kN"):
-        require_equilibrium(discretise(model([UniformLoad(q=-1e3)], symmetry="off")))
+        require_equilibrium(discretize(model([UniformLoad(q=-1e3)], symmetry="off")))
 
 
 def test_balanced_pull_and_push_do_not_stand() -> None:
@@ -185,7 +185,7 @@ def test_symmetry_makes_no_difference(symmetry: str) -> None:
 @pytest.mark.parametrize("axis", [0, 1])
 def test_moments_at_nodes_shift_the_resultant(axis: int, moment: float, allowed: bool) -> None:
     """A force of 100 kN in the middle and a moment of the load itself: it stands while M / F stays on the plate."""
-    problem = discretise(model([point(1e5, 0, 0)], symmetry="off"))
+    problem = discretize(model([point(1e5, 0, 0)], symmetry="off"))
     load = problem.load.copy()
     load[7, BETA_X + axis] = moment * (1.0 if axis == 0 else LY / LX)
     turned = replace(problem, loading=replace(problem.loading, load=load))

@@ -38,7 +38,8 @@ try:
     choose("mumps")[1](np.array([0, 2, 3]), np.array([0, 1, 1])).factor(np.array([1.0, 2.0, 1.0]))
 except SingularMatrix:
     refused = True
-print(json.dumps([mumps.leads(), own.solver, off, own.certificate.holds, refused, float(own.plate.settlement.sum())]))
+total = float(own.plate.settlement.sum())
+print(json.dumps([mumps.is_root_process(), own.solver, off, own.certificate.holds, refused, total]))
 """
 
 

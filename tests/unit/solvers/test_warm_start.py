@@ -9,7 +9,7 @@ import pytest
 
 from groundslab.analysis import driver
 from groundslab.arrays import Array
-from groundslab.discretize.discretize import discretise
+from groundslab.discretize.discretize import discretize
 from groundslab.fem.bearings import CLOSED, OPEN, Contact
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, W
@@ -36,7 +36,7 @@ def model(**changes: object) -> Model:
 
 def solution_with(coarse: Model, fields: dict[int, Array], states: np.ndarray, coarsening: int) -> Solution:
     """Return a made-up solution on a coarser mesh: nodal fields and states of the bearings."""
-    problem = discretise(coarse, coarsening)
+    problem = discretize(coarse, coarsening)
     s = build_system(problem)
     U = np.zeros(problem.unknown.shape)
     for field, values in fields.items():
@@ -50,7 +50,7 @@ def solution_with(coarse: Model, fields: dict[int, Array], states: np.ndarray, c
 def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
     """Quadratic w, rotations and surface come over to the last digit; the gap follows from w and the surface."""
     given = model()
-    coarse, fine = discretise(given, 1), discretise(given, 0)
+    coarse, fine = discretize(given, 1), discretize(given, 0)
 
     def fields(nodes: Array) -> tuple[Array, Array, Array]:
         x, y = nodes.T
@@ -78,7 +78,7 @@ def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
 def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     """With one state everywhere there is no border: no strip is laid, and all states are forecast alike."""
     given = model()
-    coarse, fine = discretise(given, 1), discretise(given, 0)
+    coarse, fine = discretize(given, 1), discretize(given, 0)
     states = np.full(len(coarse.bearing.law), CLOSED if closed else OPEN)
     start = solution_with(given, {}, states, 1)
     state, U = warm_start.from_coarser(start, fine, warm_start.locate_nodes(coarse, fine))
@@ -96,7 +96,7 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
 def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     """From states that are off by some nodes along the border, the strip alone leads to the zone of the solution."""
     given = model()
-    fine = discretise(given, 0)
+    fine = discretize(given, 0)
     s = build_system(fine)
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)

@@ -91,7 +91,7 @@ def test_a_new_file_takes_no_others_place(case: Path, monkeypatch: pytest.Monkey
 def test_names_as_long_as_the_system_takes(tmp_path: Path, name: str) -> None:
     """Helpers beside a file or folder have names of their own that are short enough, and no two share them."""
     target = tmp_path / name
-    atomic.require_possible(target)
+    atomic.check_name(target)
     atomic.write(target, b"file")
     assert target.read_bytes() == b"file"
     target.unlink()
@@ -108,11 +108,11 @@ def test_names_as_long_as_the_system_takes(tmp_path: Path, name: str) -> None:
 def test_names_that_are_too_long(tmp_path: Path) -> None:
     """Names and paths that no system can hold are found out before anything is written."""
     with pytest.raises(OSError, match="too long"):
-        atomic.require_possible(tmp_path / ("x" * 256))
+        atomic.check_name(tmp_path / ("x" * 256))
     deep = tmp_path.joinpath(*["y" * 250] * 15)
-    atomic.require_possible(deep)
+    atomic.check_name(deep)
     with pytest.raises(OSError, match="too long"):
-        atomic.require_possible(deep, "/".join(["z" * 250] * 2))
+        atomic.check_name(deep, "/".join(["z" * 250] * 2))
 
 
 def _fill(folder: Path, content: bytes) -> None:

@@ -36,7 +36,7 @@ def figures(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_every_file_of_results_is_recognised(results: Path) -> None:
     """Each file of a folder of results is of the kind that belongs to its name, and none is a stranger."""
     names = {path.relative_to(results).as_posix() for path in results.rglob("*") if path.is_file()}
-    assert all(ownership.kind_fits(results / name) for name in names)
+    assert all(ownership.has_expected_content(results / name) for name in names)
     assert ownership.strangers(results, names) == []
 
 
@@ -138,4 +138,4 @@ def test_a_link_is_a_stranger(results: Path, tmp_path: Path) -> None:
 def test_every_starter_is_a_case(tmp_path: Path) -> None:
     """A case file that groundslab writes counts as one."""
     (tmp_path / "case.toml").write_text(casefile.starter(), encoding="utf-8")
-    assert ownership.kind_fits(tmp_path / "case.toml")
+    assert ownership.has_expected_content(tmp_path / "case.toml")

@@ -23,7 +23,7 @@ from helpers.studies import CASE, STUDY, read, run
 MODEL = casefile.loads(CASE)
 
 
-def solved(case: str = CASE) -> groundslab.Combined:
+def solved(case: str = CASE) -> groundslab.Results:
     """Return the results of a case."""
     return groundslab.solve(casefile.loads(case))
 

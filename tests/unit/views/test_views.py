@@ -19,24 +19,24 @@ from rich.console import Console
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
-from groundslab.results.results import SupportResult, alone
+from groundslab.results.results import SupportResult, results_of
 from groundslab.units import UNITS, format_number
 from groundslab.views.files import npz, vtk
-from groundslab.views.summary import combinations, progress, single, terminal
+from groundslab.views.summary import combinations, progress, sections, terminal
 from groundslab.views.summary.json_summary import json_text
 from helpers import synthetic
 from helpers.paths import ROOT
 
 
-def rows(results: Any) -> dict[str, single.Row]:
+def rows(results: Any) -> dict[str, sections.Row]:
     """Return all rows of a summary by "section.key"."""
-    return {f"{section.key}.{row.key}": row for section in single.summary(results) for row in section.rows}
+    return {f"{section.key}.{row.key}": row for section in sections.summary(results) for row in section.rows}
 
 
 def printed(results: Any, **options: Any) -> str:
     """Return what the summary prints."""
     console = Console(file=io.StringIO(), width=80, **options)
-    terminal.print_summary(alone(results), console)
+    terminal.print_summary(results_of(results), console)
     return console.file.getvalue()  # type: ignore[attr-defined]
 
 
@@ -78,8 +78,8 @@ class TestSummary:
         found = rows(results)
         assert found["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
         line = found["contact.largest_line_force"]
-        assert (line.value, line.unit, line.symbol) == (5e5, single.Unit("kN/m", "N/m", 1e-3), "f")
-        (note,) = next(section for section in single.summary(results) if section.key == "contact").notes
+        assert (line.value, line.unit, line.symbol) == (5e5, sections.Unit("kN/m", "N/m", 1e-3), "f")
+        (note,) = next(section for section in sections.summary(results) if section.key == "contact").notes
         assert "line force" in note
         assert "contact.largest_line_force" not in rows(synthetic.results(4))
         pulled = replace(results, plate=replace(results.plate, line_force=-results.plate.line_force))
@@ -109,7 +109,7 @@ class TestSummary:
 
     def test_every_figure_that_must_vanish_has_words(self) -> None:
         """The certificate is shown in full."""
-        assert set(single.CERTIFICATE_WORDS) == set(synthetic.CERTIFICATE.limits())
+        assert set(sections.CERTIFICATE_WORDS) == set(synthetic.CERTIFICATE.limits())
 
     @pytest.mark.parametrize("part", ["plate", "ground", "certificate", "constants"])
     @pytest.mark.parametrize("bad", [np.nan, np.inf])
@@ -120,7 +120,7 @@ class TestSummary:
         name = {"certificate": "load", "constants": "gamma"}.get(part, "settlement")
         wrong = bad if part in ("certificate", "constants") else np.full_like(values.settlement, bad)
         with pytest.raises(GroundslabError, match=rf"{part}\.{name}"):
-            single.summary(replace(results, **{part: replace(values, **{name: wrong})}))
+            sections.summary(replace(results, **{part: replace(values, **{name: wrong})}))
 
     @pytest.mark.slow
     def test_units_of_display_agree_with_si(self) -> None:
@@ -138,7 +138,7 @@ class TestJson:
 
     def test_numbers_with_a_dimension_name_their_si_unit(self) -> None:
         """Every object with a value has a unit, or is a line of the certificate with its limit."""
-        document = json.loads(json_text(alone(synthetic.results(shear=True)), files=["summary.json"]))
+        document = json.loads(json_text(results_of(synthetic.results(shear=True)), files=["summary.json"]))
 
         def visit(item: Any) -> None:
             if isinstance(item, dict):
@@ -170,7 +170,7 @@ class TestJson:
             constants=replace(plain.constants, k0=(np.float64(synthetic.K0),)),
             certificate=replace(plain.certificate, residual=np.float64(plain.certificate.residual)),
         )
-        assert json_text(alone(numpy)) == json_text(alone(plain))
+        assert json_text(results_of(numpy)) == json_text(results_of(plain))
 
 
 class TestTable:
@@ -204,7 +204,7 @@ class TestTable:
         """Label and symbol of a row are shown side by side, so a label does not repeat its symbol."""
         results = synthetic.results()
         text = printed(results)
-        for section in single.figures(results):
+        for section in sections.figures(results):
             for row in section.rows:
                 assert row.symbol.strip("|-") not in row.label.split()
                 assert text.count(f" {row.label} {row.symbol}".rstrip()) >= 1
@@ -272,7 +272,7 @@ class TestOverview:
         combined = synthetic.combined()
         document = json.loads(json_text(combined, {"NUL": "02-nul"}, ["summary.json"]))
         first, second, third, last = document["combinations"]
-        one = json.loads(json_text(alone(combined["NUL"])))
+        one = json.loads(json_text(results_of(combined["NUL"])))
         for key in ("settlement", "contact", "section_forces", "certificate", "constants", "history"):
             assert second[key] == one[key]
         assert second["folder"] == "02-nul"
@@ -473,7 +473,7 @@ class TestSupports:
     def test_each_of_a_few(self) -> None:
         """Each support's force stands with its middle, and their sum."""
         results = synthetic.results(supports=(self.support("pile", 5e4), self.support("wall", 1e4, 2e4, -4e3)))
-        section = next(each for each in single.summary(results) if each.key == "supports")
+        section = next(each for each in sections.summary(results) if each.key == "supports")
         found = {row.label: (row.value, row.place) for row in section.rows}
         assert found == {
             "force of pile": (5e4, (0.0, 0.0)),
@@ -484,11 +484,11 @@ class TestSupports:
     def test_of_many_the_extremes(self) -> None:
         """Of more than a dozen only the largest and the smallest force and their sum are shown."""
         piles = tuple(self.support(f"pile {n}", 1e3 * n) for n in range(-1, 19))
-        section = next(each for each in single.summary(synthetic.results(supports=piles)) if each.key == "supports")
+        section = next(each for each in sections.summary(synthetic.results(supports=piles)) if each.key == "supports")
         values = [row.value for row in section.rows]
         assert [row.label for row in section.rows[:2]] == ["largest force, of pile 18", "smallest force, of pile -1"]
         assert values == [18e3, -1e3, sum(range(-1, 19)) * 1e3]
 
     def test_none_without_supports(self) -> None:
         """A plate on the ground alone has no such section."""
-        assert "supports" not in [section.key for section in single.summary(synthetic.results())]
+        assert "supports" not in [section.key for section in sections.summary(synthetic.results())]

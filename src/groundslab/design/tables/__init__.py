@@ -10,12 +10,12 @@ from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import combinations, extremes, tilts
 from groundslab.design.tables.supports import support_table
 from groundslab.design.tables.table import Column, Table
-from groundslab.results.results import Combined
+from groundslab.results.results import Results
 
 __all__ = ["Column", "Design", "DesignCheck", "Table", "design_of", "fields_of_envelope", "tables_of"]
 
 
-def tables_of(combined: Combined) -> tuple[Table, ...]:
+def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Points, section lines, design strips, supports, columns and reinforcement have a table each if the model names any.

@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
-from groundslab.model.loads.clipping import line_on_plate
+from groundslab.model.loads.clipping import clip_line_load
 from groundslab.model.loads.load_types import (
     AreaLoad,
     LineLoad,
@@ -19,11 +19,11 @@ from groundslab.model.loads.load_types import (
     PointLoad,
     SelfWeight,
     UniformLoad,
-    pressure_of,
+    pressure_function,
 )
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -39,7 +39,7 @@ def sum_of_column(model: Model, name: str) -> dict[str, float]:
     return force
 
 
-def sum_of_others(results: Results, part: Polygon, column: str) -> dict[str, float]:
+def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
     model, plate = results.model, results.plate
     mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.plate.sides)
@@ -47,12 +47,16 @@ def sum_of_others(results: Results, part: Polygon, column: str) -> dict[str, flo
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
         if isinstance(load, UniformLoad):
-            force[load.case] += float(load_vectors.over_polygon(mesh, elements, part, pressure_of(load)).sum())
+            force[load.case] += float(
+                load_vectors.integrate_over_polygon(mesh, elements, part, pressure_function(load)).sum()
+            )
         elif isinstance(load, PatchLoad | AreaLoad):
             for piece in _pieces(part, load.drawn(chord)):
-                force[load.case] += float(load_vectors.over_polygon(mesh, elements, piece, pressure_of(load)).sum())
+                force[load.case] += float(
+                    load_vectors.integrate_over_polygon(mesh, elements, piece, pressure_function(load)).sum()
+                )
         elif isinstance(load, SelfWeight):
-            area = load_vectors.over_polygon(mesh, elements, part).sum(axis=1)
+            area = load_vectors.integrate_over_polygon(mesh, elements, part).sum(axis=1)
             force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[elements]))
         elif isinstance(load, LineLoad):
             force[load.case] += _on_line(load, model.plate, part, chord)
@@ -61,7 +65,7 @@ def sum_of_others(results: Results, part: Polygon, column: str) -> dict[str, flo
     return force
 
 
-def factored_sum(results: Results, force: Mapping[str, float]) -> float:
+def factored_sum(results: CombinationResult, force: Mapping[str, float]) -> float:
     """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
     factors = dict(results.factors) if results.model.cases else {"": 1.0}
     return sum(factors.get(case, 0.0) * each for case, each in force.items())
@@ -79,7 +83,7 @@ def _on_line(load: LineLoad, plate: Plate, part: Polygon, chord: float) -> float
     from shapely import LineString, Point, get_coordinates, get_parts, intersection
 
     force = 0.0
-    for piece in line_on_plate(plate, load):
+    for piece in clip_line_load(plate, load):
         n = piece.edge.chords(chord)
         places = np.arange(n + 1) / n
         flat = LineString(piece.edge.at(places))

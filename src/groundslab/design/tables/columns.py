@@ -16,7 +16,7 @@ from groundslab.design.tilt import settlement_differences
 from groundslab.model.columns import Column
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.mesh_results import PlateResult
-from groundslab.results.results import Combined
+from groundslab.results.results import Results
 
 _NEIGHBOURS = (
     ("worst neighbour", ""), ("distance", "m"), ("settlement difference", "mm"), ("angular distortion", "mm/m"),
@@ -28,7 +28,7 @@ _PUNCHING = (
 )  # fmt: skip
 
 
-def column_table(combined: Combined) -> Table:
+def column_table(combined: Results) -> Table:
     """Return load, settlement, worst neighbor and demand of punching of each column in each combination."""
     model, results = combined.model, solved_results(combined)
     own = {column.name: column_loads.sum_of_column(model, column.name) for column in model.columns}

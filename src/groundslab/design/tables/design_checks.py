@@ -24,7 +24,7 @@ from groundslab.design.tables.reinforcement import (
     without_partial_factors,
 )
 from groundslab.model.outputs import Reinforcement
-from groundslab.results.results import Combined
+from groundslab.results.results import Results
 
 Status = Literal["fails", "attention", "no failure found", "not checked"]
 
@@ -54,7 +54,7 @@ class Design:
         return tuple(each for each in self.checks if each.status in ("fails", "attention"))
 
 
-def design_of(combined: Combined) -> Design:
+def design_of(combined: Results) -> Design:
     """Return what can be judged of the design of a model, over the certified results of its ultimate combinations."""
     steel = combined.model.reinforcement
     if steel is None:
@@ -78,7 +78,7 @@ def _verb(verb: str, count: int) -> str:
     return f"{verb}s" if count == 1 else verb
 
 
-def _checks(combined: Combined, steel: Reinforcement) -> Iterator[DesignCheck]:
+def _checks(combined: Results, steel: Reinforcement) -> Iterator[DesignCheck]:
     """Yield all checks."""
     needs = governing_needs(combined, steel)
     yield _bending(needs)

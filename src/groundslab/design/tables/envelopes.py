@@ -10,15 +10,15 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.envelope import envelope
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import nodal, ranged_fields, solved_results
+from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.fields import LAYERS, RANGED_FIELDS, extreme_node, place_of
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 
 
-def envelopes(combined: Combined) -> Table:
+def envelopes(combined: Results) -> Table:
     """Return the least and the greatest value of every quantity over the combinations of each limit state."""
     heads = [
         ("limit state", ""), ("quantity", ""), ("unit", ""),
@@ -29,7 +29,7 @@ def envelopes(combined: Combined) -> Table:
     for state, group in _by_limit_state(combined):
         nodes = group[0].plate.nodes
         for about, name, where in ranged_fields(group[0]):
-            e = envelope({each.combination: nodal(each, name)[where] for each in group})
+            e = envelope({each.combination: nodal_values(each, name)[where] for each in group})
             row: list[Cell] = [state, about.label, about.unit]
             for sign, values, by in ((-1, e.least, e.least_by), (1, e.greatest, e.greatest_by)):
                 node = extreme_node(nodes[where], values, sign)
@@ -43,7 +43,7 @@ def envelopes(combined: Combined) -> Table:
     return table_of("envelope", "Envelope over the combinations", heads, rows, notes)
 
 
-def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
+def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:
     """Return arrays (n,) at the plate's nodes, by names with units: envelopes over each limit state, reinforcement.
 
     "ultimate greatest settlement w [mm]" and "ultimate least ..." hold the values of each quantity;
@@ -57,7 +57,7 @@ def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
     for state, group in _by_limit_state(combined):
         own: Integers = np.array([number[each.combination] for each in group], dtype=np.int64)
         for name, about in RANGED_FIELDS.items():
-            e = envelope({each.combination: nodal(each, name) for each in group})
+            e = envelope({each.combination: nodal_values(each, name) for each in group})
             fields[f"{state} greatest {about.name}"] = e.greatest
             fields[f"{state} least {about.name}"] = e.least
             fields[f"{state} combination of greatest {about.label}"] = own[e.greatest_by]
@@ -67,7 +67,7 @@ def fields_of_envelope(combined: Combined) -> dict[str, Array | Integers]:
     return fields
 
 
-def _reinforcement(combined: Combined) -> dict[str, Array | Integers]:
+def _reinforcement(combined: Results) -> dict[str, Array | Integers]:
     """Return the required areas [cm2/m] and flags at the plate's nodes."""
     assert combined.model.reinforcement is not None
     found = reinforcement.required_areas(combined.model.reinforcement, reinforcement.ultimate_results(combined))
@@ -83,7 +83,7 @@ def _reinforcement(combined: Combined) -> dict[str, Array | Integers]:
     return fields
 
 
-def _by_limit_state(combined: Combined) -> Iterator[tuple[str, list[Results]]]:
+def _by_limit_state(combined: Results) -> Iterator[tuple[str, list[CombinationResult]]]:
     """Yield each limit state that has results, with these."""
     results = solved_results(combined)
     for each in results[1:]:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.design.design_moments import fields_of
-from groundslab.design.section_cuts import along, strip
-from groundslab.design.tables.quantities import listed, solved_results
+from groundslab.design.section_cuts import cut_along, strip
+from groundslab.design.tables.quantities import point_values, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
 from groundslab.results.fields import POINT_FIELDS
-from groundslab.results.results import Combined
+from groundslab.results.results import Results
 
 _HEADS = [about.head for about in POINT_FIELDS.values()]
 _RECOVERED = (
@@ -21,7 +21,7 @@ _RECOVERED = (
 )
 
 
-def points(combined: Combined) -> Table:
+def points(combined: Results) -> Table:
     """Return all quantities at each output point in each combination."""
     wanted = combined.model.output.points
     rows: list[list[Cell]] = []
@@ -32,7 +32,7 @@ def points(combined: Combined) -> Table:
         element, local = locate(mesh, np.array([(point.x, point.y) for point in wanted]), reach=1e-3)
         N, nodes = q9(local)[0], mesh.elements[element]
         fields = {name: np.einsum("pa,pa->p", N, field[nodes]) for name, field in fields_of(plate).items()}
-        values = np.column_stack(listed(fields))
+        values = np.column_stack(point_values(fields))
         for point, on, row in zip(wanted, element >= 0, values, strict=True):
             rows.append([results.combination, point.name, point.x, point.y, *(row if on else [None] * len(row))])
     notes = [_RECOVERED, "A point on the border of two sections has the values of one of them."]
@@ -40,18 +40,18 @@ def points(combined: Combined) -> Table:
     return table_of("points", "Points", heads, rows, notes)
 
 
-def lines(combined: Combined) -> Table:
+def lines(combined: Results) -> Table:
     """Return all quantities along each output line in each combination."""
     rows: list[list[Cell]] = []
     missed: list[str] = []
     for results in solved_results(combined):
         for line in combined.model.output.lines:
             try:
-                section = along(results.plate, np.array([line.start, line.end]))
+                section = cut_along(results.plate, np.array([line.start, line.end]))
             except InputError:
                 missed.append(line.name)
                 continue
-            values = np.column_stack([section.s, section.x, section.y, *listed(section.values)])
+            values = np.column_stack([section.s, section.x, section.y, *point_values(section.values)])
             for part, (s, x, y, *rest) in zip(section.part, values, strict=True):
                 rows.append([results.combination, line.name, s, x, y, int(part), *rest])
     notes = [
@@ -65,7 +65,7 @@ def lines(combined: Combined) -> Table:
     return table_of("lines", "Section lines", heads, rows, notes)
 
 
-def strips(combined: Combined) -> Table:
+def strips(combined: Results) -> Table:
     """Return the forces on the cuts across each design strip in each combination."""
     heads = [
         ("combination", ""), ("strip", ""), ("s", "m"), ("x", "m"), ("y", "m"), ("width on the plate", "m"),

@@ -18,7 +18,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column
 from groundslab.model.outputs import Reinforcement
 from groundslab.model.supports import LineSupport
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -65,7 +65,7 @@ class Demands:
     missing: Mapping[str, str]
 
 
-def demands(combined: Combined) -> Demands:
+def demands(combined: Results) -> Demands:
     """Return the demands of punching in all ultimate combinations, if bars are given; at columns that push down."""
     model, steel = combined.model, combined.model.reinforcement
     results = [each for each in solved_results(combined) if each.limit_state == "ultimate"]
@@ -105,7 +105,7 @@ class _Place:
 _PLACES: Memo[dict[str, _Place]] = Memo()
 
 
-def _place(results: Results, column: Column, steel: Reinforcement) -> _Place:
+def _place(results: CombinationResult, column: Column, steel: Reinforcement) -> _Place:
     """Return the perimeters around a column, or why there are none."""
     plate, shape, around = results.plate, _shape(column), list[Around]()
     d = _depth(results, shape, steel)
@@ -130,22 +130,22 @@ def _shape(column: Column) -> RectangularColumn | RoundColumn:
     return RectangularColumn(column.x, column.y, column.width_x, column.width_y)
 
 
-def _depth(results: Results, shape: RectangularColumn | RoundColumn, steel: Reinforcement) -> float:
+def _depth(results: CombinationResult, shape: RectangularColumn | RoundColumn, steel: Reinforcement) -> float:
     """Return the least thickness under a column less the mean distance of the bottom bars' axes [m]."""
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.near(mesh, shape.footprint())
-    covered = load_vectors.over_polygon(mesh, elements, shape.footprint()).sum(axis=1)
+    covered = load_vectors.integrate_over_polygon(mesh, elements, shape.footprint()).sum(axis=1)
     under = elements[covered > 1e-9 * covered.max()]
     return float(results.elements.thickness[under].min()) - sum(steel.bottom) / 2
 
 
-def _around(results: Results, column: Column, part: Polygon, u: float) -> Around:
+def _around(results: CombinationResult, column: Column, part: Polygon, u: float) -> Around:
     """Return a perimeter around a part of the plate with what is inside it."""
     from shapely import LineString, Point
 
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.near(mesh, part)
-    area = scatter(mesh.elements[elements], load_vectors.over_polygon(mesh, elements, part), len(mesh.nodes))
+    area = scatter(mesh.elements[elements], load_vectors.integrate_over_polygon(mesh, elements, part), len(mesh.nodes))
     supports = (
         LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
         for each in results.model.supports
@@ -153,7 +153,7 @@ def _around(results: Results, column: Column, part: Polygon, u: float) -> Around
     return Around(u, area, column_loads.sum_of_others(results, part, column.name), any(map(part.intersects, supports)))
 
 
-def _stress(results: Results, around: Around, force: float, d: float) -> Stress:
+def _stress(results: CombinationResult, around: Around, force: float, d: float) -> Stress:
     """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand)."""
     others = column_loads.factored_sum(results, around.others)
     pressure = float(around.area @ (results.plate.contact_force / results.plate.area))

@@ -10,25 +10,25 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.design_moments import derived, fields_of
 from groundslab.results.contact_zone import has_line_force
 from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS, ResultField
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 
 
-def listed(fields: Mapping[str, Array]) -> list[Array]:
+def point_values(fields: Mapping[str, Array]) -> list[Array]:
     """Return the quantities of POINT_FIELDS (n,), in its order and units of display, from PLATE_FIELDS (n,) in SI."""
     return [derived(fields, name) * about.scale for name, about in POINT_FIELDS.items()]
 
 
-def nodal(results: Results, name: str) -> Array:
+def nodal_values(results: CombinationResult, name: str) -> Array:
     """Return a quantity of RANGED_FIELDS at the plate's nodes (n,), in its unit of display."""
     return derived(fields_of(results.plate), name) * RANGED_FIELDS[name].scale
 
 
-def solved_results(combined: Combined) -> list[Results]:
+def solved_results(combined: Results) -> list[CombinationResult]:
     """Return the results there are, in the order of the combinations."""
     return [combined.results[each.name] for each in combined.combinations if each.name in combined.results]
 
 
-def ranged_fields(results: Results) -> list[tuple[ResultField, str, Flags]]:
+def ranged_fields(results: CombinationResult) -> list[tuple[ResultField, str, Flags]]:
     """Return what has extremes: how it is shown, its name in RANGED_FIELDS, and the nodes that count (n,)."""
     everywhere = np.ones(len(results.plate.nodes), dtype=bool)
     on_edge = results.plate.edge_length > 0

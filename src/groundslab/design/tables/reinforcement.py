@@ -15,18 +15,18 @@ from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import LAYERS, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 
 #: From m2/m to cm2/m.
 CM2 = 1e4
 
 
-def ultimate_results(combined: Combined) -> list[Results]:
+def ultimate_results(combined: Results) -> list[CombinationResult]:
     """Return the results of the ultimate combinations."""
     return [results for results in solved_results(combined) if results.limit_state == "ultimate"]
 
 
-def required_areas(steel: Reinforcement, results: list[Results]) -> dict[str, SlabReinforcement]:
+def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> dict[str, SlabReinforcement]:
     """Return what the plate's nodes need in each combination, by its name."""
     if not results:
         return {}
@@ -86,7 +86,7 @@ class Need:
     links: float  # share of the plate's area where bars in compression are counted on, in any layer
 
 
-def governing_needs(combined: Combined, steel: Reinforcement) -> list[Need]:
+def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
     """Return what each layer needs in each section that the plate has, over all ultimate combinations.
 
     Within a section the depth is one, so that the largest moment of each face governs: all that a layer needs grows
@@ -170,7 +170,7 @@ def axis_of(steel: Reinforcement, layer: str) -> float:
     return distance
 
 
-def reinforcement(combined: Combined, steel: Reinforcement) -> Table:
+def reinforcement(combined: Results, steel: Reinforcement) -> Table:
     """Return the largest required area of each layer of bars in each section, over all ultimate combinations."""
     heads = [
         ("layer", ""), ("section", ""), ("required area", "cm2/m"), ("governed by", ""), ("x", "m"), ("y", "m"),
@@ -195,7 +195,7 @@ def reinforcement(combined: Combined, steel: Reinforcement) -> Table:
     return table_of("reinforcement", "Reinforcement", heads, rows, notes)
 
 
-def without_partial_factors(combined: Combined) -> bool:
+def without_partial_factors(combined: Results) -> bool:
     """Return whether there are ultimate combinations, and no factor of any of them is above 1."""
     factors = [
         abs(factor) for each in combined.combinations if each.limit_state == "ultimate" for _, factor in each.factors

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.design.tables.quantities import nodal, ranged_fields, solved_results
+from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
 from groundslab.results.fields import extreme
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 
 
-def combinations(combined: Combined) -> Table:
+def combinations(combined: Results) -> Table:
     """Return what each combination is made of, and its first figures, or why it has none."""
     heads = [
         ("combination", ""), ("limit state", ""), ("loads", ""), ("outcome", ""),
@@ -38,7 +38,7 @@ def combinations(combined: Combined) -> Table:
     return table_of("combinations", "Combinations", heads, rows, notes)
 
 
-def factors(combined: Combined, combination: Combination) -> str:
+def factors(combined: Results, combination: Combination) -> str:
     """Return what a combination is made of, as in "1.35 G + 1.5 Q"."""
     if not combined.model.cases:
         return "all loads"
@@ -50,7 +50,7 @@ def factors(combined: Combined, combination: Combination) -> str:
     return text
 
 
-def _figures(results: Results) -> list[Cell]:
+def _figures(results: CombinationResult) -> list[Cell]:
     """Return the figures of one combination, in the order of the table."""
     plate, certificate = results.plate, results.certificate
     on_edge = plate.edge_length > 0
@@ -70,7 +70,7 @@ def _figures(results: Results) -> list[Cell]:
     ]
 
 
-def extremes(combined: Combined) -> Table:
+def extremes(combined: Results) -> Table:
     """Return the least and the greatest value of every quantity in each combination, with their places."""
     heads = [
         ("combination", ""), ("quantity", ""), ("unit", ""),
@@ -80,7 +80,7 @@ def extremes(combined: Combined) -> Table:
     rows = []
     for results in solved_results(combined):
         for about, name, where in ranged_fields(results):
-            nodes, values = results.plate.nodes[where], nodal(results, name)[where]
+            nodes, values = results.plate.nodes[where], nodal_values(results, name)[where]
             row: list[Cell] = [results.combination, about.label, about.unit]
             for sign in (-1, 1):
                 value, place = extreme(nodes, values, sign)
@@ -95,7 +95,7 @@ def extremes(combined: Combined) -> Table:
     return table_of("extremes", "Extremes of each combination", heads, rows, notes)
 
 
-def tilts(combined: Combined) -> Table:
+def tilts(combined: Results) -> Table:
     """Return the plane that fits the settlement of each combination best, and how far the plate is off it."""
     heads = [
         ("combination", ""), ("mean settlement", "mm"), ("tilt along x", "mm/m"), ("tilt along y", "mm/m"),

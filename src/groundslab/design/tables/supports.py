@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.results.results import Combined, SupportResult
+from groundslab.results.results import Results, SupportResult
 
 
-def support_table(combined: Combined) -> Table:
+def support_table(combined: Results) -> Table:
     """Return force, settlement and moments of each support in each combination."""
     heads = [
         ("combination", ""), ("support", ""), ("kind", ""), ("force", "kN"), ("length", "m"),

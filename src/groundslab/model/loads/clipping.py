@@ -18,8 +18,8 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.bulges import Edge
 from groundslab.geometry.intersections import find_crossings
-from groundslab.geometry.plan import Segment, bounding_box, loaded_polygon
-from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_of
+from groundslab.geometry.plan import Segment, bounding_box, equal_area_polygon
+from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_function
 from groundslab.model.plate import Plate
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
@@ -97,15 +97,15 @@ def get_plate_region(plate: Plate) -> PlateRegion:
 
     rings = [plate.ring(), *(opening.ring() for opening in plate.openings)]
     edges = tuple(edge for ring in rings for edge in ring.segments())
-    openings = shapely.union_all([loaded_polygon(ring) for ring in rings[1:]])
-    area = loaded_polygon(rings[0]).difference(openings)
+    openings = shapely.union_all([equal_area_polygon(ring) for ring in rings[1:]])
+    area = equal_area_polygon(rings[0]).difference(openings)
     near = (STRAIGHT if all(ring.straight for ring in rings) else CURVED) * max(plate.sides)
     grown = area.buffer(near, join_style="mitre")
     shapely.prepare(grown)
     return PlateRegion(edges, area, grown, near, shapely.STRtree([bounding_box([edge]) for edge in edges]))
 
 
-def clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
+def find_clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
     """Return the parts of loads that lie off the plate."""
     return tuple(_find_clipped(plate, _distributed_shapes(loads)))
 
@@ -128,7 +128,7 @@ def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterato
             yield RelativeIssue(("loads", found.number - 1), "a load off the plate", expected)
 
 
-def line_on_plate(plate: Plate, load: LineLoad) -> list[LinePiece]:
+def clip_line_load(plate: Plate, load: LineLoad) -> list[LinePiece]:
     """Return the parts of a line load that lie on the plate."""
     region, edges = get_plate_region(plate), load.segments()
     ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
@@ -174,13 +174,13 @@ def _find_clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]
 
 def _off_area(region: PlateRegion, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:
     """Return the share of an area that lies off the plate, the force there and in all [N]."""
-    off, pressure = drawn.difference(region.area), pressure_of(load)
+    off, pressure = drawn.difference(region.area), pressure_function(load)
     return off.area / drawn.area, integral(off, pressure), integral(drawn, pressure)
 
 
 def _off_line(plate: Plate, load: LineLoad) -> tuple[float, float, float] | None:
     """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it."""
-    pieces = line_on_plate(plate, load)
+    pieces = clip_line_load(plate, load)
     length = sum(edge.length for edge in load.segments())
     share = 1 - sum(piece.edge.length for piece in pieces) / length
     if share <= NO_PART:

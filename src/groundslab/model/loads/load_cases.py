@@ -123,7 +123,7 @@ def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
                 yield RelativeIssue(place, "a case that is not there", one_of(names), suggestion(name, names))
 
 
-def has_ultimate(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
+def has_ultimate_combination(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
     """Return whether any combination given or made is for the ultimate limit state."""
     return any(each.limit_state == "ultimate" for each in combinations) or (
         combine is not None and "ultimate" in combine.sets
@@ -134,7 +134,7 @@ def check_design_combinations(
     reinforcement: object, cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...], combine: Combine | None
 ) -> Iterator[RelativeIssue]:
     """Find reinforcement without an ultimate combination to design for."""
-    if reinforcement is None or has_ultimate(combinations, combine):
+    if reinforcement is None or has_ultimate_combination(combinations, combine):
         return
     add = '[[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
     cased = "" if cases else "[[cases]], the case of each load, and then "

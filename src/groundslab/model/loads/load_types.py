@@ -11,11 +11,11 @@ import numpy as np
 from pydantic import Discriminator, Tag
 
 from groundslab.arrays import Array
-from groundslab.geometry.plan import LARGEST_BULGE, Segment, loaded_polygon, segment
+from groundslab.geometry.plan import LARGEST_BULGE, Segment, equal_area_polygon, segment
 from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
-from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.base import Check, Section, Table, get_kind
 from groundslab.schema.fields import ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -85,9 +85,9 @@ class PatchLoad(_Pressure):
 def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
     if not holes:
         return
-    around = loaded_polygon(shape.ring())
+    around = equal_area_polygon(shape.ring())
     for position, hole in enumerate(holes):
-        if not around.intersects(loaded_polygon(hole.ring())):
+        if not around.intersects(equal_area_polygon(hole.ring())):
             yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
     if not any(True for _ in _loaded_parts(shape, holes)):
         yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
@@ -97,8 +97,8 @@ def _loaded_parts(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeom
     """Return the polygons of a shape without its holes."""
     from shapely import get_parts, union_all
 
-    cut = union_all([loaded_polygon(hole.ring()) for hole in holes])
-    left = loaded_polygon(shape.ring()).difference(cut)
+    cut = union_all([equal_area_polygon(hole.ring()) for hole in holes])
+    left = equal_area_polygon(shape.ring()).difference(cut)
     return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
 
 
@@ -307,7 +307,7 @@ class SettlementLoad(_Load):
     w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive")]
 
 
-def pressure_of(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
+def pressure_function(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
     """Return the pressure [Pa] of a load as a function of places (..., 2) [m]."""
     if load.slope == NO_SLOPE and load.bend == NO_BEND:
         return lambda places: np.full(places.shape[:-1], load.q)
@@ -333,5 +333,5 @@ Load = Annotated[
     | Annotated[SelfWeight, Tag("self weight")]
     | Annotated[TemperatureLoad, Tag("temperature")]
     | Annotated[SettlementLoad, Tag("settlement")],
-    Discriminator(kind_of),
+    Discriminator(get_kind),
 ]

@@ -15,7 +15,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Discriminator, Tag
 
-from groundslab.schema.base import Check, Section, Table, kind_of
+from groundslab.schema.base import Check, Section, Table, get_kind
 from groundslab.schema.fields import Factors, Number, Text
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.ranges import Range
@@ -137,7 +137,7 @@ DistributionOf = Annotated[
     | Annotated[Triangular, Tag("triangular")]
     | Annotated[Beta, Tag("beta")]
     | Annotated[Scipy, Tag("scipy")],
-    Discriminator(kind_of),
+    Discriminator(get_kind),
 ]
 
 

@@ -43,7 +43,7 @@ class Amount(FieldType):
             return "true" if value else "false"
         return quote(value) if isinstance(value, str) else repr(value)
 
-    def type_words(self) -> str:
+    def type_text(self) -> str:
         """Return where the unit comes from."""
         return self.like
 
@@ -77,13 +77,13 @@ class OneOrTwo(FieldType):
         x, y = map(self.each.write, value)
         return x if x == y else f"[{x}, {y}]"
 
-    def type_words(self) -> str:
+    def type_text(self) -> str:
         """Return what each is."""
-        return f"{self.each.type_words()}, or a list of two"
+        return f"{self.each.type_text()}, or a list of two"
 
-    def range_words(self) -> str:
+    def range_text(self) -> str:
         """Return each one's range."""
-        return self.each.range_words()
+        return self.each.range_text()
 
     def json_schema(self) -> dict[str, Any]:
         """Return one or an array of two."""

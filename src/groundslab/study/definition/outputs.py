@@ -12,7 +12,7 @@ from groundslab.design.design_moments import derived, fields_of, wood_armer
 from groundslab.design.tilt import tilt
 from groundslab.errors import InputError, Issue
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.fields import FieldType, Number, Quantity
 from groundslab.units import DIMENSIONS
 
@@ -120,7 +120,7 @@ class Output:
         return self.statistic == "everywhere"
 
 
-def scalar_of(output: Output, combined: Combined, names: Sequence[str]) -> float | None:
+def scalar_of(output: Output, combined: Results, names: Sequence[str]) -> float | None:
     """Return the number that is kept of a variant, in SI units; None if a combination that it needs has none.
 
     `names` are the combinations that it is of. Of several the worst one's is taken: the largest of the largest, the
@@ -135,7 +135,7 @@ def scalar_of(output: Output, combined: Combined, names: Sequence[str]) -> float
     return min(there) if output.statistic == "smallest" else max(there, key=abs)
 
 
-def nodal_values_of(output: Output, combined: Combined, names: Sequence[str]) -> Array | None:
+def nodal_values_of(output: Output, combined: Results, names: Sequence[str]) -> Array | None:
     """Return the nodal values that are kept of a variant (n,), in SI units; None if a combination has no results.
 
     Of several combinations each node has the value of the largest size, with its sign.
@@ -147,7 +147,7 @@ def nodal_values_of(output: Output, combined: Combined, names: Sequence[str]) ->
     return worst
 
 
-def _scalar(output: Output, results: Results) -> float | None:
+def _scalar(output: Output, results: CombinationResult) -> float | None:
     """Return the number that is kept of a combination's results."""
     if output.of in SCALARS:
         return _scalar_quantity(output, results)
@@ -162,7 +162,7 @@ def _scalar(output: Output, results: Results) -> float | None:
     return float(values.max() if output.statistic == "largest" else values.min())
 
 
-def _scalar_quantity(output: Output, results: Results) -> float | None:
+def _scalar_quantity(output: Output, results: CombinationResult) -> float | None:
     """Return one of SCALARS of a combination's results."""
     certificate, constants = results.certificate, results.constants
     match output.of:
@@ -185,13 +185,13 @@ def _scalar_quantity(output: Output, results: Results) -> float | None:
     return float(getattr(tilt(results.plate), output.of.replace(" ", "_")))
 
 
-def field_of(results: Results, name: str) -> Array:
+def field_of(results: CombinationResult, name: str) -> Array:
     """Return a field of FIELDS at the plate's nodes (n,), in SI units."""
     thickness = results.elements.at_nodes(results.plate)[0] if name in _NEEDS_THICKNESS else np.zeros(0)
     return _derive(results, name, fields_of(results.plate), thickness)
 
 
-def _value_at(results: Results, output: Output) -> float:
+def _value_at(results: CombinationResult, output: Output) -> float:
     """Return a field at a point; what derives from moments is computed there, as it has kinks between the nodes."""
     from groundslab.fem.mesh import Mesh, locate
     from groundslab.fem.shape_functions import q9
@@ -207,7 +207,7 @@ def _value_at(results: Results, output: Output) -> float:
     return float(_derive(results, output.of, fields, results.elements.thickness[[element]])[0])
 
 
-def _derive(results: Results, name: str, fields: dict[str, Array], thickness: Array) -> Array:
+def _derive(results: CombinationResult, name: str, fields: dict[str, Array], thickness: Array) -> Array:
     """Return a field of FIELDS (n,) from the plate's own fields (n,), all in SI units."""
     if name in _RESULT_FIELDS:
         return derived(fields, _RESULT_FIELDS[name])
@@ -222,7 +222,7 @@ def _derive(results: Results, name: str, fields: dict[str, Array], thickness: Ar
     return _required_bars(results, name, design, thickness)
 
 
-def _required_bars(results: Results, name: str, design: Any, thickness: Array) -> Array:
+def _required_bars(results: CombinationResult, name: str, design: Any, thickness: Array) -> Array:
     """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
     from groundslab.design.reinforcement import Axes, slab
     from groundslab.design.tables.reinforcement import materials

@@ -12,7 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.errors import InputError
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.model import Model
 from groundslab.model.outputs import OutputPoint
@@ -289,7 +289,7 @@ def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Rel
         yield RelativeIssue(("support",), describe(keep.support), 'none, as of is not "support force"')
     if of not in ("k0", "k1") and keep.layer is not None:
         yield RelativeIssue(("layer",), str(keep.layer), "none, as of is neither k0 nor k1")
-    combinations = {each.name: each.limit_state for each in combinations_of(model)}
+    combinations = {each.name: each.limit_state for each in list_combinations(model)}
     if keep.combination and keep.combination not in combinations:
         hint = suggestion(keep.combination, combinations)
         yield RelativeIssue(("combination",), describe(keep.combination), one_of(list(combinations)), hint)
@@ -330,7 +330,7 @@ def warnings_of(setup: Setup) -> list[str]:
     """Return warnings before a study is run, a line each."""
     return [
         f"{each.name}: about {each.outside * setup.count:.2g} of {setup.count} values will lie outside the range of "
-        f"{each.path} ({each.place.key.range_words()}); these variants will fail"
+        f"{each.path} ({each.place.key.range_text()}); these variants will fail"
         for each in setup.variables
         if each.outside * setup.count > MAX_OUTSIDE
     ]

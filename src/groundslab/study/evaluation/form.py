@@ -179,12 +179,16 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     setup = study.setup
     limit = _limit(setup, limit_state)
     point = design_point(Margin(setup, limit), setup.correlation)
-    sample = from_study.sample_in(study)
+    sample = from_study.read_samples(study)
     inputs = tuple(
         Input(each.name, each.unit, np.array([value]))
         for each, value in zip(sample.inputs, values_of(setup, point.scores), strict=True)
     )
-    sampled = evaluation.failure(sample, sample.groups[0], limit) if sample.random and len(sample.number) else None
+    sampled = (
+        evaluation.failure_probability(sample, sample.groups[0], limit)
+        if sample.random and len(sample.number)
+        else None
+    )
     output = sample.output(limit.output)
     return Reliability(limit, inputs, Output(output.name, output.unit, np.array([limit.bound])), point, sampled)
 

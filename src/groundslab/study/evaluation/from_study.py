@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.schema.fields import Quantity
-from groundslab.study.evaluation.samples import PURE, RANDOM, Gathered, Input, Output, unit_for
+from groundslab.study.evaluation.samples import PURE, RANDOM, Input, Output, Samples, choose_unit
 from groundslab.study.execution import store
 from groundslab.study.execution.variant import SOLVED
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from groundslab.study.evaluation.study import Study
 
 
-def sample_in(study: Study) -> Gathered:
+def read_samples(study: Study) -> Samples:
     """Return all rows of a study that are there; of one that still runs, those that it has so far."""
     setup = study.setup
     with study.opened_rows() as kept:
@@ -29,7 +29,7 @@ def sample_in(study: Study) -> Gathered:
     table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in names]
     number, status, reason, message, seconds = table[: len(store.FIXED)]
     own = iter(table[len(store.FIXED) :])
-    return Gathered(
+    return Samples(
         kind=setup.sampling.kind,
         seed=setup.seed,
         number=np.array(number, dtype=np.int64) - 1,
@@ -61,7 +61,7 @@ def _input(variable: Variable, values: Sequence[Any], setup: Setup) -> Input:
     density = None
     if variable.distribution is not None and setup.sampling.kind in RANDOM:
         density = variable.distribution.frozen.pdf
-    return Input(variable.name, unit_for(dimension, numeric), numeric, density, variable.chosen)
+    return Input(variable.name, choose_unit(dimension, numeric), numeric, density, variable.chosen)
 
 
 def _labelled(name: str, values: Sequence[Any], chosen: bool = False) -> Input:
@@ -74,4 +74,4 @@ def _labelled(name: str, values: Sequence[Any], chosen: bool = False) -> Input:
 def _output(output: StudyOutput, values: Sequence[float | None]) -> Output:
     """Return an output with its values; what is missing is nan."""
     numeric = np.array(values, dtype=float)  # None becomes nan
-    return Output(output.name, unit_for(output.dimension, numeric), numeric)
+    return Output(output.name, choose_unit(output.dimension, numeric), numeric)

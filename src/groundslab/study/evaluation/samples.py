@@ -63,7 +63,7 @@ class Group:
 
 
 @dataclass(frozen=True)
-class Gathered:
+class Samples:
     """All variants of a study as arrays of one length n, in the order of their numbers."""
 
     kind: str
@@ -157,7 +157,7 @@ def condition(limit: Limit, output: Output) -> str:
     return f"{limit.output} {limit.sense} {show_value(limit.bound, output.unit)}"
 
 
-def unit_for(dimension: str | None, values: Array) -> Unit:
+def choose_unit(dimension: str | None, values: Array) -> Unit:
     """Return a fitting unit of display for values in SI of one dimension; none for pure numbers."""
     if not dimension:
         return PURE

@@ -15,7 +15,7 @@ from groundslab.study.evaluation.statistics import LEVEL, Estimate
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.study.definition.setup import Limit
-    from groundslab.study.evaluation.samples import Gathered, Group, Input, Output
+    from groundslab.study.evaluation.samples import Group, Input, Output, Samples
 
 #: Quantiles of each output.
 QUANTILES = (0.05, 0.5, 0.95)
@@ -27,7 +27,7 @@ NAMES = (
 MOST_POINTS = 200
 
 
-def tables_of(sample: Gathered, level: float = LEVEL) -> tuple[Table, ...]:
+def tables_of(sample: Samples, level: float = LEVEL) -> tuple[Table, ...]:
     """Return all tables that a study's kind of sampling permits; level is the confidence of the intervals."""
     tables: list[Table | None] = [
         tabulate_variants(sample),
@@ -42,7 +42,7 @@ def tables_of(sample: Gathered, level: float = LEVEL) -> tuple[Table, ...]:
     return tuple(table for table in tables if table is not None)
 
 
-def tabulate_variants(sample: Gathered) -> Table:
+def tabulate_variants(sample: Samples) -> Table:
     """Return a row for each variant: inputs, outputs, why there is no result, seconds."""
     heads: list[Head] = [("variant", "")]
     columns: list[list[Cell]] = [[int(number) + 1 for number in sample.number]]
@@ -57,7 +57,7 @@ def tabulate_variants(sample: Gathered) -> Table:
     return table_of("variants", "Variants", heads, list(zip(*columns, strict=True)))
 
 
-def tabulate_statistics(sample: Gathered, level: float = LEVEL) -> Table:
+def tabulate_statistics(sample: Samples, level: float = LEVEL) -> Table:
     """Return count, mean, standard deviation, quantiles and extremes of each output, design by design."""
     heads: list[Head] = [*_design_heads(sample), ("output", ""), ("unit", ""), ("variants", "")]
     if sample.random:
@@ -85,7 +85,7 @@ def tabulate_statistics(sample: Gathered, level: float = LEVEL) -> Table:
 NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and means are left out."
 
 
-def _statistics_cells(sample: Gathered, group: Group, output: Output, level: float) -> list[Cell]:
+def _statistics_cells(sample: Samples, group: Group, output: Output, level: float) -> list[Cell]:
     """Return the statistics of an output in one design."""
     x = sample.of(output, group) * output.unit.scale
     if len(x) == 0:
@@ -100,7 +100,7 @@ def _statistics_cells(sample: Gathered, group: Group, output: Output, level: flo
     return [*cells, float(x.max())]
 
 
-def tabulate_limit_states(sample: Gathered, level: float = LEVEL) -> Table | None:
+def tabulate_limit_states(sample: Samples, level: float = LEVEL) -> Table | None:
     """Return how often each limit state failed, design by design, and the probability of failure."""
     if not sample.limits:
         return None
@@ -139,13 +139,13 @@ def tabulate_limit_states(sample: Gathered, level: float = LEVEL) -> Table | Non
     return table_of("limit_states", "Limit states", heads, rows, notes)
 
 
-def failure(sample: Gathered, group: Group, limit: Limit, level: float = LEVEL) -> Estimate:
+def failure_probability(sample: Samples, group: Group, limit: Limit, level: float = LEVEL) -> Estimate:
     """Return the probability that a limit state fails in one design, among the variants that have a result."""
     x = sample.there(sample.output(limit.output), group)
     return statistics.probability(int(limit.fails(x).sum()), len(x), level)
 
 
-def _probability_cells(sample: Gathered, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
+def _probability_cells(sample: Samples, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
     """Return the probability of failure, the index, the effect of missing results, and the verdict."""
     from scipy.special import ndtri
 
@@ -157,7 +157,7 @@ def _probability_cells(sample: Gathered, group: Group, limit: Limit, failed: int
     return [*_estimate_cells(p), index, lost, high, limit.target, verdict]
 
 
-def tabulate_exceedance(sample: Gathered, level: float = LEVEL) -> Table | None:
+def tabulate_exceedance(sample: Samples, level: float = LEVEL) -> Table | None:
     """Return the curves of exceedance: the share of variants above each value, design by design."""
     if not sample.random:
         return None
@@ -166,12 +166,12 @@ def tabulate_exceedance(sample: Gathered, level: float = LEVEL) -> Table | None:
     rows = []
     for group in sample.groups:
         for output in sample.outputs:
-            value, *curve = curve_of(sample, output, group, level)
+            value, *curve = exceedance_curve(sample, output, group, level)
             about: list[Cell] = [*_design_cells(sample, group), output.name, output.unit.name]
             side = "below" if sample.falls(output) else "above"
             rows += [
                 [*about, float(value[at]), side, *(float(each[at]) for each in curve)]
-                for at in thinned(len(value), MOST_POINTS)
+                for at in thin_out(len(value), MOST_POINTS)
             ]
     notes = [
         f"The share of variants above each value; below it for outputs whose limit states say at least. At most "
@@ -180,7 +180,9 @@ def tabulate_exceedance(sample: Gathered, level: float = LEVEL) -> Table | None:
     return table_of("exceedance", "Curves of exceedance", heads, rows, notes)
 
 
-def curve_of(sample: Gathered, output: Output, group: Group, level: float = LEVEL) -> tuple[Array, Array, Array, Array]:
+def exceedance_curve(
+    sample: Samples, output: Output, group: Group, level: float = LEVEL
+) -> tuple[Array, Array, Array, Array]:
     """Return an output's finite values in one design, in the unit of display and in rising order, with their shares.
 
     The shares of all variants beyond each value, to the side that is bad, and the ends of their intervals.
@@ -191,12 +193,12 @@ def curve_of(sample: Gathered, output: Output, group: Group, level: float = LEVE
     return value[finite], p[finite], low[finite], high[finite]
 
 
-def thinned(n: int, most: int) -> list[int]:
+def thin_out(n: int, most: int) -> list[int]:
     """Return at most `most` of the positions 0 ... n - 1, spread evenly, the first and the last among them."""
     return sorted({round(at) for at in np.linspace(0, n - 1, min(n, most))}) if n else []
 
 
-def tabulate_sobol_indices(sample: Gathered, level: float = LEVEL) -> Table | None:
+def tabulate_sobol_indices(sample: Samples, level: float = LEVEL) -> Table | None:
     """Return Sobol's first-order and total indices of each input for each output; only of Saltelli's sample."""
     if sample.kind != "saltelli":
         return None
@@ -205,7 +207,7 @@ def tabulate_sobol_indices(sample: Gathered, level: float = LEVEL) -> Table | No
     rows: list[list[Cell]] = []
     left_out = False
     for output in sample.outputs:
-        found = indices_of(sample, output, level)
+        found = compute_sobol_indices(sample, output, level)
         if found is None:
             rows += [[output.name, each.name, *[None] * 6, None] for each in sample.inputs]
             continue
@@ -222,7 +224,7 @@ def tabulate_sobol_indices(sample: Gathered, level: float = LEVEL) -> Table | No
     return table_of("sobol", "Sobol indices", heads, rows, notes)
 
 
-def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensitivity.SobolIndices | None:
+def compute_sobol_indices(sample: Samples, output: Output, level: float = LEVEL) -> sensitivity.SobolIndices | None:
     """Return the Sobol indices of one output of a Saltelli sample, without incomplete blocks.
 
     None where they are not defined: too few blocks, or an output that does not vary.
@@ -231,7 +233,7 @@ def indices_of(sample: Gathered, output: Output, level: float = LEVEL) -> sensit
     return sensitivity.sobol_indices(A, B, AB, sample.seed, level)
 
 
-def tabulate_influence(sample: Gathered, level: float = LEVEL) -> Table | None:
+def tabulate_influence(sample: Samples, level: float = LEVEL) -> Table | None:
     """Return the influence of each input on each output: by its low and high value alone, or by rank correlation."""
     if sample.kind == "tornado":
         return _tabulate_swings(sample)
@@ -242,7 +244,7 @@ def tabulate_influence(sample: Gathered, level: float = LEVEL) -> Table | None:
         [*_design_cells(sample, group), output.name, name, *_estimate_cells(r)]
         for group in sample.groups
         for output in sample.outputs
-        for name, r in ranked(sample, group, output, level)
+        for name, r in rank_inputs(sample, group, output, level)
     ]
     notes = [
         "By Spearman's rank correlation of input and output, the strongest first; intervals of "
@@ -252,7 +254,7 @@ def tabulate_influence(sample: Gathered, level: float = LEVEL) -> Table | None:
     return table_of("tornado", "Influence of the inputs (rank correlation)", heads, rows, notes)
 
 
-def ranked(sample: Gathered, group: Group, output: Output, level: float = LEVEL) -> list[tuple[str, Estimate]]:
+def rank_inputs(sample: Samples, group: Group, output: Output, level: float = LEVEL) -> list[tuple[str, Estimate]]:
     """Return the rank correlation of each input that varies by chance with an output, the strongest first."""
     rows = _complete_rows(sample, group, output)
     found = [
@@ -262,19 +264,19 @@ def ranked(sample: Gathered, group: Group, output: Output, level: float = LEVEL)
     return sorted(found, key=lambda pair: -abs(np.nan_to_num(pair[1].value)))
 
 
-def _complete_rows(sample: Gathered, group: Group, output: Output) -> Integers:
+def _complete_rows(sample: Samples, group: Group, output: Output) -> Integers:
     """Return the rows of a design that were drawn and have the output."""
     rows = group.rows[sample.drawn[group.rows]]
     return rows[np.isfinite(output.values[rows])]
 
 
-def _tabulate_swings(sample: Gathered) -> Table:
+def _tabulate_swings(sample: Samples) -> Table:
     """Return the tornado of variants with one input low or high at a time."""
     heads: list[Head] = [("output", ""), ("unit", ""), ("input", ""), ("at medians", "")]
     heads += [("input low", ""), ("input high", ""), ("swing", "")]
     rows: list[list[Cell]] = []
     for output in sample.outputs:
-        base, swings = swings_of(sample, output)
+        base, swings = compute_swings(sample, output)
         for each in swings:
             scaled = [_cell(value * output.unit.scale) for value in (base, each.low, each.high, each.high - each.low)]
             rows.append([output.name, output.unit.name, each.input, *scaled])
@@ -282,14 +284,14 @@ def _tabulate_swings(sample: Gathered) -> Table:
     return table_of("tornado", "Influence of the inputs (one at a time)", heads, rows, notes)
 
 
-def swings_of(sample: Gathered, output: Output) -> tuple[float, tuple[sensitivity.Swing, ...]]:
+def compute_swings(sample: Samples, output: Output) -> tuple[float, tuple[sensitivity.Swing, ...]]:
     """Return an output (SI) with all inputs at their medians, and its swings, the widest first."""
     y = np.full(sample.planned, np.nan)
     y[sample.number] = output.values
     return sensitivity.tornado(y, tuple(each.name for each in sample.inputs))
 
 
-def tabulate_correlations(sample: Gathered) -> Table | None:
+def tabulate_correlations(sample: Samples) -> Table | None:
     """Return Pearson's and Spearman's coefficients of each output with each input and each other output."""
     if not sample.random:
         return None
@@ -308,7 +310,7 @@ def tabulate_correlations(sample: Gathered) -> Table | None:
     return table_of("correlations", "Correlations", heads, rows) if rows else None
 
 
-def tabulate_missing_results(sample: Gathered) -> Table | None:
+def tabulate_missing_results(sample: Samples) -> Table | None:
     """Return why variants have no result, with how many and which; None if all have one."""
     count = Counter(why for why in sample.reason if why)
     if not count:
@@ -318,12 +320,12 @@ def tabulate_missing_results(sample: Gathered) -> Table | None:
     return table_of("missing", "Variants without a result", heads, rows)
 
 
-def _design_heads(sample: Gathered) -> list[Head]:
+def _design_heads(sample: Samples) -> list[Head]:
     """Return the column that names the design, if there are several."""
     return [("design", "")] if sample.groups[0].label else []
 
 
-def _design_cells(sample: Gathered, group: Group) -> list[Cell]:
+def _design_cells(sample: Samples, group: Group) -> list[Cell]:
     """Return the cell that names the design, if there are several."""
     return [group.label] if sample.groups[0].label else []
 
@@ -343,7 +345,7 @@ def _cell(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-def _interval_note(sample: Gathered, level: float) -> str:
+def _interval_note(sample: Samples, level: float) -> str:
     """Return a note on the intervals."""
     text = f"Intervals of {level:.0%} confidence for independent samples."
     return text if sample.kind == "monte carlo" else f"{text} This sample is spread more evenly: they are too wide."

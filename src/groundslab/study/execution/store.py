@@ -71,7 +71,7 @@ def create(folder: Path, study: str, case: str, about: Mapping[str, Any], setup:
 
 def _require_free(folder: Path) -> None:
     """Raise InputError if a name is taken."""
-    atomic.require_possible(folder, f"{ROWS}-journal")
+    atomic.check_name(folder, f"{ROWS}-journal")
     if os.path.lexists(folder):
         raise InputError([Issue(str(folder), "a name that is taken", "a name that is free", "choose another folder")])
 

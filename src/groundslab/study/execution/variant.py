@@ -22,8 +22,8 @@ from groundslab.errors import (
     SingularMatrix,
 )
 from groundslab.fem.mesh import Mesh
-from groundslab.model.combinations import combinations_of
-from groundslab.model.loads.load_cases import Combination, has_ultimate
+from groundslab.model.combinations import list_combinations
+from groundslab.model.loads.load_cases import Combination, has_ultimate_combination
 from groundslab.solvers import factorization, pardiso
 from groundslab.study.definition import case_paths, outputs
 from groundslab.study.sampling import random_fields
@@ -31,7 +31,7 @@ from groundslab.study.sampling import random_fields
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.results import Combined
+    from groundslab.results.results import Results
     from groundslab.study.definition.outputs import Output
     from groundslab.study.definition.setup import Setup
     from groundslab.study.sampling.designs import Variant
@@ -80,14 +80,14 @@ class Worker:
     """
 
     def __init__(self, setup: Setup) -> None:
-        pardiso.repeatable()
+        pardiso.make_reproducible()
         self._setup = setup
-        self._names = tuple(each.name for each in combinations_of(setup.model))
+        self._names = tuple(each.name for each in list_combinations(setup.model))
         named = {output.combination for output in setup.outputs}
         #: Combinations of the case that are solved, by their positions.
         self._solved = [n for n, name in enumerate(self._names) if "" in named or name in named]
         self._all = [self._names[n] for n in self._solved]
-        self._ultimate = {each.name for each in combinations_of(setup.model) if each.limit_state == "ultimate"}
+        self._ultimate = {each.name for each in list_combinations(setup.model) if each.limit_state == "ultimate"}
         # as many threads as there are workers are at work already, and sums of one thread come out the same everywhere
         with factorization.one_thread():
             self._solve = self._solver()
@@ -138,7 +138,7 @@ class Worker:
         pairs = zip(self._setup.variables, values, strict=True)
         values_in_case = {variable.place: variable.value_in_case(value) for variable, value in pairs}
         model = case_paths.with_values(self._setup.model, values_in_case)
-        there = combinations_of(model)
+        there = list_combinations(model)
         if len(there) != len(self._names):
             expected = f"{len(self._names)}, as the case has"
             raise InputError([Issue("combinations", f"{len(there)} combinations", expected)])
@@ -153,14 +153,14 @@ class Worker:
             each.path: random_fields.factors(each, seed) for each, seed in zip(self._setup.fields, seeds, strict=True)
         }
 
-    def _solver(self) -> Callable[[Model, dict[str, Any]], Combined]:
+    def _solver(self) -> Callable[[Model, dict[str, Any]], Results]:
         """Return the function that solves a variant of the case."""
         from groundslab.analysis.driver import Variants, solve_combinations
 
         base = self._setup.model
         try:
             if len(self._solved) < len(self._names):
-                there = combinations_of(base)
+                there = list_combinations(base)
                 base = _only(base, [there[n] for n in self._solved])
             if self._setup.fields:
                 base = base.replace(mesh=base.mesh.replace(symmetry="off"))
@@ -174,7 +174,7 @@ class Worker:
 
 def _only(model: Model, combinations: Sequence[Combination]) -> Model:
     """Return a model with some of its combinations; without an ultimate one there is no reinforcement design."""
-    ultimate = has_ultimate(tuple(combinations), None)
+    ultimate = has_ultimate_combination(tuple(combinations), None)
     reinforcement = model.reinforcement if ultimate else None
     return model.replace(combinations=tuple(combinations), combine=None, reinforcement=reinforcement)
 

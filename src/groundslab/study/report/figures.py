@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.arrays import Array, Integers
-    from groundslab.study.evaluation.samples import Gathered, Input, Output
+    from groundslab.study.evaluation.samples import Input, Output, Samples
     from groundslab.units import Unit
 
 #: Figures are drawn so wide [in]; the page gives them what space there is.
@@ -52,7 +52,7 @@ MOST_POINTS = 500
 MOST_PANELS = 8
 
 
-def inputs(sample: Gathered) -> Markup:
+def inputs(sample: Samples) -> Markup:
     """Return histograms of the inputs that vary by chance, with the densities that they were drawn from."""
 
     def draw() -> Figure:
@@ -67,7 +67,7 @@ def inputs(sample: Gathered) -> Markup:
     return _render("inputs", "Histograms of the inputs", draw)
 
 
-def outputs(sample: Gathered) -> Markup:
+def outputs(sample: Samples) -> Markup:
     """Return histograms of the outputs, those of several designs over each other, with the bounds of limit states."""
 
     def draw() -> Figure:
@@ -84,14 +84,14 @@ def outputs(sample: Gathered) -> Markup:
     return _render("outputs", "Histograms of the outputs", draw)
 
 
-def exceedance(sample: Gathered, level: float = LEVEL) -> Markup:
+def exceedance(sample: Samples, level: float = LEVEL) -> Markup:
     """Return the curves of exceedance of each output with their intervals and the bounds of limit states."""
 
     def draw() -> Figure:
         figure, panels = _panels(len(sample.outputs))
         for axes, each in zip(panels, sample.outputs, strict=False):
             for number, group in enumerate(sample.groups):
-                curve, color = tables.curve_of(sample, each, group, level), _color(number, len(sample.groups))
+                curve, color = tables.exceedance_curve(sample, each, group, level), _color(number, len(sample.groups))
                 _curve(axes, curve, color, short(group.label), "pre" if sample.falls(each) else "post")
             axes.set_xlabel(named(each.name, each.unit))
             axes.set_ylabel("probability of less" if sample.falls(each) else "probability of more")
@@ -102,7 +102,7 @@ def exceedance(sample: Gathered, level: float = LEVEL) -> Markup:
     return _render("exceedance", "Curves of exceedance", draw)
 
 
-def scatter(sample: Gathered) -> Markup:
+def scatter(sample: Samples) -> Markup:
     """Return each output over each input, at most MOST_POINTS points a panel and MOST_PANELS panels a side."""
     across, down = sample.varied[:MOST_PANELS], sample.outputs[:MOST_PANELS]
 
@@ -133,14 +133,14 @@ def scatter(sample: Gathered) -> Markup:
     return _render("scatter", "Outputs over inputs", draw)
 
 
-def sobol(sample: Gathered, level: float = LEVEL) -> Markup:
+def sobol(sample: Samples, level: float = LEVEL) -> Markup:
     """Return bars of Sobol's first-order and total indices with their intervals, a panel an output."""
 
     def draw() -> Figure:
         figure, panels = _panels(len(sample.outputs), 1.0 + 0.32 * len(sample.inputs), 2)
         places = np.arange(len(sample.inputs))
         for axes, output in zip(panels, sample.outputs, strict=False):
-            found = tables.indices_of(sample, output, level)
+            found = tables.compute_sobol_indices(sample, output, level)
             axes.set_title(short(output.name))
             axes.set_yticks(places, [short(each.name, NARROW) for each in sample.inputs])
             axes.invert_yaxis()
@@ -163,7 +163,7 @@ def sobol(sample: Gathered, level: float = LEVEL) -> Markup:
     return _render("sobol", "Sobol indices", draw)
 
 
-def tornado(sample: Gathered, level: float = LEVEL) -> Markup:
+def tornado(sample: Samples, level: float = LEVEL) -> Markup:
     """Return tornado charts, a panel an output: swings of one input at a time, or rank correlations."""
 
     def draw() -> Figure:
@@ -183,7 +183,7 @@ def tornado(sample: Gathered, level: float = LEVEL) -> Markup:
     return _render("tornado", "Influence of the inputs", draw)
 
 
-def designs(sample: Gathered, level: float = LEVEL) -> Markup:
+def designs(sample: Samples, level: float = LEVEL) -> Markup:
     """Return the probability of each limit state over what the designer chose, with targets.
 
     Over the quantity if it is one number; several of them, and words, are named side by side.
@@ -200,7 +200,7 @@ def designs(sample: Gathered, level: float = LEVEL) -> Markup:
             else:
                 x = [float(place) for place in range(len(sample.groups))]
                 axes.set_xticks(x, [short(group.label, NARROW) for group in sample.groups], rotation=60, ha="right")
-            p = [tables.failure(sample, group, limit, level) for group in sample.groups]
+            p = [tables.failure_probability(sample, group, limit, level) for group in sample.groups]
             middle = np.array([each.value for each in p])
             half = np.array([[each.value - each.low, each.high - each.value] for each in p]).T
             axes.errorbar(x, middle, yerr=half, fmt="o", color=ACCENT, markersize=3.5, capsize=3, elinewidth=1.0)
@@ -313,7 +313,7 @@ def _curve(
     n = len(value)
     if n == 0:
         return
-    at = tables.thinned(n, 2 * tables.MOST_POINTS)
+    at = tables.thin_out(n, 2 * tables.MOST_POINTS)
     axes.step(value[at], p[at], where=step, color=color, linewidth=1.2, label=name)
     axes.fill_between(value[at], low[at], high[at], step=step, color=color, alpha=0.2, linewidth=0)
     if n >= 100:
@@ -331,16 +331,16 @@ def _plain(axes: Axes) -> None:
     axes.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _bounds(axes: Axes, sample: Gathered, output: Output) -> None:
+def _bounds(axes: Axes, sample: Samples, output: Output) -> None:
     """Draw the bounds of the limit states of an output."""
     for limit in sample.limits:
         if limit.output == output.name:
             axes.axvline(limit.bound * output.unit.scale, color=BAD, linewidth=1.0, linestyle="--")
 
 
-def _swings(axes: Axes, sample: Gathered, output: Output) -> None:
+def _swings(axes: Axes, sample: Samples, output: Output) -> None:
     """Draw the swings of one output, the widest on top."""
-    base, swings = tables.swings_of(sample, output)
+    base, swings = tables.compute_swings(sample, output)
     scale = output.unit.scale
     for place, each in enumerate(swings):
         for value, color, label in ((each.low, ACCENT, "input low"), (each.high, SECOND, "input high")):
@@ -352,9 +352,9 @@ def _swings(axes: Axes, sample: Gathered, output: Output) -> None:
     axes.set_xlabel(named(output.name, output.unit))
 
 
-def _ranked(axes: Axes, sample: Gathered, output: Output, level: float) -> None:
+def _ranked(axes: Axes, sample: Samples, output: Output, level: float) -> None:
     """Draw the rank correlations of one output with their intervals, the strongest on top; of the first design."""
-    found = tables.ranked(sample, sample.groups[0], output, level)
+    found = tables.rank_inputs(sample, sample.groups[0], output, level)
     for place, (_, r) in enumerate(found):
         if np.isfinite(r.value):
             axes.barh(place, r.value, 0.6, color=ACCENT if r.value >= 0 else SECOND)
@@ -373,7 +373,7 @@ def _color(number: int, of: int) -> Any:
     return ACCENT if of == 1 else colormaps["viridis"](0.25 + 0.6 * number / (of - 1))
 
 
-def _legend(figure: Figure, sample: Gathered | None) -> None:
+def _legend(figure: Figure, sample: Samples | None) -> None:
     """Put one legend below the panels: the designs, or whatever bears a label; none for a single design."""
     if sample is not None and len(sample.groups) == 1:
         return

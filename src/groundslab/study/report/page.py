@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.design.tables.table import Cell, Table
     from groundslab.study.evaluation.form import Reliability
-    from groundslab.study.evaluation.samples import Gathered
+    from groundslab.study.evaluation.samples import Samples
     from groundslab.units import Unit
 
 #: Of a longer table the page shows the first rows; the CSV file has all.
@@ -62,7 +62,7 @@ class Origin:
 
 
 def html(
-    sample: Gathered,
+    sample: Samples,
     origin: Origin,
     maps: Sequence[Map] = (),
     reliability: Sequence[Reliability] = (),
@@ -91,7 +91,7 @@ def html(
     return text
 
 
-def _lead(sample: Gathered) -> str:
+def _lead(sample: Samples) -> str:
     """Return in a sentence what was done."""
     n, solved = len(sample.number), int(sample.solved.sum())
     of = f" of {sample.planned} planned" if n != sample.planned else ""
@@ -100,7 +100,7 @@ def _lead(sample: Gathered) -> str:
     return f"Sampling: {kind}{designs}. {n} variants{of}, {solved} with a result. Seed {sample.seed}."
 
 
-def _warnings(sample: Gathered) -> list[str]:
+def _warnings(sample: Samples) -> list[str]:
     """Return what a reader must know before any figure."""
     lost, n = int((~sample.solved).sum()), len(sample.number)
     told = []
@@ -115,7 +115,7 @@ def _warnings(sample: Gathered) -> list[str]:
 
 
 def _parts(
-    sample: Gathered,
+    sample: Samples,
     tables: Mapping[str, Table],
     origin: Origin,
     maps: Sequence[Map],
@@ -169,13 +169,13 @@ def _parts(
     return parts
 
 
-def _first_only(sample: Gathered) -> list[str]:
+def _first_only(sample: Samples) -> list[str]:
     """Return a remark if the chart shows one design of several."""
     several = len(sample.groups) > 1 and sample.kind != "tornado"
     return [f"The chart is of the design {sample.groups[0].label}; the table has all."] if several else []
 
 
-def _shown(sample: Gathered) -> list[str]:
+def _shown(sample: Samples) -> list[str]:
     """Return a remark if the scatter plots show less than all."""
     told, drawn = [], int(sample.drawn.sum())
     if drawn > figures.MOST_POINTS:

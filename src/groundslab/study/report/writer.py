@@ -11,7 +11,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.storage import atomic, ownership
 from groundslab.study.evaluation import from_study
 from groundslab.study.evaluation import tables as evaluation
-from groundslab.study.evaluation.samples import unit_for
+from groundslab.study.evaluation.samples import choose_unit
 from groundslab.study.evaluation.statistics import LEVEL
 from groundslab.study.report import page
 from groundslab.units import UNITS
@@ -56,7 +56,7 @@ def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float
     from groundslab.study.evaluation import form
 
     folder = check(study)
-    sample = from_study.sample_in(study)
+    sample = from_study.read_samples(study)
     if len(sample.number) == 0:
         raise InputError([Issue(str(study.folder), "a study without a row", "a study with rows to evaluate")])
     tables = [*evaluation.tables_of(sample, level), *(form.tables(reliability) if reliability else ())]
@@ -114,7 +114,7 @@ def _unwritable(folder: Path, error: OSError) -> InputError:
 
 def tables_of(study: Study, level: float = LEVEL) -> tuple[Table, ...]:
     """Return the tables that are made of a study's rows; level is the confidence of the intervals."""
-    return evaluation.tables_of(from_study.sample_in(study), level)
+    return evaluation.tables_of(from_study.read_samples(study), level)
 
 
 def maps(study: Study) -> Iterator[page.Map]:
@@ -130,10 +130,10 @@ def maps(study: Study) -> Iterator[page.Map]:
         except InputError:
             return
         nodes, elements = found.mesh.nodes, found.mesh.elements
-        unit = unit_for(output.dimension or None, found.values)
+        unit = choose_unit(output.dimension or None, found.values)
         yield page.Map(f"{output.name}: mean", nodes, elements, found.values * unit.scale, unit)
         spread = study.map(output.name, "std").values
-        own = unit_for(output.dimension or None, spread)
+        own = choose_unit(output.dimension or None, spread)
         yield page.Map(f"{output.name}: standard deviation", nodes, elements, spread * own.scale, own)
         if output.of == "settlement":
             share = study.map(output.name, "probability of uplift").values

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from pathlib import Path
 
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry
 
     Writer = Callable[[Path], object]
@@ -37,7 +37,7 @@ def is_path(name: str) -> bool:
     return _PATHS.fullmatch(name) is not None
 
 
-def _of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
+def _of_one(results: CombinationResult, below: str, plot: bool) -> dict[str, Writer]:
     """Return what writes the files of one combination, by their paths; all of them begin with `below`."""
     from groundslab.views import plots
     from groundslab.views.files import npz, vtk
@@ -53,7 +53,7 @@ def _of_one(results: Results, below: str, plot: bool) -> dict[str, Writer]:
     return writers
 
 
-def _of_increments(results: Results, below: str) -> dict[str, Writer]:
+def _of_increments(results: CombinationResult, below: str) -> dict[str, Writer]:
     """Return what writes the states under shares of the load, and the collections that join them with the last one.
 
     ParaView's time is the share.
@@ -76,7 +76,7 @@ def _of_increments(results: Results, below: str) -> dict[str, Writer]:
     return writers
 
 
-def files_of(combined: Combined, plot: bool) -> tuple[dict[str, Writer], dict[str, str]]:
+def files_of(combined: Results, plot: bool) -> tuple[dict[str, Writer], dict[str, str]]:
     """Return what writes the files of each combination and those that join them, and the combinations' folders.
 
     ParaView's time is the number of each combination; those without a certified result are left out there.
@@ -102,7 +102,7 @@ def files_of(combined: Combined, plot: bool) -> tuple[dict[str, Writer], dict[st
     return writers, folders
 
 
-def of_all(combined: Combined) -> dict[str, Writer]:
+def of_all(combined: Results) -> dict[str, Writer]:
     """Return what writes the files of all combinations together: tables, and envelopes if there is more than one."""
     from groundslab.design.tables import tables_of
     from groundslab.views.files import vtk

@@ -16,7 +16,7 @@ from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
-from groundslab.results.results import Increment, Results, SupportResult
+from groundslab.results.results import CombinationResult, Increment, SupportResult
 from groundslab.views.files.validation import require_sound
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ class _About:
     increments: tuple[float, ...]
 
 
-def write(results: Results, path: Path) -> None:
+def write(results: CombinationResult, path: Path) -> None:
     """Write arrays named as "plate.settlement", the model as TOML in "model", the rest as JSON in "about"."""
     from groundslab.case import casefile
 
@@ -91,7 +91,7 @@ def write(results: Results, path: Path) -> None:
         np.savez(file, **arrays)
 
 
-def load(path: Path) -> Results:
+def load(path: Path) -> CombinationResult:
     """Return the results that ``write`` put into an archive; their arrays cannot be written to.
 
     Raises InputError if anything in it is damaged.
@@ -162,14 +162,14 @@ def _read_about(text: str) -> _About:
         raise ValueError(f"about.{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
 
 
-def _results(arrays: dict[str, Any]) -> Results:
+def _results(arrays: dict[str, Any]) -> CombinationResult:
     """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
     from groundslab.case import casefile
 
     about = _read_about(str(arrays["about"]))
     for array in arrays.values():
         array.flags.writeable = False
-    found = Results(
+    found = CombinationResult(
         model=casefile.loads(str(arrays["model"])),
         **_parts("", arrays),
         constants=about.constants,
@@ -190,7 +190,7 @@ def _results(arrays: dict[str, Any]) -> Results:
     return found
 
 
-def _arrays(below: str, state: Results | Increment) -> dict[str, Any]:
+def _arrays(below: str, state: CombinationResult | Increment) -> dict[str, Any]:
     """Return the arrays of a state by their names, which begin with `below`; a mesh that is known stands there once."""
     found: dict[str, Any] = {}
     for part, values in (("plate", state.plate), ("elements", state.elements), ("ground", state.ground)):

@@ -27,7 +27,7 @@ from groundslab.errors import (
     NotConverged,
     SingularMatrix,
 )
-from groundslab.results.results import Combined, Results, alone
+from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, ownership
 from groundslab.views.files import manifest, npz
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 
-def save_results(results: Results | Combined, folder: str | Path, *, plot: bool = False) -> Path:
+def save_results(results: CombinationResult | Results, folder: str | Path, *, plot: bool = False) -> Path:
     """Write results into a folder, in place of earlier results there.
 
     Results that are not certified are written too, marked as such; combinations without any are listed with the reason.
@@ -71,7 +71,7 @@ def save_results(results: Results | Combined, folder: str | Path, *, plot: bool 
     ['ground.vtu', 'plate.vtu']
     """
     target = check(folder)
-    combined = results if isinstance(results, Combined) else alone(results)
+    combined = results if isinstance(results, Results) else results_of(results)
     try:
         fill = partial(_fill, combined, plot=plot)
         atomic.write_folder(target, fill, manifest.is_path, partial(_require_free, target))
@@ -80,7 +80,7 @@ def save_results(results: Results | Combined, folder: str | Path, *, plot: bool 
     return target
 
 
-def write_elsewhere(results: Results | Combined, folder: str | Path) -> Path | None:
+def write_elsewhere(results: CombinationResult | Results, folder: str | Path) -> Path | None:
     """Write results into another folder than the one that they were meant for, and return it.
 
     It is a new one beside that folder, or one among the system's temporary files; None if neither can be written.
@@ -134,7 +134,7 @@ def recover(folder: str | Path) -> bool:
         raise _unwritable(target, error) from error
 
 
-def load_results(folder: str | Path) -> Combined:
+def load_results(folder: str | Path) -> Results:
     """Read the results that `save_results` or ``groundslab solve`` wrote into a folder.
 
     Parameters
@@ -219,17 +219,17 @@ def _summary(folder: Path) -> _Summary | None:
         return None
 
 
-def _one(path: Path) -> Combined:
+def _one(path: Path) -> Results:
     """Return the only combination of a folder; raises InputError."""
     archived = path / "results.npz"
     found = npz.load(archived)
     try:
-        return alone(found)
+        return results_of(found)
     except InputError as error:
         raise _not_ours(archived, f"a combination that is wrong ({error.issues[0]})") from error
 
 
-def _several(path: Path, listed: Sequence[_Combination]) -> Combined:
+def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab.case import casefile
     from groundslab.model.loads.load_cases import Combination
@@ -254,10 +254,10 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Combined:
         or not results.keys() | refused.keys() == {each.name for each in listed}
     ):
         raise ValueError("combinations that have neither results nor a reason, or the same name")
-    return Combined(model, tuple(combinations), results, refused)
+    return Results(model, tuple(combinations), results, refused)
 
 
-def _refused(why: _Refused, results: Results | None) -> GroundslabError:
+def _refused(why: _Refused, results: CombinationResult | None) -> GroundslabError:
     """Return the error that a summary tells of."""
     if results is not None:
         return NotCertified(results)
@@ -276,8 +276,8 @@ def _not_ours(path: Path, found: str) -> InputError:
 
 def _in_the_way(target: Path) -> list[Issue]:
     """Return what speaks against writing results into the folder."""
-    atomic.require_possible(target, manifest.DEEPEST)
-    previous = atomic.previous_of(target)
+    atomic.check_name(target, manifest.DEEPEST)
+    previous = atomic.previous_path(target)
     if os.path.lexists(previous):
         return [Issue(str(previous), "something that is in the way", "a name that is free", "move it away")]
     parent = next(parent for parent in target.parents if os.path.lexists(parent))
@@ -304,7 +304,7 @@ def _in_the_way(target: Path) -> list[Issue]:
     ]
 
 
-def _fill(combined: Combined, folder: Path, *, plot: bool) -> None:
+def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
     """Write every file; the summary, which names them all, comes last."""
     from groundslab.case import casefile
     from groundslab.views.summary.json_summary import json_text

@@ -10,9 +10,9 @@ import numpy as np
 
 if TYPE_CHECKING:
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.results import Increment, Results, SupportResult
+    from groundslab.results.results import CombinationResult, Increment, SupportResult
 
-    State: TypeAlias = Results | Increment
+    State: TypeAlias = CombinationResult | Increment
 
 #: NumPy's type by the annotation of a field.
 _TYPES = {"Array": np.float64, "Integers": np.int64, "Flags": np.bool_}
@@ -20,13 +20,13 @@ _TYPES = {"Array": np.float64, "Integers": np.int64, "Flags": np.bool_}
 LARGEST = 1e60
 
 
-def require_sound(results: Results) -> None:
+def require_sound(results: CombinationResult) -> None:
     """Raise ValueError, which says what is wrong first, if something cannot come from an analysis."""
     for issue in _faults(results):
         raise ValueError(issue)
 
 
-def _faults(results: Results) -> Iterator[str]:
+def _faults(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong; what comes later relies on what came before."""
     yield from _of_constants(results)
     layers = len(results.constants.k0)
@@ -107,7 +107,7 @@ def _of_arrays(
             yield f"{name}.{item.name} with numbers that are not finite, or larger than any result"
 
 
-def _within_plate(results: Results) -> Iterator[str]:
+def _within_plate(results: CombinationResult) -> Iterator[str]:
     """Yield if the mesh is not that of the described plate, or the ground is not below all of it."""
     x0, x1, y0, y1 = results.model.plate.bounds
     sides = np.array([x1 - x0, y1 - y0])
@@ -121,7 +121,7 @@ def _within_plate(results: Results) -> Iterator[str]:
         yield "ground.nodes that do not reach below all of the plate"
 
 
-def _of_constants(results: Results) -> Iterator[str]:
+def _of_constants(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong with single numbers; their types are known to be right."""
     constants, certificate = results.constants, results.certificate
     if not constants.k0 or len(constants.k0) != len(constants.k1):

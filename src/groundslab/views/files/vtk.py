@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     import meshio
 
     from groundslab.arrays import Array, Integers
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
 
 
-def plate_mesh(results: Results) -> meshio.Mesh:
+def plate_mesh(results: CombinationResult) -> meshio.Mesh:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
     fields, data = fields_of(plate), plate.point_data()
@@ -36,7 +36,7 @@ def plate_mesh(results: Results) -> meshio.Mesh:
     return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
 
 
-def ground_mesh(results: Results) -> meshio.Mesh:
+def ground_mesh(results: CombinationResult) -> meshio.Mesh:
     """Return the ground with the settlement of each surface, 0 being the top one, and of the plate above.
 
     Where no plate is, "under the plate" is 0 and "settlement of the plate" is filled with 0.
@@ -57,17 +57,17 @@ def ground_mesh(results: Results) -> meshio.Mesh:
     return _mesh(ground.nodes, ground.elements, data, {})
 
 
-def write_plate(results: Results, path: Path) -> None:
+def write_plate(results: CombinationResult, path: Path) -> None:
     """Write the plate as a VTU file."""
     plate_mesh(results).write(path, file_format="vtu")
 
 
-def write_ground(results: Results, path: Path) -> None:
+def write_ground(results: CombinationResult, path: Path) -> None:
     """Write the ground as a VTU file."""
     ground_mesh(results).write(path, file_format="vtu")
 
 
-def write_envelope(combined: Combined, path: Path) -> None:
+def write_envelope(combined: Results, path: Path) -> None:
     """Write the envelopes over all combinations at the plate's nodes; where no area of steel is enough it is NaN."""
     from groundslab.design.tables.envelopes import fields_of_envelope
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from groundslab.results.results import Combined, Results, alone
+from groundslab.results.results import CombinationResult, Results, results_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,7 +20,7 @@ PICTURE_DPI = 140
 
 
 def plot(
-    results: Results | Combined,
+    results: CombinationResult | Results,
     *fields: str,
     kind: str | None = None,
     combination: str | Sequence[str] | None = None,
@@ -69,7 +69,7 @@ def plot(
     from groundslab.views.plots import export
     from groundslab.views.plots.request import parse_request
 
-    combined = alone(results) if isinstance(results, Results) else results
+    combined = results_of(results) if isinstance(results, CombinationResult) else results
     request = parse_request(combined, fields, kind, combination, envelope, line)
     if to is None:
         return _sheet(request)
@@ -92,7 +92,7 @@ def write(request: PlotRequest, path: str | Path) -> list[Figure]:
     return figures
 
 
-def write_picture(results: Results, path: Path) -> None:
+def write_picture(results: CombinationResult, path: Path) -> None:
     """Write the picture of `solve --plot`, settlement and contact pressure in plan, as a PNG file."""
     from groundslab.views.plots import export
 

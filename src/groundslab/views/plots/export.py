@@ -14,7 +14,7 @@ from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic
-from groundslab.storage.ownership import is_figure, require_replaceable
+from groundslab.storage.ownership import check_replaceable, is_figure
 from groundslab.views.plots.style import PAGE_COLORS, apply_style
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def file_format(path: str | Path) -> str:
 def check(path: str | Path) -> Path:
     """Return the full path if figures may be written there; else raise InputError saying why not."""
     file_format(path)
-    return require_replaceable(path, is_figure, "a figure that groundslab drew")
+    return check_replaceable(path, is_figure, "a figure that groundslab drew")
 
 
 def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> None:

@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from groundslab.design.envelope import envelope
-from groundslab.design.tables.quantities import nodal
+from groundslab.design.tables.quantities import nodal_values
 from groundslab.results.contact_zone import contact_function, has_line_force
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
 from groundslab.views.plots.contours import ColorScale, make_scale
 from groundslab.views.plots.request import PlotQuantity
-from groundslab.views.plots.symbols import takes_part_in
+from groundslab.views.plots.symbols import load_filter
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
-    from groundslab.results.results import Results
+    from groundslab.results.results import CombinationResult
     from groundslab.views.plots.request import PlotRequest, PlottedCombination
 
 NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
@@ -64,18 +64,20 @@ def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: 
     return Panel(
         quantity,
         f"{combination.name} ({combination.limit_state})" if named else "",
-        nodal(results, quantity.name),
+        nodal_values(results, quantity.name),
         plate.nodes,
         plate.elements,
         _line_force(quantity, [results]),
         contact_function(results),
         plate.contact_share,
-        takes_part_in(results.factors),
+        load_filter(results.factors),
         combination.certified,
     )
 
 
-def _line_force(quantity: PlotQuantity, several: Sequence[Results]) -> tuple[float, tuple[float, float]] | None:
+def _line_force(
+    quantity: PlotQuantity, several: Sequence[CombinationResult]
+) -> tuple[float, tuple[float, float]] | None:
     """Return the largest edge line force of several results, which is named beside their pressure, and its place."""
     if quantity.name != "pressure" or not any(map(has_line_force, several)):
         return None
@@ -89,11 +91,11 @@ def _line_force(quantity: PlotQuantity, several: Sequence[Results]) -> tuple[flo
 
 def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombination], state: str) -> Iterator[Panel]:
     """Yield the largest and smallest values of a quantity over combinations, but for those always zero."""
-    found = envelope({each.name: nodal(each.results, quantity.name) for each in combinations})
+    found = envelope({each.name: nodal_values(each.results, quantity.name) for each in combinations})
     line_force = _line_force(quantity, [each.results for each in combinations])
     factors = [pair for each in combinations for pair in each.results.factors if pair[1]]
     plate = combinations[0].results.plate
-    takes_part = takes_part_in(factors)
+    takes_part = load_filter(factors)
     for word, values, by, nothing in (
         ("Largest", found.greatest, found.greatest_by, quantity.field.sign == "not positive"),
         ("Smallest", found.least, found.least_by, quantity.field.sign == "not negative"),

@@ -13,7 +13,7 @@ from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, ResultField
 from groundslab.results.record import Step
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.views.plots.style import math_symbol
 
@@ -77,7 +77,7 @@ class PlottedCombination:
 
     name: str
     limit_state: str
-    results: Results
+    results: CombinationResult
     certified: bool
 
 
@@ -103,7 +103,7 @@ class SectionLine:
 class PlotRequest:
     """What is drawn of the results of a model."""
 
-    combined: Combined
+    combined: Results
     kind: Kind
     quantities: tuple[PlotQuantity, ...]
     combinations: tuple[PlottedCombination, ...]
@@ -129,7 +129,7 @@ class PlotRequest:
 
 
 def parse_request(
-    combined: Combined,
+    combined: Results,
     fields: Sequence[str],
     kind: str | None,
     combination: str | Sequence[str] | None,
@@ -215,7 +215,7 @@ def _find_conflicts(
 
 
 def _select_combinations(
-    combined: Combined, names: tuple[str, ...], envelope: str | None
+    combined: Results, names: tuple[str, ...], envelope: str | None
 ) -> tuple[PlottedCombination, ...]:
     """Return the combinations to draw: those named, those of an envelope, or all that are certified."""
     found = {}
@@ -240,7 +240,7 @@ def _select_combinations(
     return certified or tuple(found.values())
 
 
-def _without_results(combined: Combined, names: Sequence[str]) -> InputError:
+def _without_results(combined: Results, names: Sequence[str]) -> InputError:
     """Return the error for combinations that were refused, with the reason."""
     reasons = [" ".join(str(combined.refused[name]).split()) for name in names]
     return InputError(
@@ -251,7 +251,7 @@ def _without_results(combined: Combined, names: Sequence[str]) -> InputError:
     )
 
 
-def _iteration_histories(combined: Combined, names: tuple[str, ...]) -> tuple[IterationHistory, ...]:
+def _iteration_histories(combined: Results, names: tuple[str, ...]) -> tuple[IterationHistory, ...]:
     """Return how the iteration went for the combinations named, or for all that have a history."""
     histories = []
     for each in combined.combinations:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.design.envelope import envelope
-from groundslab.design.section_cuts import SectionCut, along
-from groundslab.design.tables.quantities import listed
+from groundslab.design.section_cuts import SectionCut, cut_along
+from groundslab.design.tables.quantities import point_values
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.results.fields import POINT_FIELDS
@@ -71,11 +71,13 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
     missed: list[Issue] = []
     for line in request.lines:
         try:
-            sections = [along(each.results.plate, np.array([line.start, line.end])) for each in request.combinations]
+            sections = [
+                cut_along(each.results.plate, np.array([line.start, line.end])) for each in request.combinations
+            ]
         except InputError as error:
             missed += [replace(issue, location=f"line {line.name}".rstrip()) for issue in error.issues]
             continue
-        values = [dict(zip(POINT_FIELDS, listed(section.values), strict=True)) for section in sections]
+        values = [dict(zip(POINT_FIELDS, point_values(section.values), strict=True)) for section in sections]
         names = tuple(each.name for each in request.combinations)
         rows = {quantity.name: np.stack([each[quantity.name] for each in values]) for quantity in request.quantities}
         band = bool(request.envelope) or len(names) > len(CYCLE)

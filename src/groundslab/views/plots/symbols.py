@@ -128,7 +128,7 @@ def _borders(area: BaseGeometry) -> list[Array]:
     return [get_coordinates(ring) for part in get_parts(area) for ring in (part.exterior, *part.interiors)]
 
 
-def takes_part_in(factors: Iterable[tuple[str, float]]) -> Callable[[AnyLoad], bool]:
+def load_filter(factors: Iterable[tuple[str, float]]) -> Callable[[AnyLoad], bool]:
     """Return whether a load takes part where its case has a factor that is not 0; all do where there are no cases."""
     known = dict(factors)
     return lambda load: not known or bool(known.get(load.case))

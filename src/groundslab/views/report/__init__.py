@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from groundslab.views.report.html import check, default_path, html_of, text_of, write_report
+from groundslab.views.report.html import check, default_path, render_report, text_of, write_report
 
-__all__ = ["check", "default_path", "html_of", "text_of", "write_report"]
+__all__ = ["check", "default_path", "render_report", "text_of", "write_report"]

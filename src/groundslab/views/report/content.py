@@ -36,16 +36,16 @@ from groundslab.views.report.table_layout import (
     split_columns,
     summarize_table,
 )
-from groundslab.views.summary import combinations, single
+from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.terminal import shown_row
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from groundslab.design.tables.table import Table
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry
-    from groundslab.views.summary.single import Row
+    from groundslab.views.summary.sections import Row
 
 
 CERTIFICATE_NOTES = (
@@ -106,7 +106,7 @@ class Page:
     refused: tuple[tuple[str, str], ...]
 
 
-def build_page(combined: Combined, text: str | None = None, file: str = "case.toml") -> Page:
+def build_page(combined: Results, text: str | None = None, file: str = "case.toml") -> Page:
     """Return what the report of a solved model says; text and file are those of its input."""
     combinations.require_finite(combined)
     found = combinations.entries(combined)
@@ -137,7 +137,7 @@ def build_page(combined: Combined, text: str | None = None, file: str = "case.to
     )
 
 
-def _facts(combined: Combined, there: Sequence[Results]) -> Iterator[tuple[str, str]]:
+def _facts(combined: Results, there: Sequence[CombinationResult]) -> Iterator[tuple[str, str]]:
     """Yield what stands in the title block beside title, program and file."""
     count, refused = len(combined.combinations), len(combined.refused)
     yield "Combinations", f"{count}, of which {refused} refused" if refused else str(count)
@@ -149,7 +149,7 @@ def _verdict(found: Sequence[Entry]) -> Verdict:
     """Return the verdict over all combinations."""
     numbers = [str(entry.number) for entry in found if entry.refused is not None]
     if not numbers:
-        return Verdict(True, single.certified_words(len(found)))
+        return Verdict(True, sections.certified_words(len(found)))
     if len(found) == 1:
         return Verdict(False, "FAILED: there is no certified result; use nothing of it.")
     if len(numbers) == len(found):
@@ -158,7 +158,7 @@ def _verdict(found: Sequence[Entry]) -> Verdict:
     return Verdict(False, f"FAILED: {words} The results of the others are certified.")
 
 
-def _section(section: single.SummarySection) -> TableLayout:
+def _section(section: sections.SummarySection) -> TableLayout:
     """Return a section of the summary."""
     heads = (TableHeader(""), TableHeader("symbol"), TableHeader("value", number=True), TableHeader("unit"))
     return drop_empty_columns(TableLayout(section.title, heads, tuple(map(_row, section.rows)), section.notes))
@@ -170,7 +170,7 @@ def _row(row: Row) -> tuple[Cell, ...]:
     return (Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit))
 
 
-def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[TableLayout]:
+def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout]:
     """Yield the extremes over all certified combinations, each with its place and the one that governs."""
     names = {entry.number: entry.combination.name for entry in found}
     heads = [
@@ -193,7 +193,7 @@ def _extremes(combined: Combined, found: Sequence[Entry]) -> Iterator[TableLayou
 def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     """Return the certificate of each combination, one a row and cut in two; of a single one a figure a row."""
     sections = {
-        entry.combination.name: single.certificate_section(entry.results.certificate)
+        entry.combination.name: sections.certificate_section(entry.results.certificate)
         for entry in found
         if entry.results is not None
     }
@@ -212,7 +212,7 @@ def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     return split_columns(drop_empty_columns(grid), 1)
 
 
-def _certificate(section: single.SummarySection) -> TableLayout:
+def _certificate(section: sections.SummarySection) -> TableLayout:
     """Return the certificate of one combination, a figure a row with its limit."""
     rows = []
     for row in section.rows:
@@ -230,7 +230,7 @@ def _certificate(section: single.SummarySection) -> TableLayout:
     return TableLayout("", heads, tuple(rows))
 
 
-def _holds(section: single.SummarySection) -> Cell:
+def _holds(section: sections.SummarySection) -> Cell:
     """Return the verdict on a certificate."""
     return Cell("holds", "good") if all(row.ok is not False for row in section.rows) else Cell("FAILED", "bad")
 
@@ -254,13 +254,13 @@ def _constants(found: Sequence[Entry]) -> TableLayout:
     for entry in found:
         if entry.results is None:
             continue
-        shown = [(row, shown_row(row)) for row in single.description_of_ground(entry.results).rows[1:]]
+        shown = [(row, shown_row(row)) for row in sections.description_of_ground(entry.results).rows[1:]]
         heads = heads or [TableHeader(row.label, each.unit, True, row.symbol) for row, each in shown]
         rows.append((Cell(entry.combination.name), *(Cell(each.figure, "number") for _, each in shown)))
     return TableLayout("", (TableHeader("combination"), *heads), tuple(rows))
 
 
-def _drawings(combined: Combined, leading: Results | None) -> Iterator[Drawing]:
+def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[Drawing]:
     """Yield the plan of the case and the ground in section."""
     yield draw_case(combined.model)
     soil = None if leading is None else draw_soil(leading)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
     from groundslab.model.model import Model
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
 
 #: More columns of soil and more histories than these are not drawn.
 MOST_COLUMNS, MOST_HISTORIES = 6, 12
@@ -50,7 +50,7 @@ def draw_case(model: Model) -> Drawing:
     return Drawing(to_inline_svg(lambda: draw_case_plan(model), "plan", "Plan of the plate"), caption)
 
 
-def draw_soil(results: Results) -> Drawing | None:
+def draw_soil(results: CombinationResult) -> Drawing | None:
     """Return the ground in section with the constants of one combination, of many columns the first."""
     combination = PlottedCombination(results.combination, results.limit_state, results, certified=True)
     columns = soil_columns(results.model, [combination])
@@ -60,7 +60,7 @@ def draw_soil(results: Results) -> Drawing | None:
     return Drawing(to_inline_svg(lambda: draw_columns(results.model, known), "soil", "Columns of soil"), "")
 
 
-def draw_histories(several: Sequence[Results]) -> Iterator[Drawing]:
+def draw_histories(several: Sequence[CombinationResult]) -> Iterator[Drawing]:
     """Yield how the iteration went for the first combinations."""
     for number, results in enumerate(several[:MOST_HISTORIES], 1):
         draw = partial(draw_thumbnail, results.steps)
@@ -68,12 +68,12 @@ def draw_histories(several: Sequence[Results]) -> Iterator[Drawing]:
         yield Drawing(svg, results.combination)
 
 
-def find_governing(combined: Combined) -> dict[str, str]:
+def find_governing(combined: Results) -> dict[str, str]:
     """Return which certified combination has the largest settlement, uplift, pressure and moments, by what governs.
 
     Uplift only if the plate lifts somewhere. Of a moment its size counts.
     """
-    wanted: dict[str, Callable[[Results], float]] = {
+    wanted: dict[str, Callable[[CombinationResult], float]] = {
         "settlement": lambda results: float(results.plate.settlement.max()),
         "uplift": lambda results: float(-results.plate.settlement.min()),
         "pressure": lambda results: float(results.plate.pressure.max()),
@@ -90,7 +90,7 @@ def find_governing(combined: Combined) -> dict[str, str]:
     return found
 
 
-def draw_pictures(combined: Combined) -> Iterator[Drawing]:
+def draw_pictures(combined: Results) -> Iterator[Drawing]:
     """Yield the governing settlement, contact pressure and moments; where the plate lifts, its settlement then too."""
     drawn: dict[tuple[str, str], list[str]] = {}
     for what, name in find_governing(combined).items():

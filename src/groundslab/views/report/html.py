@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING
 from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.errors import GroundslabError, InputError, Issue
-from groundslab.results.results import Combined, Results, alone
+from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic
-from groundslab.storage.ownership import is_page, require_replaceable
+from groundslab.storage.ownership import check_replaceable, is_page
 from groundslab.views.report.content import build_page
 from groundslab.views.report.table_layout import split_symbol, split_words
-from groundslab.views.scene.binary import packed
+from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
 
 if TYPE_CHECKING:
@@ -40,12 +40,12 @@ MOST_DATA = 15_000_000
 _CONTROL = {code: "\ufffd" for code in [*range(32), 127] if chr(code) not in "\t\n\r"}
 
 
-def html_of(results: Results | Combined, *, text: str | None = None, file: str = "case.toml") -> str:
+def render_report(results: CombinationResult | Results, *, text: str | None = None, file: str = "case.toml") -> str:
     """Return the report as the text of an HTML file; the same results always give the same text.
 
     Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
     """
-    combined = results if isinstance(results, Combined) else alone(results)
+    combined = results if isinstance(results, Results) else results_of(results)
     page = build_page(combined, text, file)
     scene, left_out = _scene(combined)
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
@@ -68,7 +68,7 @@ def html_of(results: Results | Combined, *, text: str | None = None, file: str =
 
 
 def write_report(
-    results: Results | Combined, path: str | Path, *, text: str | None = None, file: str = "case.toml"
+    results: CombinationResult | Results, path: str | Path, *, text: str | None = None, file: str = "case.toml"
 ) -> Path:
     """Write the report of results as one HTML file that needs no network.
 
@@ -106,7 +106,7 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
-    content = html_of(results, text=text, file=file)
+    content = render_report(results, text=text, file=file)
     try:
         atomic.write(target, content.encode())
     except OSError as error:
@@ -120,7 +120,7 @@ def write_report(
 
 def check(path: str | Path) -> Path:
     """Return the full path if a report may be written there; else raise InputError saying why not."""
-    return require_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
+    return check_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
 
 
 def default_path(folder: str | Path) -> Path:
@@ -153,12 +153,12 @@ def read_asset(name: str) -> str:
     return content
 
 
-def _scene(combined: Combined) -> tuple[str, list[str]]:
+def _scene(combined: Results) -> tuple[str, list[str]]:
     """Return the scene as text, and the combinations that it has no fields of, as few as there is no room for."""
     most = len(combined.combinations)
     while True:
         scene = scene_of(combined, most)
-        text = base64.b64encode(gzip.compress(packed(scene), 6, mtime=0)).decode()
+        text = base64.b64encode(gzip.compress(pack(scene), 6, mtime=0)).decode()
         if len(text) <= MOST_DATA or most <= 1:
             return text, scene.head["left_out"]
         # how well data can be compressed is known only now

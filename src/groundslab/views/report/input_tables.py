@@ -9,10 +9,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from groundslab.model.combinations import combinations_of
-from groundslab.model.loads.clipping import clipped_loads
+from groundslab.model.combinations import list_combinations
+from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.shapes import Circle, Polygon, Rectangle
-from groundslab.schema.base import Section, key_of, meaning_of, nested
+from groundslab.schema.base import Section, get_field_type, get_meaning, nested
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
 from groundslab.units import coordinate, together
 from groundslab.views.report.table_layout import GREEK, Cell, Kind, TableHeader, TableLayout, drop_empty_columns
@@ -69,7 +69,9 @@ def input_tables(model: Model) -> list[InputTable]:
             grids = list(_part(value, ""))
         else:
             grids = list(_list(value or (), name, ""))
-        remarks = tuple(each.words() for each in clipped_loads(model.plate, model.loads)) if name == "loads" else ()
+        remarks = (
+            tuple(each.words() for each in find_clipped_loads(model.plate, model.loads)) if name == "loads" else ()
+        )
         if remarks:
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *remarks))
         if grids:
@@ -131,18 +133,18 @@ def _part(part: Section, title: str) -> Iterator[TableLayout]:
     rows: list[tuple[Cell, ...]] = []
     below: list[TableLayout] = []
     for name, field in type(part).model_fields.items():
-        value, key = getattr(part, name), key_of(field)
+        value, key = getattr(part, name), get_field_type(field)
         if key is not None:
             if value is not None and value != ():
                 rows.append(_row(name, key, value, field))
         elif isinstance(value, Rectangle | Polygon | Circle):
-            rows.append((Cell(name), Cell(""), Cell(describe_shape(value)), Cell(meaning_of(field), "muted")))
+            rows.append((Cell(name), Cell(""), Cell(describe_shape(value)), Cell(get_meaning(field), "muted")))
         elif isinstance(value, Section):
             below += _part(value, _words(name))
         elif isinstance(value, tuple):
             below += _list(value, name, _words(name))
         elif value is not None:
-            rows.append((Cell("kind"), Cell(""), Cell(str(value)), Cell(meaning_of(field), "muted")))
+            rows.append((Cell("kind"), Cell(""), Cell(str(value)), Cell(get_meaning(field), "muted")))
     if rows:
         yield drop_empty_columns(TableLayout(title, _ITEM, tuple(rows)))
     yield from below
@@ -164,7 +166,7 @@ def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayo
         kinds.setdefault(type(part), []).append((number, part))
     for kind, numbered in kinds.items():
         tag = kind.model_fields.get("kind")
-        own = f"{tag.default}, {meaning_of(tag)}" if tag is not None and key_of(tag) is None else ""
+        own = f"{tag.default}, {get_meaning(tag)}" if tag is not None and get_field_type(tag) is None else ""
         yield _columns(kind, numbered, ": ".join(filter(None, (title, own))))
     for number, part in enumerate(parts, 1):
         called = f"{ONE.get(name, _words(name))} {number}"
@@ -183,7 +185,7 @@ def _columns(kind: type[Section], numbered: list[tuple[int, Section]], title: st
     heads, columns = ([TableHeader("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]])
     for name, field in kind.model_fields.items():
         values = [getattr(part, name) for _, part in numbered]
-        key, default = key_of(field), field.get_default()
+        key, default = get_field_type(field), field.get_default()
         said = any(value not in (None, "", ()) and (field.is_required() or value != default) for value in values)
         if not said and (name not in ALWAYS or key is None):
             continue
@@ -225,7 +227,7 @@ def _combinations(model: Model) -> TableLayout:
     )
     rows = tuple(
         (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))
-        for number, each in enumerate(combinations_of(model), 1)
+        for number, each in enumerate(list_combinations(model), 1)
     )
     return TableLayout("", heads, rows, ("Each is solved by itself, with all its loads growing together.",))
 

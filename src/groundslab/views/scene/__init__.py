@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from groundslab.views.scene.binary import Scene, packed, unpacked
+from groundslab.views.scene.binary import Scene, pack, unpack
 from groundslab.views.scene.fields import scene_of
 from groundslab.views.scene.plan import plan_of
 
-__all__ = ["Scene", "packed", "plan_of", "scene_of", "unpacked"]
+__all__ = ["Scene", "pack", "plan_of", "scene_of", "unpack"]

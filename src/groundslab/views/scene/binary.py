@@ -80,14 +80,14 @@ class Blocks:
         return block
 
 
-def packed(scene: Scene) -> bytes:
+def pack(scene: Scene) -> bytes:
     """Return a scene as bytes."""
     head = json.dumps(scene.head, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     padding = -(_LENGTH.size + len(head)) % 8
     return b"".join([_LENGTH.pack(len(head)), head, bytes(padding), scene.data])
 
 
-def unpacked(content: bytes) -> Scene:
+def unpack(content: bytes) -> Scene:
     """Return the scene that ``packed`` made bytes of."""
     (length,) = _LENGTH.unpack_from(content)
     end = _LENGTH.size + length

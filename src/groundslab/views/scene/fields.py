@@ -18,7 +18,7 @@ from groundslab.views.summary import combinations
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.results.mesh_results import PlateResult
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry
 
 FORMAT = 2
@@ -28,7 +28,7 @@ SHOWN = (
 )  # fmt: skip
 
 
-def scene_of(combined: Combined, most: int | None = None) -> Scene:
+def scene_of(combined: Results, most: int | None = None) -> Scene:
     """Return the scene of all combinations; values in units of display, quantised to 2^16 levels of each field.
 
     It has the fields of so many combinations at most: those that govern an extreme come first, then the others in their
@@ -117,7 +117,7 @@ def _shown(plate: PlateResult, name: str) -> Array:
     return values
 
 
-def _extremes(results: Results, names: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
+def _extremes(results: CombinationResult, names: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield the extremes of each field with their places: [value, x, y]; of the line force those along the edge."""
     plate = results.plate
     for name in names:

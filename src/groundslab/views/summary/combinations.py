@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 from groundslab.errors import NotCertified
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.results.contact_zone import require_finite as require_one_finite
-from groundslab.views.summary import single
-from groundslab.views.summary.single import Row, SummarySection
+from groundslab.views.summary import sections
+from groundslab.views.summary.sections import Row, SummarySection
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from groundslab.errors import GroundslabError
     from groundslab.model.loads.load_cases import Combination
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,7 @@ class Entry:
 
     number: int
     combination: Combination
-    results: Results | None  # of one that is refused only if it has results that are not certified
+    results: CombinationResult | None  # of one that is refused only if it has results that are not certified
     refused: GroundslabError | None
 
 
@@ -48,7 +48,7 @@ class Extreme:
     number: int
 
 
-def entries(combined: Combined) -> list[Entry]:
+def entries(combined: Results) -> list[Entry]:
     """Return all combinations in the order in which they were solved."""
     found = []
     for number, combination in enumerate(combined.combinations, 1):
@@ -58,19 +58,19 @@ def entries(combined: Combined) -> list[Entry]:
     return found
 
 
-def only(found: Sequence[Entry]) -> Results | None:
+def only(found: Sequence[Entry]) -> CombinationResult | None:
     """Return the results of the only combination, certified or not; None if there are several, or no results."""
     return found[0].results if len(found) == 1 else None
 
 
-def require_finite(combined: Combined) -> None:
+def require_finite(combined: Results) -> None:
     """Raise GroundslabError if any number of any combination's results is infinite or not a number."""
     for entry in entries(combined):
         if entry.results is not None:
             require_one_finite(entry.results)
 
 
-def figures(results: Results) -> Figures:
+def figures(results: CombinationResult) -> Figures:
     """Return the figures of one combination; uplift is zero where none of the plate rises."""
     plate = results.plate
     low = float(plate.settlement.min())
@@ -88,11 +88,11 @@ def factors_text(combination: Combination) -> str:
     return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
 
 
-def description(combined: Combined) -> list[SummarySection]:
+def description(combined: Results) -> list[SummarySection]:
     """Return what was analyzed; of the ground only what is the same in all combinations."""
     found = [entry.results for entry in entries(combined) if entry.results is not None]
-    plate, ground, *cut = single.description(found[0])
-    others = [single.description_of_ground(results).rows for results in found[1:]]
+    plate, ground, *cut = sections.description(found[0])
+    others = [sections.description_of_ground(results).rows for results in found[1:]]
     same = tuple(row for row in ground.rows if all(row in rows for rows in others))
     notes = ground.notes
     if len(same) < len(ground.rows):
@@ -100,7 +100,7 @@ def description(combined: Combined) -> list[SummarySection]:
     return [plate, replace(ground, rows=same, notes=notes), *cut]
 
 
-def extremes(combined: Combined) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
+def extremes(combined: Results) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
     """Return the sections of figures, each with its rows' extremes over all certified combinations.
 
     The largest governs, of a row called smallest and of the share in contact the smallest; the first of equal ones.
@@ -109,7 +109,7 @@ def extremes(combined: Combined) -> list[tuple[SummarySection, tuple[Extreme, ..
     for entry in entries(combined):
         if entry.results is None or entry.refused is not None:
             continue
-        for section in single.figures(entry.results):
+        for section in sections.figures(entry.results):
             known, rows = found.setdefault(section.key, (section, {}))
             notes = tuple(dict.fromkeys((*known.notes, *section.notes)))
             found[section.key] = replace(known, notes=notes), rows
@@ -127,13 +127,13 @@ def _governs(row: Row, other: Row) -> bool:
     return a < b if row.key == "share" or row.key.startswith("smallest") else a > b
 
 
-def worst(combined: Combined) -> tuple[Extreme, ...]:
+def worst(combined: Results) -> tuple[Extreme, ...]:
     """Return of each figure that must vanish, and of the margin's effect, the largest over the certified ones."""
     rows: dict[str, Extreme] = {}
     for entry in entries(combined):
         if entry.results is None or entry.refused is not None:
             continue
-        for row in single.certificate_section(entry.results.certificate).rows:
+        for row in sections.certificate_section(entry.results.certificate).rows:
             if row.key in ("load", "reaction"):
                 continue
             if row.key not in rows or _governs(row, rows[row.key].row):

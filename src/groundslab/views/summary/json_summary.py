@@ -18,19 +18,19 @@ import numpy as np
 from groundslab._version import __version__
 from groundslab.errors import NotConverged
 from groundslab.units import UNITS, Unit
-from groundslab.views.summary import combinations, single
+from groundslab.views.summary import combinations, sections
 
 if TYPE_CHECKING:
     from groundslab.errors import GroundslabError
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
-    from groundslab.views.summary.single import Row, SummarySection
+    from groundslab.views.summary.sections import Row, SummarySection
 
 #: The version of the layout; it grows when a key changes its name or meaning.
 FORMAT = 1
 
 
-def to_json(combined: Combined, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> dict[str, Any]:
+def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> dict[str, Any]:
     """Return the summary as data for JSON, with the names of the files that stand beside it.
 
     `folders` are those of the combinations by name. The results of an only combination stand at the top.
@@ -51,14 +51,14 @@ def to_json(combined: Combined, folders: Mapping[str, str] | None = None, files:
     return document
 
 
-def json_text(combined: Combined, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> str:
+def json_text(combined: Results, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> str:
     """Return the summary as the text of a JSON file."""
     # numbers of NumPy look like Python's; JSON knows the latter only
     document = to_json(combined, folders, files)
     return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
 
 
-def design(combined: Combined) -> dict[str, Any]:
+def design(combined: Results) -> dict[str, Any]:
     """Return what can be judged of the design as data for JSON."""
     from groundslab.design.tables.design_checks import design_of
 
@@ -67,13 +67,13 @@ def design(combined: Combined) -> dict[str, Any]:
     return {"status": found.status, "headline": found.headline, "checks": checks}
 
 
-def _only(results: Results) -> dict[str, Any]:
+def _only(results: CombinationResult) -> dict[str, Any]:
     """Return the results of an only combination."""
     document: dict[str, Any] = {"combination": results.combination, "limit_state": results.limit_state}
-    return document | _sections(single.summary(results)) | _analysis(results)
+    return document | _sections(sections.summary(results)) | _analysis(results)
 
 
-def _several(combined: Combined, found: Sequence[Entry], folders: Mapping[str, str]) -> dict[str, Any]:
+def _several(combined: Results, found: Sequence[Entry], folders: Mapping[str, str]) -> dict[str, Any]:
     """Return what all combinations have in common, the extremes over them, and each by itself."""
     document: dict[str, Any] = {}
     if any(entry.results is not None for entry in found):
@@ -99,7 +99,7 @@ def _sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
     return document
 
 
-def _analysis(results: Results) -> dict[str, Any]:
+def _analysis(results: CombinationResult) -> dict[str, Any]:
     """Return the constants that an analysis ended with and its steps as data for JSON."""
     constants = results.constants
     return {
@@ -132,8 +132,8 @@ def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:
     if entry.results is not None:
         if folder is not None:
             document["folder"] = folder
-        sections = [*single.figures(entry.results), single.certificate_section(entry.results.certificate)]
-        document |= _sections(sections) | _analysis(entry.results)
+        parts = [*sections.figures(entry.results), sections.certificate_section(entry.results.certificate)]
+        document |= _sections(parts) | _analysis(entry.results)
     return document
 
 

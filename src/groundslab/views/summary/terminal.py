@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from groundslab._version import __version__
 from groundslab.units import format_number
 from groundslab.views.summary import combinations
-from groundslab.views.summary.single import Row, SummarySection, certified_words, summary
+from groundslab.views.summary.sections import Row, SummarySection, certified_words, summary
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
     from groundslab.design.tables.design_checks import Design, Status
     from groundslab.results.record import Step
-    from groundslab.results.results import Combined, Results
+    from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
 
 #: Widths of the columns of words and of values; unit and place follow, 78 in all.
 LABEL, VALUE = 36, 12
 
 
-def print_summary(combined: Combined, console: Console) -> None:
+def print_summary(combined: Results, console: Console) -> None:
     """Print the summary and the verdict.
 
     Of an only combination all its figures and the convergence history; of several what they have in common, each on its
@@ -53,7 +53,7 @@ def print_summary(combined: Combined, console: Console) -> None:
     _print_lines([failed], "bold red", console)
 
 
-def _print_only(results: Results, console: Console) -> None:
+def _print_only(results: CombinationResult, console: Console) -> None:
     """Print the figures of an only combination and its convergence history."""
     _print_lines([f"{results.combination} ({results.limit_state})"], "dim", console)
     for section in summary(results):
@@ -62,7 +62,7 @@ def _print_only(results: Results, console: Console) -> None:
     print_history(results.steps, console)
 
 
-def _print_several(combined: Combined, found: Sequence[Entry], console: Console) -> None:
+def _print_several(combined: Results, found: Sequence[Entry], console: Console) -> None:
     """Print what combinations have in common, each on its lines, and the extremes over all."""
     for section in combinations.description(combined):
         _print_section(section, [_line(row) for row in section.rows], console)

@@ -21,7 +21,7 @@ from groundslab.workbench.child_process import set_up_child
 if TYPE_CHECKING:
     from groundslab.model.loads.load_cases import Combination
     from groundslab.results.record import Step
-    from groundslab.results.results import Combined
+    from groundslab.results.results import Results
 
 #: Shortest time between two messages about the progress [s].
 PROGRESS_INTERVAL = 0.1
@@ -46,19 +46,19 @@ class Stopped(BaseException):
     """The run is to stop; not an ``Exception``, so that nothing on the way catches it."""
 
 
-def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Combined]]:
+def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Results]]:
     """Return the results of the case that a text describes; raises GroundslabError."""
     from groundslab.analysis.driver import solve_combinations
     from groundslab.case import casefile
-    from groundslab.model.combinations import combinations_of
-    from groundslab.views.scene.binary import packed
+    from groundslab.model.combinations import list_combinations
+    from groundslab.views.scene.binary import pack
     from groundslab.views.scene.fields import scene_of
     from groundslab.views.summary.progress import line
-    from groundslab.workbench.solver.summary import summary_of
+    from groundslab.workbench.solver.summary import build_summary
 
     start = time.perf_counter()
     model = casefile.loads(text)
-    count, begun, name = len(combinations_of(model)), 0, ""
+    count, begun, name = len(list_combinations(model)), 0, ""
 
     def share_done() -> float | None:
         return (begun - 1) / count if count > 1 else None
@@ -74,7 +74,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Comb
 
     combined = solve_combinations(model, on_step, on_combination)
     refused = {name: str(error) for name, error in combined.refused.items()}
-    summary, scene = summary_of(combined), packed(scene_of(combined))
+    summary, scene = build_summary(combined), pack(scene_of(combined))
     return Answer(time.perf_counter() - start, refused, summary), scene, (text, combined)
 
 
@@ -159,10 +159,10 @@ def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | Non
         pipe.send(("report", run, "the results of that run are not kept any more; solve again"))
         return
     try:
-        from groundslab.views.report.html import html_of
+        from groundslab.views.report.html import render_report
 
         text, combined = latest[1]
-        content = html_of(combined, text=text, file=file).encode()
+        content = render_report(combined, text=text, file=file).encode()
     except Exception as error:
         traceback.print_exc()
         pipe.send(("report", run, f"the report cannot be written: {error}"))

@@ -6,15 +6,15 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from groundslab.units import format_number
-from groundslab.views.summary import combinations, json_summary, single
+from groundslab.views.summary import combinations, json_summary, sections
 
 if TYPE_CHECKING:
-    from groundslab.results.results import Combined
+    from groundslab.results.results import Results
     from groundslab.views.summary.combinations import Entry
-    from groundslab.views.summary.single import Row, SummarySection
+    from groundslab.views.summary.sections import Row, SummarySection
 
 
-def summary_of(combined: Combined) -> dict[str, Any]:
+def build_summary(combined: Results) -> dict[str, Any]:
     """Return the design and a summary of each combination; raises GroundslabError if a number is not finite."""
     combinations.require_finite(combined)
     return {
@@ -36,9 +36,9 @@ def _combination_to_json(entry: Entry) -> dict[str, Any]:
     certificate = entry.results.certificate
     figures = {name: value for name, value in asdict(certificate).items() if value is not None}
     shown = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
-    sections = [*single.figures(entry.results), single.certificate_section(certificate)]
-    sections += single.description(entry.results)
-    return about | {"certificate": shown, "sections": [_section_to_json(section) for section in sections]}
+    parts = [*sections.figures(entry.results), sections.certificate_section(certificate)]
+    parts += sections.description(entry.results)
+    return about | {"certificate": shown, "sections": [_section_to_json(section) for section in parts]}
 
 
 def _section_to_json(section: SummarySection) -> dict[str, Any]:

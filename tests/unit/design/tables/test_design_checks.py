@@ -17,11 +17,11 @@ from groundslab.design.tables.design_checks import Design, design_of
 from groundslab.design.tables.punching import demands
 from groundslab.errors import NoEquilibrium
 from groundslab.model.model import Model
-from groundslab.results.results import Combined
-from groundslab.views.report.html import html_of
+from groundslab.results.results import Results
+from groundslab.views.report.html import render_report
 from groundslab.views.summary import terminal
 from groundslab.views.summary.json_summary import json_text
-from groundslab.workbench.solver.summary import summary_of
+from groundslab.workbench.solver.summary import build_summary
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 
@@ -44,7 +44,7 @@ def described(P: float = 100e3, **changes: Any) -> Model:
     return Model(**parts | changes)
 
 
-def solved(model: Model, m_x: float = 10e3) -> Combined:
+def solved(model: Model, m_x: float = 10e3) -> Results:
     """Return made-up results of all combinations, with one moment everywhere, an even pressure of 50 kPa."""
     made = {}
     for each in model.combinations:
@@ -53,7 +53,7 @@ def solved(model: Model, m_x: float = 10e3) -> Combined:
         flat = np.zeros(len(one.plate.nodes))
         fields = {"moment_x": flat + m_x, "moment_y": flat, "moment_xy": flat, "pressure": flat + 50e3}
         made[each.name] = replace(one, plate=replace(one.plate, **fields))
-    return Combined(model, model.combinations, made, {})
+    return Results(model, model.combinations, made, {})
 
 
 def words(design: Design, name: str) -> str:
@@ -62,7 +62,7 @@ def words(design: Design, name: str) -> str:
     return f"{check.status}: {check.words}"
 
 
-def printed(combined: Combined) -> str:
+def printed(combined: Results) -> str:
     """Return what the terminal shows."""
     console = Console(file=io.StringIO(), width=80)
     terminal.print_summary(combined, console)
@@ -166,7 +166,7 @@ ALONE = solved(described(5e6, combinations=[ULS]))
 
 
 @pytest.mark.parametrize("of", [FAILING, ALONE], ids=["several", "one"])
-def test_failure_comes_first_on_the_terminal(of: Combined) -> None:
+def test_failure_comes_first_on_the_terminal(of: Results) -> None:
     """The headline stands below the title, the reasons follow, and the last line repeats it; 80 columns, no tags."""
     lines = printed(of).splitlines()
     assert lines[2].startswith("DESIGN FAILS: 2 of 4 checks by EN 1992-1-1 fail.")
@@ -178,7 +178,7 @@ def test_failure_comes_first_on_the_terminal(of: Combined) -> None:
 
 
 @pytest.mark.parametrize("of", [FAILING, ALONE], ids=["several", "one"])
-def test_failure_comes_first_in_json(of: Combined) -> None:
+def test_failure_comes_first_in_json(of: Results) -> None:
     """The design stands before any figure, with its verdict, its words, and each check."""
     document = json.loads(json_text(of))
     assert list(document)[:6] == ["program", "version", "format", "title", "certified", "design"]
@@ -193,8 +193,8 @@ def test_failure_comes_first_in_json(of: Combined) -> None:
 @pytest.mark.slow
 def test_failure_comes_first_in_report_and_workbench() -> None:
     """The report's title block has it before the certificate's verdict; the workbench gets headline and checks."""
-    page = html_of(FAILING)
+    page = render_report(FAILING)
     assert page.index("DESIGN FAILS") < page.index("certified: equilibrium") < page.index('<nav class="contents')
-    told = summary_of(FAILING)["design"]
+    told = build_summary(FAILING)["design"]
     assert told["headline"].startswith("DESIGN FAILS")
     assert told["checks"][0]["status"] == "fails"

@@ -15,10 +15,10 @@ from groundslab.design.tables import column_loads, tables_of
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.table import Table, table_of
 from groundslab.errors import InputError, NoEquilibrium
-from groundslab.model.combinations import combinations_of
+from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import POINT_FIELDS, RANGED_FIELDS
-from groundslab.results.results import Combined, SupportResult
+from groundslab.results.results import Results, SupportResult
 from groundslab.views.files.vtk import plate_mesh
 from helpers.plates import parted, plate_of, straight
 from helpers.synthetic import LENGTH_X, LENGTH_Y, results
@@ -45,7 +45,7 @@ def described(**changes: Any) -> Model:
     return Model(**parts | changes)
 
 
-def combined(model: Model | None = None, plate: dict[str, Any] | None = None, **changes: Any) -> Combined:
+def combined(model: Model | None = None, plate: dict[str, Any] | None = None, **changes: Any) -> Results:
     """Return made-up results of all combinations but "lifted"; "least" has moments times -2."""
     model, made = model or described(), {}
     for each in model.combinations:
@@ -56,10 +56,10 @@ def combined(model: Model | None = None, plate: dict[str, Any] | None = None, **
         made[each.name] = replace(one, plate=replace(one.plate, **fields))
     del made["lifted"]
     refused = {"lifted": NoEquilibrium("nothing holds\nthe plate down")}
-    return Combined(model, model.combinations, made, refused)
+    return Results(model, model.combinations, made, refused)
 
 
-def table(name: str, of: Combined) -> Table:
+def table(name: str, of: Results) -> Table:
     """Return one of the tables."""
     return {each.name: each for each in tables_of(of)}[name]
 
@@ -101,7 +101,7 @@ def test_without_cases_all_loads_act() -> None:
     """A model without cases has one combination, whose factors are no cases' factors."""
     model = described(cases=[], combinations=[], loads=[{"kind": "uniform", "q": 1e3}])
     one = results(model=model)
-    found = table("combinations", Combined(model, combinations_of(model), {"all loads": one}, {}))
+    found = table("combinations", Results(model, list_combinations(model), {"all loads": one}, {}))
     assert found["loads"] == ("all loads",)
     assert found["outcome"] == ("solved",)
 
@@ -366,7 +366,7 @@ def test_columns_on_two_thicknesses() -> None:
     model = described(plate=plate, columns=[column], loads=loads, reinforcement=STEEL)
     about: dict[str, Any] = {"limit_state": "ultimate", "factors": model.combinations[1].factors}
     one = results(model=model, plate=plate_of(mesh), combination="most", **about)
-    found = table("columns", Combined(model, model.combinations[1:2], {"most": one}, {}))
+    found = table("columns", Results(model, model.combinations[1:2], {"most": one}, {}))
     assert found["d"] == pytest.approx((400 - 45,))
     assert found["V_Ed"] == pytest.approx((1350,))
 
@@ -439,7 +439,7 @@ def designed(moments: Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
     plate = replace(plate, moment_x=moments(*plate.nodes.T, right), moment_y=none, moment_xy=none)
     about: dict[str, Any] = {"limit_state": "ultimate", "factors": model.combinations[1].factors}
     one = results(model=model, plate=plate, combination="most", **about)
-    return table("reinforcement", Combined(model, model.combinations[1:2], {"most": one}, {}))
+    return table("reinforcement", Results(model, model.combinations[1:2], {"most": one}, {}))
 
 
 def test_each_section_of_the_plate_has_a_row_of_its_own() -> None:
@@ -542,7 +542,7 @@ def test_all_refused() -> None:
     output = {"points": [{"name": "P", "x": 0, "y": 0}]}
     model = described(columns=COLUMNS, reinforcement=STEEL, output=output)
     refused = {each.name: NoEquilibrium("no") for each in model.combinations}
-    of = Combined(model, model.combinations, {}, refused)
+    of = Results(model, model.combinations, {}, refused)
     assert {each.name: len(each) for each in tables_of(of) if len(each)} == {"combinations": 4}
     assert fields_of_envelope(of) == {}
 

@@ -30,10 +30,10 @@ from groundslab import (
 from groundslab.case.casefile import loads
 from groundslab.cli import main
 from groundslab.design.tables import column_loads
-from groundslab.model.loads.clipping import clipped_loads, line_on_plate
+from groundslab.model.loads.clipping import clip_line_load, find_clipped_loads
 from groundslab.views.plots import symbols
 from groundslab.views.scene.plan import plan_of
-from groundslab.views.summary import single
+from groundslab.views.summary import sections
 
 PLAIN = Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2)
 HOLED = Plate(length_x=6, length_y=4, openings=[Rectangle(x=(-1, 1), y=(-1, 1))], thickness=0.25, E=30e9, nu=0.2)
@@ -89,7 +89,7 @@ def test_what_lies_on_the_plate_acts_and_the_rest_is_told(plate: Plate, load: An
     """The sum of the loads of a solved plate is the part on the plate in closed form; the remark says the rest."""
     model = Model(plate=plate, ground=Winkler(k=20e6), loads=[load], contact={"tensionless": False}, mesh=Mesh(size=1))
     assert solve(model).certificate.load == pytest.approx(acts, rel=1e-6)
-    (clipped,) = clipped_loads(plate, model.loads)
+    (clipped,) = find_clipped_loads(plate, model.loads)
     assert clipped.drawn - clipped.force == pytest.approx(acts, rel=1e-6)
     assert 0 < clipped.share < 1
 
@@ -98,7 +98,7 @@ def test_circles_that_cross_a_round_plate() -> None:
     """A circle of 3 m on the edge of a round plate of 3 m: the lens of both by the formula; a third of its line."""
     circle = Circle(centre=(3, 0), radius=3)
     area, line = AreaLoad(q=1e3, shape=circle), LineLoad(q=1e3, shape=circle)
-    one, two = clipped_loads(ROUND, (area, line))
+    one, two = find_clipped_loads(ROUND, (area, line))
     assert one.drawn - one.force == pytest.approx(9e3 * LENS, rel=1e-6)
     assert two.drawn - two.force == pytest.approx(1e3 * 2 * math.pi, rel=1e-9)
     model = Model(plate=ROUND, ground=Winkler(k=20e6), loads=[area, line], contact={"tensionless": False},
@@ -123,7 +123,7 @@ def test_circles_that_cross_a_round_plate() -> None:
 )
 def test_what_ends_at_the_edge_is_whole(plate: Plate, load: Any) -> None:
     """Loads up to the edge, along it, and along that of an opening are not cut; nothing is said of them."""
-    assert clipped_loads(plate, (load,)) == ()
+    assert find_clipped_loads(plate, (load,)) == ()
 
 
 def test_a_ring_on_the_edge_of_a_round_plate_acts_whole() -> None:
@@ -161,11 +161,11 @@ def test_a_footprint_over_the_edge_is_refused() -> None:
 
 def test_remarks_name_the_load_the_share_and_the_force() -> None:
     """The remark counts loads from 1, names them, and gives share and forces in kN."""
-    (clipped,) = clipped_loads(
+    (clipped,) = find_clipped_loads(
         PLAIN, (PatchLoad(q=1e3, x=(0, 1), y=(0, 1)), LineLoad(name="wall", q=1e4, points=[(0, 0), (4, 0)]))
     )
     assert clipped.words() == 'loads[2] "wall": 25 % of it lies off the plate; 10 kN of 40 kN do not act'
-    assert [piece.edge.end for piece in line_on_plate(PLAIN, LineLoad(q=1e4, points=[(0, 0), (4, 0)]))] == [(3.0, 0.0)]
+    assert [piece.edge.end for piece in clip_line_load(PLAIN, LineLoad(q=1e4, points=[(0, 0), (4, 0)]))] == [(3.0, 0.0)]
 
 
 CASE = """
@@ -228,13 +228,13 @@ def test_summary_and_report_tell_what_does_not_act(tmp_path: Path, combinations:
 def test_the_summary_on_the_terminal_has_a_section_of_what_is_cut_off() -> None:
     """The lines give share and force of each load; without any such load there is no section."""
     model = loads(CASE)
-    section = next(each for each in single.summary(solve(model).only) if each.key == "cut_loads")
+    section = next(each for each in sections.summary(solve(model).only) if each.key == "cut_loads")
     assert [(row.label, row.value) for row in section.rows] == [
         ("loads[2] rack, off the plate", pytest.approx(0.5)),
         ("loads[2] rack, does not act", pytest.approx(20e3)),
         ("all that does not act", pytest.approx(20e3)),
     ]
-    assert single.cut_loads(model.replace(loads=model.loads[:1])) == []
+    assert sections.cut_loads(model.replace(loads=model.loads[:1])) == []
 
 
 CURVED = Model(

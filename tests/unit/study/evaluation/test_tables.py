@@ -17,7 +17,7 @@ pytest.importorskip("jinja2")
 
 from groundslab.study.definition.setup import Limit
 from groundslab.study.evaluation import tables
-from groundslab.study.evaluation.samples import PURE, Gathered, Input, Output, unit_for
+from groundslab.study.evaluation.samples import PURE, Input, Output, Samples, choose_unit
 from groundslab.study.report import page
 from groundslab.units import UNITS
 from groundslab.views.plots.style import PAGE_COLORS
@@ -31,7 +31,7 @@ def values(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return SOIL.ppf(u[:, 0]), LOAD.ppf(u[:, 1])
 
 
-def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] = (), name: str = "w") -> Gathered:
+def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] = (), name: str = "w") -> Samples:
     """Return a study of w = q / E + (what is chosen) / 100 with limit w <= 2 mm."""
     E, q = (np.tile(each, designs) for each in values(u))
     t = np.repeat(np.arange(designs) / 10, len(u))
@@ -40,7 +40,7 @@ def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] 
     inputs = [Input("E", UNITS["MPa"], E, SOIL.pdf), Input("q", UNITS["kPa"], q, LOAD.pdf)]
     inputs += [Input("t", UNITS["mm"], t, None, chosen=True)] * (designs > 1)
     n = len(w)
-    return Gathered(
+    return Samples(
         kind=kind,
         seed=3,
         number=np.arange(n),
@@ -53,12 +53,12 @@ def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] 
     )
 
 
-def monte_carlo(n: int = 400, seed: int = 1, **options: object) -> Gathered:
+def monte_carlo(n: int = 400, seed: int = 1, **options: object) -> Samples:
     """Return a study of n variants drawn at random."""
     return sample("monte carlo", np.random.default_rng(seed).random((n, 2)), **options)  # type: ignore[arg-type]
 
 
-def table(made: Gathered, name: str) -> dict[str, tuple[object, ...]]:
+def table(made: Samples, name: str) -> dict[str, tuple[object, ...]]:
     """Return a table of a study as columns by name."""
     found = next(each for each in tables.tables_of(made) if each.name == name)
     return {column.name: column.values for column in found.columns}
@@ -100,7 +100,7 @@ def test_an_infinite_output_fails_its_limit() -> None:
     w = made.outputs[0].values.copy()
     w[[3, 8]] = np.inf
     given = {name: getattr(made, name) for name in made.__dataclass_fields__}
-    hurt = Gathered(**{**given, "outputs": (Output("w", UNITS["mm"], w),)})
+    hurt = Samples(**{**given, "outputs": (Output("w", UNITS["mm"], w),)})
     row = {name: column[0] for name, column in table(hurt, "limit_states").items()}
     assert row["target"] == 0.05
     assert (row["variants"], row["failed"]) == (40, int((w > 2e-3).sum()))
@@ -116,7 +116,7 @@ def test_designs_by_words_have_a_figure() -> None:
     made = monte_carlo(30, designs=2)
     words = Input("element", PURE, np.repeat([0.0, 1.0], 30), None, True, ("mitc9",) * 30 + (EVIL,) * 30)
     given = {name: getattr(made, name) for name in made.__dataclass_fields__}
-    text = made_page(Gathered(**{**given, "inputs": (*made.inputs[:2], words)}))
+    text = made_page(Samples(**{**given, "inputs": (*made.inputs[:2], words)}))
     assert "element = mitc9" in text
     assert "<script" not in text
 
@@ -126,7 +126,7 @@ def test_the_probability_is_the_exact_one() -> None:
     made = monte_carlo(20000)
     E = SOIL.ppf((np.arange(20000) + 0.5) / 20000)
     exact = float(LOAD.sf(2e-3 * E).mean())
-    found = tables.failure(made, made.groups[0], made.limits[0])
+    found = tables.failure_probability(made, made.groups[0], made.limits[0])
     assert found.low < exact < found.high
     assert found.high - found.low < 0.01
 
@@ -135,7 +135,7 @@ def test_curves_of_exceedance_look_to_the_bad_side() -> None:
     """The share is that of variants above a value, or below it where the limit state says at least."""
     made = monte_carlo(50)
     limit = Limit("a", "w", "at least", 1e-3)
-    turned = Gathered(**{**{name: getattr(made, name) for name in made.__dataclass_fields__}, "limits": (limit,)})
+    turned = Samples(**{**{name: getattr(made, name) for name in made.__dataclass_fields__}, "limits": (limit,)})
     above, below = table(made, "exceedance"), table(turned, "exceedance")
     assert not {"target", "target kept"} & set(table(turned, "limit_states"))
     assert above["value"] == below["value"] == tuple(np.sort(made.outputs[0].values) * 1e3)
@@ -190,7 +190,7 @@ def test_a_running_study_of_saltellis_sample() -> None:
     """Blocks whose variants have not all been computed are left out; with none whole there are no indices."""
     u = np.random.default_rng(0).random((40, 2))
     whole = sample("saltelli", u)
-    part = Gathered(
+    part = Samples(
         kind=whole.kind,
         seed=whole.seed,
         number=whole.number[:35],
@@ -232,10 +232,10 @@ def test_correlations_are_scipys() -> None:
 
 def test_units_fit_the_size() -> None:
     """The unit of display is the largest one in which the usual value is not below one."""
-    assert unit_for("pressure", np.array([30e6, 40e6])).name == "MPa"
-    assert unit_for("length", np.array([0.012, np.nan])).name == "mm"
-    assert unit_for("length", np.array([0.0])).name == "mm"
-    assert unit_for(None, np.array([3.0])).name == ""
+    assert choose_unit("pressure", np.array([30e6, 40e6])).name == "MPa"
+    assert choose_unit("length", np.array([0.012, np.nan])).name == "mm"
+    assert choose_unit("length", np.array([0.0])).name == "mm"
+    assert choose_unit(None, np.array([3.0])).name == ""
 
 
 class Checked(HTMLParser):
@@ -277,7 +277,7 @@ class Checked(HTMLParser):
         assert self.open.pop() == tag
 
 
-def made_page(made: Gathered, title: str = "A study") -> str:
+def made_page(made: Samples, title: str = "A study") -> str:
     """Return the page of a study with a map."""
     nodes = np.array([[x, y] for y in (0.0, 1.0, 2.0) for x in (0.0, 2.0, 4.0)])
     elements = np.array([[0, 2, 8, 6, 1, 5, 7, 3, 4]])
@@ -325,7 +325,7 @@ def test_long_names_leave_room_for_the_figures(kind: str) -> None:
     made = sample(kind, np.random.default_rng(2).random((40 if kind == "saltelli" else 5, 2)), name=name)
     inputs = tuple(Input(each.name + name[2:], each.unit, each.values, each.density) for each in made.inputs)
     given = {each: getattr(made, each) for each in made.__dataclass_fields__}
-    text = made_page(Gathered(**{**given, "inputs": inputs}))
+    text = made_page(Samples(**{**given, "inputs": inputs}))
     assert not any(name in each for each in re.findall(r"<svg.*?</svg>", text, re.DOTALL))
     assert text.count(name) > 3
 
@@ -373,5 +373,5 @@ def test_the_page_has_the_colours_of_the_other_pages() -> None:
 def test_an_unfinished_study_says_so() -> None:
     """A page made while the study runs says how many variants are missing."""
     made = monte_carlo(20)
-    running = Gathered(**{**{name: getattr(made, name) for name in made.__dataclass_fields__}, "planned": 50})
+    running = Samples(**{**{name: getattr(made, name) for name in made.__dataclass_fields__}, "planned": 50})
     assert "30 variants are still to be computed" in made_page(running)

@@ -21,7 +21,7 @@ from groundslab.cli.main import main
 from groundslab.errors import InputError
 from groundslab.study.definition.schema import StudyFile
 from groundslab.study.evaluation.form import reliability
-from groundslab.study.evaluation.from_study import sample_in
+from groundslab.study.evaluation.from_study import read_samples
 from groundslab.study.evaluation.study import Study
 from groundslab.study.report import writer
 from groundslab.study.report.writer import evaluate, tables_of
@@ -76,7 +76,7 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
 
 def test_monte_carlo_of_an_even_load(study: Study) -> None:
     """Each row is q / k; the probability's interval holds the exact one; page and tables stand in the folder."""
-    sample = sample_in(study)
+    sample = read_samples(study)
     q, k = (each.values for each in sample.inputs)
     assert sample.outputs[0].values == pytest.approx(q / k, rel=1e-9)
     assert [each.unit.name for each in sample.inputs] == ["kPa", "MPa/m"]

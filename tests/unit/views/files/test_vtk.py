@@ -15,7 +15,7 @@ from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.fem.shape_functions import q9
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS
-from groundslab.results.results import Combined, Results
+from groundslab.results.results import CombinationResult, Results
 from groundslab.views.files import results_folder, vtk
 from helpers import synthetic
 
@@ -49,7 +49,7 @@ def arrays(data: Any) -> dict[str, np.ndarray]:
     return {data.GetArrayName(n): vtk_to_numpy(data.GetArray(n)) for n in range(data.GetNumberOfArrays())}
 
 
-def curved(n: int = 3) -> Results:
+def curved(n: int = 3) -> CombinationResult:
     """Return made-up results on a mesh whose elements have curved sides and no symmetry."""
     flat = synthetic.results(n, shear=True)
     x, y = flat.plate.nodes.T
@@ -148,7 +148,7 @@ class TestArrays:
         left = tuple(each for each in combined.combinations if each.name in {*results, *refused})
         given = model.replace(combinations=left)
         results = {name: replace(each, model=given) for name, each in results.items()}
-        return results_folder.save_results(Combined(given, left, results, refused), tmp_path / "out")
+        return results_folder.save_results(Results(given, left, results, refused), tmp_path / "out")
 
     def test_every_name_carries_its_unit(self, folder: Path) -> None:
         """Arrays of points and cells name their unit in brackets, but for flags and counts; no number is missing."""

@@ -16,7 +16,7 @@ import pytest
 
 import groundslab
 from groundslab.cli import main
-from groundslab.design.tables.quantities import nodal
+from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
 from groundslab.model.columns import Column
@@ -31,7 +31,7 @@ from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import RANGED_FIELDS
-from groundslab.results.results import Combined, Results, alone
+from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.views import plots
 from groundslab.views.files import results_folder
 from groundslab.views.plots import contours, convergence, deformed, plan, request, sections, soil
@@ -65,7 +65,7 @@ def found_by_location(error: pytest.ExceptionInfo[InputError]) -> dict[str, str]
     return {issue.location: issue.found for issue in error.value.issues}
 
 
-def layered(ground: Any, gamma: float | None, **changes: Any) -> Results:
+def layered(ground: Any, gamma: float | None, **changes: Any) -> CombinationResult:
     """Return made-up results on soil, of which only gamma counts."""
     model = synthetic.model(shear=True).replace(ground=ground, **changes)
     found = synthetic.results(2, shear=True, model=model)
@@ -226,7 +226,7 @@ class TestPlan:
         figure = groundslab.plot(results, *request.QUANTITIES)
         for axes, name in zip(panels(figure), request.QUANTITIES, strict=True):
             low, high = axes.child_axes[0].get_ylim()
-            values = nodal(results, name)
+            values = nodal_values(results, name)
             assert low <= values.min() + 1e-9 * abs(values).max()
             assert high >= values.max() - 1e-9 * abs(values).max()
 
@@ -359,7 +359,7 @@ class TestPlan:
         assert [(panel.quantity.name, panel.source.split()[0]) for panel in panels] == [
             ("settlement", "Largest"), ("settlement", "Smallest"), ("bottom_x", "Largest"), ("top_x", "Smallest"),
         ]  # fmt: skip
-        one, two = (nodal(each, "settlement") for each in combined.results.values())
+        one, two = (nodal_values(each, "settlement") for each in combined.results.values())
         assert np.array_equal(panels[0].values, np.maximum(one, two))
         assert np.array_equal(panels[1].values, np.minimum(one, two))
         told = words(groundslab.plot(combined, "w", envelope="ultimate"))
@@ -380,7 +380,7 @@ class TestPlan:
         results = replace(flat, plate=replace(flat.plate, nodes=nodes, elements=elements))
         names = list(request.QUANTITIES)[: columns * rows]
         with apply_style():
-            (figure,) = plan.draw_pages(parse_request(alone(results), names, None, None, None, None))
+            (figure,) = plan.draw_pages(parse_request(results_of(results), names, None, None, None, None))
         width, height = figure.get_size_inches() * 25.4
         assert width == pytest.approx(180)
         assert height < 275
@@ -547,7 +547,7 @@ class TestLines:
             name: replace(base, combination=name, plate=replace(base.plate, settlement=(n + 1) * base.plate.settlement))
             for n, name in enumerate(names)
         }
-        combined = Combined(base.model, tuple(Combination(name=name, factors={"": 1.0}) for name in names), found, {})
+        combined = Results(base.model, tuple(Combination(name=name, factors={"": 1.0}) for name in names), found, {})
         (curves,) = sections.sample_lines(parse_request(combined, ("w",), None, None, None, (-4.8, 0, 4.8, 0)))
         assert curves.names == ("largest of 10 combinations", "smallest of 10 combinations")
         assert curves.values["settlement"][0].max() == pytest.approx(280)
@@ -657,13 +657,13 @@ class TestSoil:
         holes = [Borehole(x=float(n), y=0, layers=self.LAYERS) for n in range(-3, 3)]
         results = layered(Vlasov(layers=self.LAYERS), 1.3, boreholes=holes)
         with apply_style():
-            pages = soil.draw_pages(parse_request(alone(results), (), "soil", None, None, None))
+            pages = soil.draw_pages(parse_request(results_of(results), (), "soil", None, None, None))
         assert [words(page).count("borehole ") for page in pages] == [4, 2]
 
 
-def plotted_combinations(results: Results) -> Any:
+def plotted_combinations(results: CombinationResult) -> Any:
     """Return the one combination of results as it is drawn."""
-    return parse_request(alone(results), (), "soil", None, None, None).combinations
+    return parse_request(results_of(results), (), "soil", None, None, None).combinations
 
 
 class TestConvergence:

@@ -23,7 +23,7 @@ from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.record import Constants
-from groundslab.results.results import Combined, SupportResult, alone
+from groundslab.results.results import Results, SupportResult, results_of
 from groundslab.units import format_number
 from groundslab.views import report
 from groundslab.views.files import results_folder
@@ -37,7 +37,7 @@ from groundslab.views.plots.style import PAGE_COLORS, plain_text
 from groundslab.views.report import drawings
 from groundslab.views.report import html as document
 from groundslab.views.report.drawings import draw_case, draw_soil, find_governing
-from groundslab.views.report.html import html_of
+from groundslab.views.report.html import render_report
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import (
     MOST_COLUMNS,
@@ -47,8 +47,8 @@ from groundslab.views.report.table_layout import (
     split_words,
     summarize_table,
 )
-from groundslab.views.scene.binary import LEVELS, unpacked, values_of
-from groundslab.views.summary import single
+from groundslab.views.scene.binary import LEVELS, unpack, values_of
+from groundslab.views.summary import sections
 from groundslab.views.summary.terminal import shown_row
 from helpers import synthetic
 from helpers.pages import Element, page
@@ -119,7 +119,7 @@ def described(words: list[str], **changes: Any) -> Model:
     return Model(**parts | changes)
 
 
-def solved(model: Model, n: int = 6, **changes: Any) -> Combined:
+def solved(model: Model, n: int = 6, **changes: Any) -> Results:
     """Return made-up results of all combinations but the last one, which is refused with the case's title."""
     supports = tuple(
         SupportResult(
@@ -142,19 +142,19 @@ def solved(model: Model, n: int = 6, **changes: Any) -> Combined:
         plate = replace(one.plate, settlement=number_of * one.plate.settlement)
         made[each.name] = replace(one, plate=plate)
     last = model.combinations[-1].name
-    return Combined(model, model.combinations, made, {last: NoEquilibrium(f"nothing holds {model.title}")})
+    return Results(model, model.combinations, made, {last: NoEquilibrium(f"nothing holds {model.title}")})
 
 
 @pytest.fixture(scope="module")
-def plain() -> Combined:
+def plain() -> Results:
     """Return a solved model with something of every kind."""
     return solved(described(["part"]))
 
 
 @pytest.fixture(scope="module")
-def root(plain: Combined) -> Element:
+def root(plain: Results) -> Element:
     """Return the report of the plain model."""
-    return page(html_of(plain))
+    return page(render_report(plain))
 
 
 @pytest.fixture(autouse=True)
@@ -191,7 +191,7 @@ class TestStructure:
         assert links
         assert {link.removeprefix("#") for link in links} <= set(ids)
 
-    def test_title_block(self, plain: Combined, root: Element) -> None:
+    def test_title_block(self, plain: Results, root: Element) -> None:
         """Title, program, version, file and hash; the hash is that of the text that the page holds."""
         head = root.one("header", class_="title")
         assert head.one("h1").text == plain.model.title
@@ -204,16 +204,16 @@ class TestStructure:
         assert root.one("details", id="text").one("pre").text == text
 
     @pytest.mark.slow
-    def test_own_text_and_name_of_the_input(self, plain: Combined) -> None:
+    def test_own_text_and_name_of_the_input(self, plain: Results) -> None:
         """Whoever has the input as it was written can give it: the page holds it, and its hash."""
         text = "# mine\n" + casefile.to_toml(plain.model)
-        found = page(html_of(plain, text=text, file="raft <1>.toml"))
+        found = page(render_report(plain, text=text, file="raft <1>.toml"))
         assert found.one("pre").text == text
         told = found.one("header", class_="title").text
         assert hashlib.sha256(text.encode()).hexdigest() in told
         assert "raft <1>.toml" in told
 
-    def test_drawings_and_pictures(self, plain: Combined, root: Element) -> None:
+    def test_drawings_and_pictures(self, plain: Results, root: Element) -> None:
         """Plan, soil and signs are drawings; pictures are within the page, with words and their size."""
         assert [each.attributes["aria-label"] for each in root.one("section", id="drawings").all("svg")] == [
             "Plan of the plate",
@@ -239,12 +239,12 @@ class TestStructure:
         assert not {"style", "font-family"} & {name for each in inside for name in each.attributes}
 
     @pytest.mark.slow
-    def test_the_same_results_give_the_same_page(self, plain: Combined, monkeypatch: pytest.MonkeyPatch) -> None:
+    def test_the_same_results_give_the_same_page(self, plain: Results, monkeypatch: pytest.MonkeyPatch) -> None:
         """Nothing depends on when or where it is made, pictures included."""
         monkeypatch.undo()
         results = synthetic.results()
-        assert html_of(results) == html_of(results)
-        assert html_of(plain) == html_of(plain)
+        assert render_report(results) == render_report(results)
+        assert render_report(plain) == render_report(plain)
 
 
 class TestVerdict:
@@ -258,8 +258,8 @@ class TestVerdict:
 
     def test_of_one_that_is_certified(self) -> None:
         """A good result is called so; nothing is refused."""
-        found = page(html_of(synthetic.results()))
-        assert found.one("p", class_="verdict good").text == single.certified_words(1)
+        found = page(render_report(synthetic.results()))
+        assert found.one("p", class_="verdict good").text == sections.certified_words(1)
         assert not list(found.all("section", id="refused"))
         assert {each for row in next(grids(found.one("section", id="certificate")))[1] for each in row[4:]} == {
             "",
@@ -269,7 +269,7 @@ class TestVerdict:
     def test_of_one_that_is_not(self) -> None:
         """An uncertified result is shown with its certificate only: no extremes, no pictures, no tables of it."""
         bad = replace(synthetic.CERTIFICATE, residual=1.0)
-        found = page(html_of(synthetic.results(certificate=bad)))
+        found = page(render_report(synthetic.results(certificate=bad)))
         assert "use nothing of it" in found.one("p", class_="verdict bad").text
         rows = next(grids(found.one("section", id="certificate")))[1]
         assert [row[0] for row in rows if row[-1] == "FAILED"] == ["force left over at a node"]
@@ -280,7 +280,7 @@ class TestVerdict:
         """If every combination is refused, the case, its drawings and the reasons are left."""
         model = described(["part"])
         refused = {each.name: NoEquilibrium(f"why {each.name}") for each in model.combinations}
-        found = page(html_of(Combined(model, model.combinations, {}, refused)))
+        found = page(render_report(Results(model, model.combinations, {}, refused)))
         assert "no combination has a certified result" in found.one("p", class_="verdict bad").text
         assert all(f"why {name}" in found.one("section", id="refused").text for name in refused)
         assert found.one("section", id="drawings").one("svg", class_="drawing").text.startswith("Plan")
@@ -290,7 +290,7 @@ class TestNumbers:
     """Every number is one of the results, shown as the summary shows it."""
 
     @pytest.mark.slow
-    def test_all_tables_are_there(self, plain: Combined, root: Element) -> None:
+    def test_all_tables_are_there(self, plain: Results, root: Element) -> None:
         """Each table has its section, its title, its rows and its notes; a wide one in parts of few columns."""
         section = root.one("section", id="tables")
         tables = tables_of(plain)
@@ -307,7 +307,7 @@ class TestNumbers:
             assert [row[-1] for row in whole[-1]] == cells, table.name
             assert all(len(heads) <= MOST_COLUMNS for heads, _ in grids(part))
 
-    def test_extremes_are_those_of_the_results(self, plain: Combined, root: Element) -> None:
+    def test_extremes_are_those_of_the_results(self, plain: Results, root: Element) -> None:
         """The largest settlement stands with place and combination, as made: the second has twice the first's."""
         rows = {tuple(row[:2]): row for _, found in grids(root.one("section", id="extremes")) for row in found}
         second = plain.combinations[1].name
@@ -319,8 +319,8 @@ class TestNumbers:
     def test_figures_are_written_as_in_the_summary(self) -> None:
         """Value, unit and place of each extreme are the texts of the summary's rows."""
         results = synthetic.results(4, shear=True, constants=Constants((synthetic.K0,), (synthetic.K1,), None, 0))
-        found = [row for _, rows in grids(page(html_of(results)).one("section", id="extremes")) for row in rows]
-        for section in single.figures(results):
+        found = [row for _, rows in grids(page(render_report(results)).one("section", id="extremes")) for row in rows]
+        for section in sections.figures(results):
             for row in section.rows:
                 shown = shown_row(row)
                 symbol = row.symbol.replace("_", "")
@@ -329,9 +329,9 @@ class TestNumbers:
                 assert shown.unit in cells
                 assert shown.place in cells
 
-    def test_scene_holds_the_fields(self, plain: Combined, root: Element) -> None:
+    def test_scene_holds_the_fields(self, plain: Results, root: Element) -> None:
         """The viewer's data are those of the results to half a level of their range."""
-        scene = unpacked(gzip.decompress(base64.b64decode(root.one("script", id="scene").text)))
+        scene = unpack(gzip.decompress(base64.b64decode(root.one("script", id="scene").text)))
         assert scene.head["title"] == plain.model.title
         for told in scene.head["combinations"][:2]:
             plate = plain.results[told["name"]].plate
@@ -340,7 +340,7 @@ class TestNumbers:
                 error = np.abs(values_of(scene, told["values"][name]) - exact).max()
                 assert error <= np.ptp(exact) / LEVELS * 0.5000001, name
 
-    def test_constants_and_history(self, plain: Combined, root: Element) -> None:
+    def test_constants_and_history(self, plain: Results, root: Element) -> None:
         """Each combination has its constants and its steps."""
         heads, rows = next(grids(root.one("section", id="drawings")))
         assert heads == ["combination", "compression k0 [MPa/m]", "shear k1 [MPa m]", "decay of the mode γ",
@@ -365,7 +365,7 @@ class TestNumbers:
 
     def test_without_uplift_none_governs(self) -> None:
         """Where all of the plate bears, no uplift is shown."""
-        assert "uplift" not in find_governing(alone(synthetic.results(lifts=False)))
+        assert "uplift" not in find_governing(results_of(synthetic.results(lifts=False)))
 
 
 def harmful(root: Element) -> list[str]:
@@ -393,7 +393,7 @@ class TestSafety:
     def test_texts_are_only_texts(self, evil: str, root: Element) -> None:
         """Title, names of all things, file, and reasons are shown as they are; the page has the elements it would."""
         model = described([evil])
-        html = html_of(solved(model), file=evil)
+        html = render_report(solved(model), file=evil)
         found, usual = page(html), root
         assert harmful(found) == []
         assert [each.name for each in found.all("script")] == ["script"] * 2
@@ -445,7 +445,7 @@ class TestSize:
     def test_a_long_table_is_folded_with_a_digest(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """On paper a long table of lines leaves its extremes; one that is longer still names its CSV file."""
         combined = solved(described(["part"]), n=24)
-        found = page(html_of(combined)).one("section", id="table-lines")
+        found = page(render_report(combined)).one("section", id="table-lines")
         table = {each.name: each for each in tables_of(combined)}["lines"]
         assert len(table) > 60
         heads, rows = next(grids(found))
@@ -469,14 +469,14 @@ class TestSize:
         monkeypatch.setattr(
             "groundslab.views.report.content.TableParts.complete", property(lambda each: each.length <= 50)
         )
-        cut = page(html_of(combined)).one("section", id="table-lines")
+        cut = page(render_report(combined)).one("section", id="table-lines")
         assert "tables/lines.csv" in cut.text
         assert not list(cut.all("details"))
 
-    def test_what_is_left_out_is_named(self, monkeypatch: pytest.MonkeyPatch, plain: Combined) -> None:
+    def test_what_is_left_out_is_named(self, monkeypatch: pytest.MonkeyPatch, plain: Results) -> None:
         """Fields beyond the budget are left out, and the page says whose."""
         monkeypatch.setattr(document, "MOST_DATA", 1)
-        told = page(html_of(plain)).one("section", id="explore").text
+        told = page(render_report(plain)).one("section", id="explore").text
         assert plain.combinations[0].name in told
         assert plain.combinations[1].name not in told
 
@@ -493,7 +493,7 @@ class TestSize:
             one = synthetic.results(20, model=model, combination=each.name, factors=each.factors)
             fields = dict(zip(("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y"), values, strict=True))
             made[each.name] = replace(one, plate=replace(one.plate, **fields))
-        combined = Combined(model, model.combinations, made, {})
+        combined = Results(model, model.combinations, made, {})
         whole, none = document._scene(combined)
         assert none == []
         monkeypatch.setattr(document, "MOST_DATA", int(0.85 * len(whole)))
@@ -504,7 +504,7 @@ class TestSize:
     @pytest.mark.slow
     def test_ten_thousand_nodes_stay_small(self) -> None:
         """A tenth of a large raft, with two combinations, stays below a tenth of 20 MB."""
-        html = html_of(solved(described(["part"]), n=50))
+        html = render_report(solved(described(["part"]), n=50))
         assert len(html.encode()) < 2_000_000
 
 
@@ -651,7 +651,7 @@ class TestDrawings:
         assert not ids[0] & ids[1]
         assert set() < used[0] <= ids[0]
 
-    def test_soil_is_to_scale(self, plain: Combined) -> None:
+    def test_soil_is_to_scale(self, plain: Results) -> None:
         """Layers are drawn by their thickness, with their moduli, constants and modes."""
         results = next(iter(plain.results.values()))
         combination = PlottedCombination(results.combination, results.limit_state, results, certified=True)
@@ -743,7 +743,7 @@ class TestFiles:
             assert cli.main(["report", str(folder), "--out", str(tmp_path / name)]) == 0
         content = (tmp_path / "a.html").read_bytes()
         assert content == (tmp_path / "b.html").read_bytes()
-        assert content == html_of(synthetic.results(model=synthetic.model())).encode()
+        assert content == render_report(synthetic.results(model=synthetic.model())).encode()
         assert hashlib.sha256((folder / "case.toml").read_bytes()).hexdigest() in content.decode()
 
     def test_a_case_that_was_changed_is_not_taken_for_the_input(self, folder: Path) -> None:
@@ -792,7 +792,7 @@ class TestFiles:
 
     @pytest.mark.slow
     def test_refused_combinations_are_told(
-        self, plain: Combined, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+        self, plain: Results, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:
         """The command says that not all is well; the report is made, so the exit code is 0."""
         results_folder.save_results(plain, tmp_path / "several")

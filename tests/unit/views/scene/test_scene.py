@@ -14,8 +14,8 @@ from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import Combined, alone
-from groundslab.views.scene.binary import LEVELS, Blocks, Scene, packed, unpacked, values_of
+from groundslab.results.results import Results, results_of
+from groundslab.views.scene.binary import LEVELS, Blocks, Scene, pack, unpack, values_of
 from groundslab.views.scene.fields import scene_of
 from groundslab.views.scene.plan import plan_of
 from helpers import synthetic
@@ -142,7 +142,7 @@ class TestScene:
     def test_fields_are_the_results(self) -> None:
         """Every field is the result's in units of display, to half a level of its range; so are mesh and extremes."""
         results = synthetic.results(3, shear=True)
-        scene = unpacked(packed(scene_of(alone(results))))
+        scene = unpack(pack(scene_of(results_of(results))))
         plate = results.plate
         assert np.array_equal(values_of(scene, scene.head["mesh"]["elements"]), plate.elements)
         assert np.array_equal(values_of(scene, scene.head["mesh"]["section"]), results.elements.section)
@@ -162,14 +162,14 @@ class TestScene:
 
     def test_the_edge_line_force_has_extremes_where_there_is_one(self) -> None:
         """They are those along the edge, beside those of the pressure, which knows nothing of them."""
-        found = scene_of(alone(synthetic.results(4, shear=True))).head["combinations"][0]["extremes"]
+        found = scene_of(results_of(synthetic.results(4, shear=True))).head["combinations"][0]["extremes"]
         assert found["pressure"]["max"] == pytest.approx([synthetic.K0 * 0.028 / 1e3, 0, 0])
         assert found["line_force"]["max"][0] == 500
-        assert "line_force" not in scene_of(alone(synthetic.results(4))).head["combinations"][0]["extremes"]
+        assert "line_force" not in scene_of(results_of(synthetic.results(4))).head["combinations"][0]["extremes"]
 
     def test_signs(self) -> None:
         """Moments are always signed; settlements and pressures only where one of them is negative."""
-        lifted, pressed = (scene_of(alone(synthetic.results(lifts=lifts))).head for lifts in (True, False))
+        lifted, pressed = (scene_of(results_of(synthetic.results(lifts=lifts))).head for lifts in (True, False))
         told = [{field["name"]: field["signed"] for field in head["fields"]} for head in (lifted, pressed)]
         assert [each["settlement"] for each in told] == [True, False]
         assert [each["pressure"] for each in told] == [False, False]
@@ -179,7 +179,7 @@ class TestScene:
         """Penetration is a field where there is any."""
         plain = synthetic.results()
         sunk = replace(plain, plate=replace(plain.plate, penetration=np.maximum(plain.plate.settlement, 0)))
-        assert "penetration" in fields(scene_of(alone(sunk)), 1)
+        assert "penetration" in fields(scene_of(results_of(sunk)), 1)
 
     def test_combinations_with_and_without_a_result(self) -> None:
         """Each says what acts, its values, and why it is refused; one that is not certified is not called so."""
@@ -212,7 +212,7 @@ class TestScene:
         model = synthetic.model()
         combined = synthetic.combined()
         (refusal,) = [error for name, error in combined.refused.items() if name == "wind alone"]
-        none = Combined(combined.model, combined.combinations[3:], {}, {"wind alone": refusal})
+        none = Results(combined.model, combined.combinations[3:], {}, {"wind alone": refusal})
         head = scene_of(none).head
         assert head["mesh"]["nodes"]["shape"] == [0, 2]
         assert head["plan"]["outline"] == plan_of(model)["outline"]
@@ -229,7 +229,7 @@ class TestScene:
         plain = synthetic.results()
         broken = replace(plain, plate=replace(plain.plate, gap=np.full_like(plain.plate.gap, np.nan)))
         with pytest.raises(GroundslabError, match="not finite"):
-            scene_of(alone(broken))
+            scene_of(results_of(broken))
 
 
 class TestPacking:
@@ -238,8 +238,8 @@ class TestPacking:
     def test_layout(self) -> None:
         """Length, head, zeros, data; all offsets are multiples of 8, within the file too."""
         model = synthetic.model(title='</script>"\u2028é').replace(loads=[UniformLoad(q=1.0, name="Größe")])
-        scene = scene_of(alone(synthetic.results(model=model)))
-        content = packed(scene)
+        scene = scene_of(results_of(synthetic.results(model=model)))
+        content = pack(scene)
         length = int.from_bytes(content[:4], "little")
         assert json.loads(content[4 : 4 + length].decode()) == scene.head
         assert content.endswith(scene.data)
@@ -247,11 +247,11 @@ class TestPacking:
         assert not any(content[4 + length : len(content) - len(scene.data)])
         blocks = [*scene.head["mesh"].values(), *scene.head["combinations"][0]["values"].values()]
         assert [block["offset"] % 8 for block in blocks] == [0] * len(blocks)
-        assert unpacked(content) == scene
+        assert unpack(content) == scene
 
     def test_the_same_results_give_the_same_bytes(self) -> None:
         """Nothing in a scene depends on when it was made."""
-        assert packed(scene_of(synthetic.combined())) == packed(scene_of(synthetic.combined()))
+        assert pack(scene_of(synthetic.combined())) == pack(scene_of(synthetic.combined()))
 
     @pytest.mark.parametrize("values", [[3.0, 3.0], [0.0, 0.0], [-1e-290, 1e300], [5e-324, 0.0], []])
     def test_odd_ranges(self, values: list[float]) -> None:

@@ -19,7 +19,7 @@ import pytest
 
 from groundslab.case import casefile
 from groundslab.cli import main
-from groundslab.views.scene.binary import unpacked
+from groundslab.views.scene.binary import unpack
 
 pytestmark = pytest.mark.slow
 
@@ -211,7 +211,7 @@ def test_a_case_is_edited_solved_saved(start: Start, case: Path, tmp_path: Path)
         "solving",
         "solved",
     ]
-    scene = unpacked(app.ask("GET", f"/api/results/{told['run']}/scene")[1])
+    scene = unpack(app.ask("GET", f"/api/results/{told['run']}/scene")[1])
     assert scene.head["plan"]["bounds"] == state["plan"]["bounds"] == [-3, -2, 3, 2]
     (combination,) = app.get(f"/api/results/{told['run']}/summary")["combinations"]
     assert combination["certificate"]["holds"] is True

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from groundslab.errors import InputError
-from groundslab.views.scene.binary import unpacked
+from groundslab.views.scene.binary import unpack
 from groundslab.workbench.events import Event
 from groundslab.workbench.solver import process
 from groundslab.workbench.solver import thread as solvers
@@ -311,7 +311,7 @@ def test_the_analysis_behind_it() -> None:
     # 10 kPa on springs of 20 MPa/m: the plate settles evenly, by 0.5 mm
     assert (rows["largest"]["value"], rows["largest"]["unit"]) == ("0.50000", "mm")
     assert (rows["residual"]["ok"], rows["residual"]["note"]) == (True, "ok (limit 1e-06)")
-    data = unpacked(scene).head["combinations"]
+    data = unpack(scene).head["combinations"]
     assert [(each["name"], each["certified"]) for each in data] == [("down", True), ("up", False)]
     with pytest.raises(process.Stopped):
         process.solve(TWO, _stop)

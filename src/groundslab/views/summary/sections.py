@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.model import Model
     from groundslab.results.record import Certificate
-    from groundslab.results.results import Results, SupportResult
+    from groundslab.results.results import CombinationResult, SupportResult
 
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12
@@ -68,18 +68,18 @@ class SummarySection:
     notes: tuple[str, ...] = ()
 
 
-def summary(results: Results) -> list[SummarySection]:
+def summary(results: CombinationResult) -> list[SummarySection]:
     """Return the sections of the summary, in the order in which they are shown."""
     require_finite(results)
     return [*description(results), *figures(results), certificate_section(results.certificate)]
 
 
-def description(results: Results) -> list[SummarySection]:
+def description(results: CombinationResult) -> list[SummarySection]:
     """Return what was analyzed: plate, ground, and loads that were cut off at the plate's edge."""
     return [_plate(results), description_of_ground(results), *cut_loads(results.model)]
 
 
-def figures(results: Results) -> list[SummarySection]:
+def figures(results: CombinationResult) -> list[SummarySection]:
     """Return what came out: settlement, contact, what supports carry, section forces."""
     supports = [_supports(results)] if results.supports else []
     return [_settlement(results), _contact(results), *supports, _section_forces(results)]
@@ -94,7 +94,7 @@ def certified_words(count: int) -> str:
     )
 
 
-def _plate(results: Results) -> SummarySection:
+def _plate(results: CombinationResult) -> SummarySection:
     """Return what was analyzed: plate and mesh."""
     from groundslab.meshing.quality import quality as quality_of
 
@@ -122,7 +122,7 @@ def _plate(results: Results) -> SummarySection:
     return SummarySection("plate", "Plate", rows + borders, (CROSSED,) if borders else ())
 
 
-def description_of_ground(results: Results) -> SummarySection:
+def description_of_ground(results: CombinationResult) -> SummarySection:
     """Return the kind of ground and the constants that the analysis ended with, layer by layer."""
     constants = results.constants
     several = len(constants.k0) > 1
@@ -142,7 +142,7 @@ def description_of_ground(results: Results) -> SummarySection:
     return SummarySection("ground", "Ground", tuple(rows))
 
 
-def _borders(results: Results) -> tuple[Row, ...]:
+def _borders(results: CombinationResult) -> tuple[Row, ...]:
     """Return the areas of soil zones and voids whose borders the mesh does not follow."""
     from groundslab.results.soil_profile import crossed_borders
 
@@ -159,9 +159,9 @@ def _borders(results: Results) -> tuple[Row, ...]:
 
 def cut_loads(model: Model) -> list[SummarySection]:
     """Return what of the loads lies off the plate and does not act, nothing where all of them act."""
-    from groundslab.model.loads.clipping import clipped_loads
+    from groundslab.model.loads.clipping import find_clipped_loads
 
-    clipped = clipped_loads(model.plate, model.loads)
+    clipped = find_clipped_loads(model.plate, model.loads)
     if not clipped:
         return []
     rows = []
@@ -183,7 +183,7 @@ def _extreme(name: str, key: str, label: str, nodes: Array, values: Array, sign:
     return Row(key, label, value, about.display, symbol.format(about.symbol), place)
 
 
-def _settlement(results: Results) -> SummarySection:
+def _settlement(results: CombinationResult) -> SummarySection:
     """Return the largest and the smallest settlement; a smallest one below zero is called uplift."""
     nodes, w = results.plate.nodes, results.plate.settlement
     rows = [_extreme("settlement", "largest", "largest settlement", nodes, w, 1)]
@@ -194,7 +194,7 @@ def _settlement(results: Results) -> SummarySection:
     return SummarySection("settlement", "Settlement", tuple(rows))
 
 
-def _contact(results: Results) -> SummarySection:
+def _contact(results: CombinationResult) -> SummarySection:
     """Return how much of the plate rests on the ground, the largest gap and the pressures."""
     plate = results.plate
     gap = _extreme("gap", "largest_gap", "largest gap", plate.nodes, plate.gap, 1)
@@ -222,7 +222,7 @@ def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") 
     return rows
 
 
-def _section_forces(results: Results) -> SummarySection:
+def _section_forces(results: CombinationResult) -> SummarySection:
     """Return the extreme moments and shear forces with their places."""
     plate, model = results.plate, results.model
     rows = [
@@ -245,7 +245,7 @@ def _section_forces(results: Results) -> SummarySection:
     return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)
 
 
-def _supports(results: Results) -> SummarySection:
+def _supports(results: CombinationResult) -> SummarySection:
     """Return what the supports carry: each of a few, else the largest and the smallest force and their sum."""
     totals = [(support.total, support) for support in results.supports if len(support.nodes)]
     rows = [
