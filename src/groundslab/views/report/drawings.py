@@ -11,11 +11,11 @@ import numpy as np
 
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.views.plots import plot
-from groundslab.views.plots.case_plan import describe_omissions, draw_case_plan
 from groundslab.views.plots.convergence import draw_thumbnail
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.request import PlottedCombination
 from groundslab.views.plots.soil import draw_columns, soil_columns
+from groundslab.views.report.case_plan import describe_omissions, draw_case_plan
 
 if TYPE_CHECKING:
     from markupsafe import Markup

@@ -29,13 +29,13 @@ from groundslab.views import report
 from groundslab.views.files import results_folder
 from groundslab.views.plots import export, plot, soil
 from groundslab.views.plots.annotations import LabelPlacement
-from groundslab.views.plots.case_plan import SIDES, draw_case_plan
 from groundslab.views.plots.convergence import draw_thumbnail
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.request import PlottedCombination
 from groundslab.views.plots.style import PAGE_COLORS, plain_text
 from groundslab.views.report import drawings
 from groundslab.views.report import html as document
+from groundslab.views.report.case_plan import SIDES, draw_case_plan
 from groundslab.views.report.drawings import draw_case, draw_soil, find_governing
 from groundslab.views.report.html import render_report
 from groundslab.views.report.input_tables import input_tables
