@@ -34,7 +34,7 @@ class Issue:
 
     def __str__(self) -> str:
         """Return the issue on one line."""
-        line = f"{self.location}: got {self.found}, expected {self.expected}"
+        line = f"{self.location}: found {self.found}, expected {self.expected}"
         return f"{line}; {self.hint}" if self.hint else line
 
 

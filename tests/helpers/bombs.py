@@ -133,16 +133,16 @@ FULL = many(1000, lambda x, y: line(x, y, x + 1, y, "NOTHING")) + ROUND
 #: Text, and what is said of it; empty where it is read.
 SMALL: dict[str, tuple[str, str]] = {
     "nested blocks of nothing": (nested(12, 12, FAR), ""),
-    "nested blocks": (nested(12, 12, ROUND), r"got 8,916,100,448,25\d entities on the layers"),
+    "nested blocks": (nested(12, 12, ROUND), r"found 8,916,100,448,25\d entities on the layers"),
     "nested rows of nothing": (nested_rows(3, 300, FAR), ""),
-    "nested rows": (nested_rows(3, 300, ROUND), r"got more than 1,000,000,000,000,000 entities"),
+    "nested rows": (nested_rows(3, 300, ROUND), r"found more than 1,000,000,000,000,000 entities"),
     "rows of a block full of other things": (
         document(insert("B0", "OPENINGS", 200, 200), block("B0", FULL)),
-        r"got 40,080,000 entities of blocks to be placed",
+        r"found 40,080,000 entities of blocks to be placed",
     ),
     "rows of loads": (
         document(insert("B0", "LOADS", 300, 300), block("B0", point(0, 0))),
-        r"got 90,001 entities on the layers",
+        r"found 90,001 entities on the layers",
     ),
     "blocks in a circle": (
         document(insert("A", "OPENINGS"), block("A", insert("B") * 60) + block("B", insert("A") * 60 + ROUND)),

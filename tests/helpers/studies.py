@@ -31,7 +31,7 @@ name = "live"
 
 [[loads]]
 kind = "uniform"
-name = "own weight"
+name = "self-weight"
 case = "dead"
 q = "2 kPa"
 

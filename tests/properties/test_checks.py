@@ -16,7 +16,7 @@ FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_
 
 
 def refusal(work: object, model: Model) -> set[str]:
-    """Return the faults for which a model is refused, none if it is not."""
+    """Return the issues for which a model is refused, none if it is not."""
     try:
         work(model)  # type: ignore[operator]
     except InputError as error:
@@ -28,6 +28,6 @@ def refusal(work: object, model: Model) -> set[str]:
 @settings(FUZZ, max_examples=120)
 @given(st.one_of(models(), rich_models(), rich_models(whole=True)))
 def test_what_is_refused_in_solving_is_refused_in_checking(model: Model) -> None:
-    """Of random models of every kind, check names the same faults as the making of the arrays to be solved."""
+    """Of random models of every kind, check names the same issues as the making of the arrays to be solved."""
     found = refusal(discretize, model)
     assert found <= refusal(check, model)

@@ -136,7 +136,7 @@ def scaled(value: Any, factor: float) -> Any:
 
 @pytest.mark.parametrize("data", DATA, ids=["vlasov", "layered"])
 def test_senseless_numbers_are_faults_where_they_stand(data: Any) -> None:
-    """Each number in turn made astronomical, denormal or a huge count: a fault at that key, and no other end."""
+    """Each number in turn made astronomical, denormal or a huge count: a issue at that key, and no other end."""
     for number, (path, value) in enumerate(numbers(data)):
         unit = f" {QUANTITY.fullmatch(value)[2]}" if isinstance(value, str) else None  # type: ignore[index]
         for wrong in (SENSELESS[number % 7], SENSELESS[(3 * number + 1) % 7]):
@@ -185,7 +185,7 @@ def solved(model: Model) -> None:
     st.sampled_from(["outline", "openings", "zones", "soil_zones", "voids", "area"]),
 )  # fmt: skip
 def test_bulges_of_any_size(points: list[tuple[int, int]], bulges: list[float], kind: str) -> None:
-    """Arcs of nearly a whole turn, of hardly any, and senseless ones: a bounded number of chords, or a fault."""
+    """Arcs of nearly a whole turn, of hardly any, and senseless ones: a bounded number of chords, or a issue."""
     shape = {"kind": "polygon", "points": [[f"{x} m", f"{y} m"] for x, y in points], "bulges": bulges}
     data = deepcopy(DATA[1])
     data["mesh"] = {"size": "1 m"}
@@ -230,7 +230,7 @@ def test_bulges_of_any_size(points: list[tuple[int, int]], bulges: list[float], 
     ids=["header", "list", "inline", "quoted", "arrays", "tables", "900", "quotes", "word", "keys", "headers", "loads"],
 )
 def test_texts_that_are_nested_or_long_without_end(text: str) -> None:
-    """Tables and arrays nested by the thousand, keys of very many parts, keys without number: a fault in seconds."""
+    """Tables and arrays nested by the thousand, keys of very many parts, keys without number: a issue in seconds."""
     start = time.process_time()
     with pytest.raises(InputError) as error:
         loads(text)

@@ -145,7 +145,7 @@ def answer(description: Any, **options: Any) -> None:
 
 
 def check(error: InputError) -> None:
-    """Make sure that a refusal has faults that can be printed and pickled."""
+    """Make sure that a refusal has issues that can be printed and pickled."""
     assert error.issues
     for issue in error.issues:
         assert issue.location

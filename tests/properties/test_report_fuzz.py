@@ -34,7 +34,7 @@ pytestmark = pytest.mark.slow
 
 
 def leaves(part: Section) -> Iterator[tuple[Any, Any]]:
-    """Yield the kinds and values of all keys that a case gives; of shapes none, as they are told in words."""
+    """Yield the kinds and values of all keys that a case gives; of shapes none, as they are reported in words."""
     for name, field in type(part).model_fields.items():
         value, key = getattr(part, name), get_field_type(field)
         if isinstance(value, Section):
@@ -46,7 +46,7 @@ def leaves(part: Section) -> Iterator[tuple[Any, Any]]:
             yield key, value
 
 
-def told(sections: list[InputTable]) -> tuple[set[str], dict[str, list[float]]]:
+def reported(sections: list[InputTable]) -> tuple[set[str], dict[str, list[float]]]:
     """Return all texts of an echo, and its numbers with units in SI by the unit's text."""
     texts: set[str] = set()
     numbers: dict[str, list[float]] = {}
@@ -77,7 +77,7 @@ def in_si(numbers: dict[str, list[Any]], dimension: str) -> list[float]:
 @given(rich_models(whole=True))
 def test_all_that_a_case_says_is_told(model: Model) -> None:
     """Each quantity stands in the echo to five digits, and each name as it is; nothing is left out."""
-    texts, numbers = told(input_tables(model))
+    texts, numbers = reported(input_tables(model))
     known: dict[str, list[float]] = {}
     for key, value in leaves(model):
         if isinstance(key, Quantity):

@@ -243,16 +243,16 @@ def test_combinations_are_solved_by_themselves(threads: int, beyond: str, monkey
         "d": {"G": 1.0, "Q": 1.0, "W": 0.7},
     }
     combinations = [{"name": name, "factors": each} for name, each in factors.items()]
-    told: list[str] = []
+    reported: list[str] = []
     steps: dict[str, list[Step]] = {}
 
     def begin(combination: Combination) -> None:
-        told.append(combination.name)
+        reported.append(combination.name)
 
     found = solve_combinations(
-        raft(**parts, combinations=combinations), lambda step: steps.setdefault(told[-1], []).append(step), begin
+        raft(**parts, combinations=combinations), lambda step: steps.setdefault(reported[-1], []).append(step), begin
     )
-    assert told == list(factors)
+    assert reported == list(factors)
     assert list(found.refused) == ["b"]
     assert {name: tuple(each) for name, each in steps.items()} == {n: each.steps for n, each in found.results.items()}
     with pytest.raises(NoEquilibrium, match="do not press the plate down"):

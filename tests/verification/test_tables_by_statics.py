@@ -104,7 +104,7 @@ def test_strips_are_cuts(combined: Results, tables: dict[str, Table]) -> None:
     assert (one["moment"], one["shear"]) == pytest.approx((direct.moment / 1e3, direct.shear / 1e3))
     assert one["width on the plate"] == pytest.approx(6)
     (pile,) = rows(tables["supports"], combination="in use")
-    # beyond x = 1: own weight 10 x 3 x 6, column B, 2 m of the line load; levers about x = 1
+    # beyond x = 1: self-weight 10 x 3 x 6, column B, 2 m of the line load; levers about x = 1
     load, moment = 180 + 300 + 60, -(180 * 1.5 + 300 * 1 + 60 * 1)
     # pressure of Winkler springs, k w, by its exact integral over the elements
     share = np.array([1, 1, 1, 1, 4, 4, 4, 4, 16]) / 36 * 0.25**2
@@ -138,7 +138,7 @@ def test_columns(combined: Results, tables: dict[str, Table]) -> None:
     assert (a["settlement"], b["settlement"]) == pytest.approx(w)
     assert a["angular distortion"] == pytest.approx(abs(w[1] - w[0]) / np.hypot(4, 0.5))
     d = 0.4 - 0.055
-    # inside around A: own weight, half of the patch, and the line load between y = 1 and its perimeter
+    # inside around A: self-weight, half of the patch, and the line load between y = 1 and its perimeter
     column = RectangularColumn(-2, 0.5, 0.4, 0.4)
     inside = demand(combined["ULS"].plate, column, d, 975e3)
     chord = 2 * (0.2 + np.sqrt((2 * d) ** 2 - 0.3**2))

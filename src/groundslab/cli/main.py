@@ -2,7 +2,7 @@
 
 Exit codes: 0 fine, whatever the checks of the design say in words; 1 no certified result (of one combination of loads
 at least), or a verification case that fails; 2 wrong input or usage; 130 interrupted.
-What a command is asked for goes to standard output, everything else to standard error.
+What a command returns goes to standard output, everything else to standard error.
 """
 
 from __future__ import annotations

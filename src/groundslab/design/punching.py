@@ -108,7 +108,7 @@ def demand(
 ) -> Punching:
     """Return the demand of punching by a column's force [N] at a distance [m] from it, 2 d unless given.
 
-    d is the effective depth [m], `distributed` the other loads on the slab inside [Pa], its own weight for example.
+    d is the effective depth [m], `distributed` the other loads on the slab inside [Pa], its self-weight for example.
     V_Ed is the reduced force of (6.4.4 (2)): the loads inside less all of the ground's force inside. A line force
     along the edge counts with it, spread over half an element.
 

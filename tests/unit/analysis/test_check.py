@@ -1,4 +1,4 @@
-"""What keeps a sound description from being solved is told by `check` already."""
+"""What keeps a sound description from being solved is reported by `check` already."""
 
 from __future__ import annotations
 
@@ -56,14 +56,14 @@ ACROSS = {"kind": "line", "points": [(1, -2), (1, 2)]}
 def test_refused_by_check_and_by_solve(changes: dict[str, Any], where: str, found: str) -> None:
     """What the arrays of the problem cannot be made of is refused in the same words before and in solving."""
     model = Model(**case(**changes))
-    told = []
+    reported = []
     for work in (check, solve):
         with pytest.raises(InputError) as error:
             work(model)
-        told.append(error.value.issues)
-    assert told[0] == told[1]
-    assert told[0][0].location == where
-    assert found in told[0][0].found
+        reported.append(error.value.issues)
+    assert reported[0] == reported[1]
+    assert reported[0][0].location == where
+    assert found in reported[0][0].found
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_refused_by_check_and_by_solve(changes: dict[str, Any], where: str, foun
     ],
 )  # fmt: skip
 def test_refused_by_the_model(changes: dict[str, Any], where: str) -> None:
-    """What a description alone says cannot be solved or designed is a fault of the description."""
+    """What a description alone says cannot be solved or designed is a issue of the description."""
     with pytest.raises(InputError) as error:
         Model(**case(**changes))
     assert [issue.location for issue in error.value.issues] == [where]

@@ -217,8 +217,8 @@ def test_combinations_with_the_same_factors_are_solved_once() -> None:
     one, two, three = (combined[name] for name in ("one", "two", "three"))
     assert two.plate is one.plate
     assert three.certificate is one.certificate
-    told = [(each.combination, each.limit_state, each.factors) for each in (one, two, three)]
-    assert told == [
+    reported = [(each.combination, each.limit_state, each.factors) for each in (one, two, three)]
+    assert reported == [
         ("one", "characteristic", (("G", 1.0), ("Q", 1.0))),
         ("two", "frequent", (("Q", 1.0), ("G", 1.0))),
         ("three", "quasi-permanent", (("G", 1.0), ("Q", 1.0))),

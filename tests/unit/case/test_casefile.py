@@ -21,7 +21,7 @@ from helpers.paths import EXAMPLES
 
 
 def issue(text: str) -> Issue:
-    """Return the only fault of a text."""
+    """Return the only issue of a text."""
     with pytest.raises(InputError) as error:
         loads(text, "case.toml")
     (only,) = error.value.issues
@@ -29,7 +29,7 @@ def issue(text: str) -> Issue:
 
 
 def unreadable(path: Path) -> Issue:
-    """Return the only fault of a file."""
+    """Return the only issue of a file."""
     with pytest.raises(InputError) as error:
         load(path)
     (only,) = error.value.issues
@@ -215,15 +215,15 @@ def test_file_as_path_or_text(tmp_path: Path) -> None:
     ],
 )
 def test_syntax_errors(text: str, where: str, hint: str) -> None:
-    """What is not TOML is told with line and column, the line itself, and tomllib's reason or a better one."""
-    told = issue(text)
+    """What is not TOML is reported with line and column, the line itself, and tomllib's reason or a better one."""
+    reported = issue(text)
     line = int(where.split("line ")[1].split(",")[0])
-    assert told.location.split(", column")[0] == where.split(", column")[0]
+    assert reported.location.split(", column")[0] == where.split(", column")[0]
     # the column just behind the end of a line differs between versions of tomllib
-    assert abs(int(told.location.rsplit(" ", 1)[1]) - int(where.rsplit(" ", 1)[1])) <= 1
-    assert told.found.strip('"').replace("\\", "") in text.split("\n")[line - 1]
-    assert told.expected == "TOML"
-    assert hint in told.hint
+    assert abs(int(reported.location.rsplit(" ", 1)[1]) - int(where.rsplit(" ", 1)[1])) <= 1
+    assert reported.found.strip('"').replace("\\", "") in text.split("\n")[line - 1]
+    assert reported.expected == "TOML"
+    assert hint in reported.hint
 
 
 @pytest.mark.parametrize(
@@ -236,15 +236,15 @@ def test_syntax_errors(text: str, where: str, hint: str) -> None:
 )
 def test_hostile_texts(text: str, found: str) -> None:
     """Texts made to break a reader are refused."""
-    told = issue(text)
-    assert told.location == "case.toml"
-    assert told.found.startswith(found)
+    reported = issue(text)
+    assert reported.location == "case.toml"
+    assert reported.found.startswith(found)
 
 
 def test_huge_number() -> None:
-    """A number too long to be printed is still a fault that can be."""
-    told = issue(starter() + "[analysis]\nincrements = 0x" + "f" * 10_000)
-    assert str(told) == "analysis.increments: got a huge number, expected a whole number from 1 to 1000"
+    """A number too long to be printed is still a issue that can be."""
+    reported = issue(starter() + "[analysis]\nincrements = 0x" + "f" * 10_000)
+    assert str(reported) == "analysis.increments: found a huge number, expected a whole number from 1 to 1000"
 
 
 def test_missing_file(tmp_path: Path) -> None:
@@ -265,12 +265,12 @@ def test_strange_paths(tmp_path: Path) -> None:
 
 
 def test_not_utf8(tmp_path: Path) -> None:
-    """Bytes that are not UTF-8 are told with their line."""
+    """Bytes that are not UTF-8 are reported with their line."""
     path = tmp_path / "case.toml"
     path.write_bytes('title = "a"\n# Gr\N{LATIN SMALL LETTER O WITH DIAERESIS}\xdfe\n'.encode("latin-1"))
-    told = unreadable(path)
-    assert told.location == f"{path}, line 2"
-    assert told.found == "bytes that are not UTF-8"
+    reported = unreadable(path)
+    assert reported.location == f"{path}, line 2"
+    assert reported.found == "bytes that are not UTF-8"
 
 
 def test_too_large(tmp_path: Path) -> None:
@@ -284,13 +284,13 @@ def test_too_large(tmp_path: Path) -> None:
 
 def test_units_are_mandatory_in_files() -> None:
     """A bare number for a dimensional key is an error in a file, with its place and how to mend it."""
-    told = issue(starter().replace('"60 MPa"', "60"))
-    expected = 'ground.layers[2].E: got 60, expected a pressure such as "30 MPa"; write number and unit in quotes'
-    assert str(told) == expected
+    reported = issue(starter().replace('"60 MPa"', "60"))
+    expected = 'ground.layers[2].E: found 60, expected a pressure such as "30 MPa"; write number and unit in quotes'
+    assert str(reported) == expected
 
 
 def test_all_faults_of_a_file() -> None:
-    """All faults of a file come at once, one a line."""
+    """All issues of a file come at once, one a line."""
     text = starter().replace("thickness =", "thicknes =", 1).replace('"200 kPa"', '"200"').replace("-0.5 m", "9 m")
     with pytest.raises(InputError) as error:
         loads(text)

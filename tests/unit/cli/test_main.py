@@ -277,7 +277,7 @@ class TestSeveral:
     def test_json_and_quiet(
         self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """One JSON document holds all combinations; with --quiet only what was refused is told."""
+        """One JSON document holds all combinations; with --quiet only what was refused is reported."""
         fake(monkeypatch, "analysis.driver", solve=lambda *_: synthetic.combined())
         assert main.main(["solve", str(cases), "--json"]) == 1
         document = json.loads(capsys.readouterr().out)
@@ -317,7 +317,7 @@ class TestInput:
     """Wrong input."""
 
     def test_faults_are_blocks(self) -> None:
-        """Each fault shows where, found, expected and a hint, one below the other."""
+        """Each issue shows where, found, expected and a hint, one below the other."""
         text = console.format_issues(
             InputError([Issue("plate.E", "30", "a pressure", 'say "30 GPa"'), Issue("a", "b", "c")])
         )
@@ -338,7 +338,7 @@ class TestInput:
     def test_all_faults_of_a_file_come_at_once(
         self, tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
     ) -> None:
-        """Exit code 2 and every fault on standard error, no traceback."""
+        """Exit code 2 and every issue on standard error, no traceback."""
         (tmp_path / "bad.toml").write_text("[plate]\nlength_x = 3\nthick = 1\n")
         assert main.main([command, str(tmp_path / "bad.toml")]) == 2
         out, err = capsys.readouterr()
@@ -365,7 +365,7 @@ class TestOthers:
     """check, new, verify, schema and the bare program."""
 
     def test_check_names_what_it_read(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        """A file without faults is called fine."""
+        """A file without issues is called fine."""
         assert main.main(["check", str(case)]) == 0
         assert "fine (9.6 m x 7.2 m plate, winkler ground, 3 loads)" in capsys.readouterr().out
 
@@ -598,7 +598,7 @@ class TestDxf:
     def test_without_ezdxf(
         self, drawing: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """A missing ezdxf is told with the command that installs it."""
+        """A missing ezdxf is reported with the command that installs it."""
         for name in [name for name in sys.modules if name.partition(".")[0] == "ezdxf"]:
             monkeypatch.setitem(sys.modules, name, None)
         assert main.main(["dxf", str(drawing)]) == 2

@@ -217,7 +217,7 @@ def test_small_moments_keep_their_digits() -> None:
 
 
 def all_infinite(found: Reinforcement) -> bool:
-    """Return whether every section is told to fail, in all fields."""
+    """Return whether every section is reported to fail, in all fields."""
     fields = (found.tension, found.compression, found.neutral_axis, found.area)
     return bool(found.fails.all()) and all(np.isinf(each).all() for each in fields)
 
@@ -280,15 +280,15 @@ def test_a_slab_that_is_too_thin() -> None:
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: Concrete(30.0), "concrete.f_ck: got 30 Pa, expected a strength from 12 to 90 MPa"),
+        (lambda: Concrete(30.0), "concrete.f_ck: found 30 Pa, expected a strength from 12 to 90 MPa"),
         (lambda: Concrete(30e6, gamma_c=0.0), "concrete.gamma_c"),
         (lambda: Steel(500.0), "steel.f_yk"),
         (lambda: Steel(500e6, E_s=float("nan")), "steel.E_s"),
-        (lambda: required(np.array([1.0, -2.0]), 0.5, C30, B500), "m: got -2"),
-        (lambda: required(np.array([np.nan]), 0.5, C30, B500), "m: got nan"),
+        (lambda: required(np.array([1.0, -2.0]), 0.5, C30, B500), "m: found -2"),
+        (lambda: required(np.array([np.nan]), 0.5, C30, B500), "m: found nan"),
         (lambda: required(np.array([1.0]), np.array([-0.1]), C30, B500), "thinner than its bars"),
-        (lambda: required(np.array([1.0]), 0.5, C30, B500, d_2=0.5), "d_2: got 0.5"),
-        (lambda: required(np.array([1.0]), 0.5, C30, B500, xi_lim=45.0), "xi_lim: got 45"),
+        (lambda: required(np.array([1.0]), 0.5, C30, B500, d_2=0.5), "d_2: found 0.5"),
+        (lambda: required(np.array([1.0]), 0.5, C30, B500, xi_lim=45.0), "xi_lim: found 45"),
     ],
 )
 def test_what_means_nothing_is_refused(call, message: str) -> None:

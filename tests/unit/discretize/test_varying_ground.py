@@ -202,9 +202,9 @@ def test_misprints_that_give_no_ground_are_told_for_the_column() -> None:
     assert isinstance(found, Soil)
     k0, k1 = parameters_as_printed(layer_of(steep), 0.8)
     assert k1 < 0
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as reported:
         found.column(0.8)
-    assert f"k0 = {np.array([k0])} Pa/m and k1 = {np.array([k1])} Pa m" in str(told.value)
+    assert f"k0 = {np.array([k0])} Pa/m and k1 = {np.array([k1])} Pa m" in str(reported.value)
 
 
 def test_nothing_between_boreholes_leaves_their_range() -> None:
@@ -234,7 +234,7 @@ def test_varying_ground_is_solved_as_a_whole(keys: dict[str, Any]) -> None:
 
 
 def test_zones_that_cannot_be_joined() -> None:
-    """Zones with another kind, number of layers or mode, and zones without shear beside infinite ground, are faults."""
+    """Zones with another kind, number of layers or mode, and zones without shear beside infinite ground, are issues."""
     two = Layered(coupling="interface", layers=[InterfaceLayer(k0=1e7, k1=1e6), InterfaceLayer(k0=1e7, k1=0)])
     for base, other, beyond, where in (
         (Winkler(k=1e7), Pasternak(k0=1e7, k1=1e6), "none", ""),
@@ -243,13 +243,13 @@ def test_zones_that_cannot_be_joined() -> None:
         (Pasternak(k0=1e7, k1=1e6), Pasternak(k0=1e7, k1=0), "infinite", ".k1"),
         (two.replace(layers=[two.layers[0]] * 2), two, "infinite", ".layers[2].k1"),
     ):
-        with pytest.raises(InputError) as told:
+        with pytest.raises(InputError) as reported:
             model(ground=base, soil_zones=[SoilZone(shape=box(0, 1), ground=other)], beyond=Beyond(kind=beyond))
-        assert [issue.location for issue in told.value.issues] == [f"soil_zones[1].ground{where}"]
+        assert [issue.location for issue in reported.value.issues] == [f"soil_zones[1].ground{where}"]
 
 
 def test_boreholes_that_do_not_match() -> None:
-    """Layers that are missing, two boreholes at one place, and boreholes in ground without layers are faults."""
+    """Layers that are missing, two boreholes at one place, and boreholes in ground without layers are issues."""
     hole = Borehole(x=1.0, y=0.0, layers=[SOFT])
     layers = Vlasov(layers=[SOFT, STIFF])
     for base, holes, where in (
@@ -257,9 +257,9 @@ def test_boreholes_that_do_not_match() -> None:
         (Vlasov(layers=[SOFT]), [hole, hole], ["boreholes[2]"]),
         (Winkler(k=1e7), [hole], ["boreholes"]),
     ):
-        with pytest.raises(InputError) as told:
+        with pytest.raises(InputError) as reported:
             model(ground=base, boreholes=holes)
-        assert [issue.location for issue in told.value.issues] == where
+        assert [issue.location for issue in reported.value.issues] == where
 
 
 def test_ground_under_follows_the_mesh() -> None:

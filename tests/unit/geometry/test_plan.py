@@ -1,4 +1,4 @@
-"""Plans: arcs, areas, what lies where, and every fault that keeps a plan from being meshed."""
+"""Plans: arcs, areas, what lies where, and every issue that keeps a plan from being meshed."""
 
 from __future__ import annotations
 
@@ -123,13 +123,13 @@ BAD = {
 
 @pytest.mark.parametrize("name", BAD)
 def test_every_fault_is_named(name: str) -> None:
-    """Each fault says which part of the plan it is, and where."""
+    """Each issue says which part of the plan it is, and where."""
     plan, where, found = BAD[name]
     assert [issue for issue in find_issues(plan) if issue.location == where and found in issue.found], find_issues(plan)
 
 
 def test_all_faults_come_at_once() -> None:
-    """Two openings with a fault each are both reported."""
+    """Two openings with a issue each are both reported."""
     plan = Plan(SQUARE, (rectangle(11, 12, 0, 1), rectangle(0, 1, 1, 2)))
     assert {issue.location for issue in find_issues(plan)} == {"plate.openings[1]", "plate.openings[2]"}
 

@@ -212,7 +212,7 @@ def test_wrong_plans_are_refused() -> None:
 @pytest.mark.parametrize(
     ("error", "said"),
     [
-        (ModuleNotFoundError("no"), r"^mesh: got a plan with oblique edges or arcs, expected Gmsh or Netgen"),
+        (ModuleNotFoundError("no"), r"^mesh: found a plan with oblique edges or arcs, expected Gmsh or Netgen"),
         (OSError("libGLU.so.1"), r"a Gmsh that cannot be loaded \(libGLU.so.1\).*libglu1-mesa"),
     ],
 )

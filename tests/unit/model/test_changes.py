@@ -50,7 +50,7 @@ def test_optional_keys_can_be_taken_away() -> None:
 
 def test_needed_keys_cannot_be_taken_away() -> None:
     """What a part needs is missing then, and said to be."""
-    with pytest.raises(InputError, match=r"Plate\.thickness: got nothing"):
+    with pytest.raises(InputError, match=r"Plate\.thickness: found nothing"):
         Plate(**PLATE).replace(thickness=None)
 
 
@@ -103,8 +103,8 @@ def test_another_ground_is_one_change() -> None:
 def test_some_layers_without_shear_are_refused() -> None:
     """Beneath or beside ground that carries shear no tail is known of ground that does not."""
     layers = [{"k0": 4e7, "k1": 1e6}, {"k0": 4e7, "k1": 0}]
-    with pytest.raises(InputError, match=r"ground.layers\[2\].k1: got 0 N/m"):
+    with pytest.raises(InputError, match=r"ground.layers\[2\].k1: found 0 N/m"):
         model(ground={"kind": "layered", "coupling": "interface", "layers": layers}, beyond={"kind": "infinite"})
     zone = {"shape": {"kind": "circle", "radius": 1}, "ground": {"kind": "pasternak", "k0": 1e7, "k1": 0}}
-    with pytest.raises(InputError, match=r"soil_zones\[1\].ground.k1: got 0 N/m"):
+    with pytest.raises(InputError, match=r"soil_zones\[1\].ground.k1: found 0 N/m"):
         model(soil_zones=[zone], beyond={"kind": "infinite"})

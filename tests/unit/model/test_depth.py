@@ -22,7 +22,7 @@ def model(**changes: Any) -> Model:
 def test_soil_deep_beside_the_plate() -> None:
     """A base 14 km below a plate of 6 m is a mistake; 7 km below it is not refused, nor is a larger plate."""
     deep = {"kind": "vlasov", "layers": [SOIL, SOIL]}
-    with pytest.raises(InputError, match=r"ground.layers: got layers of 14000 m, expected at most 12000 m"):
+    with pytest.raises(InputError, match=r"ground.layers: found layers of 14000 m, expected at most 12000 m"):
         model(ground=deep)
     assert model(ground={**deep, "layers": [SOIL]})
     assert model(ground=deep, plate={**PLATE, "length_x": 12})
@@ -33,5 +33,5 @@ def test_soil_zones_far_beyond_the_plate() -> None:
     ground = {"kind": "winkler", "k": 1e7}
     near, far = ({"shape": {"kind": "circle", "centre": (r, 0), "radius": r}, "ground": ground} for r in (2e3, 1e6))
     assert model(soil_zones=[near])
-    with pytest.raises(InputError, match=r"soil_zones\[1\].shape: got a zone that reaches 2e\+06 m from the plate"):
+    with pytest.raises(InputError, match=r"soil_zones\[1\].shape: found a zone that reaches 2e\+06 m from the plate"):
         model(soil_zones=[far])

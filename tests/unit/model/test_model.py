@@ -1,4 +1,4 @@
-"""The description: its rules, and that each broken one is told with its exact place, all at once."""
+"""The description: its rules, and that each broken one is reported with its exact place, all at once."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def from_file(data: object) -> Model:
 
 
 def issues(data: object) -> list[tuple[str, str, str, str]]:
-    """Return all faults of what a file holds."""
+    """Return all issues of what a file holds."""
     with pytest.raises(InputError) as error:
         from_file(data)
     return [(issue.location, issue.found, issue.expected, issue.hint) for issue in error.value.issues]
@@ -292,7 +292,7 @@ ONE_FAULT = [
 
 @pytest.mark.parametrize(("data", "where", "found", "expected"), ONE_FAULT)
 def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
-    """Each rule, broken alone, gives exactly one fault with the exact place, what is there, and what should be."""
+    """Each rule, broken alone, gives exactly one issue with the exact place, what is there, and what should be."""
     (issue,) = issues(data)
     assert issue[:3] == (where, found, expected)
 
@@ -346,7 +346,7 @@ def test_suggestion_for_words() -> None:
 
 
 def test_hints() -> None:
-    """The commonest slips are told how to mend."""
+    """The commonest slips are reported how to mend."""
     assert issues(case(plate__E=30))[0][3] == "write number and unit in quotes"
     assert issues(case(plate__nu="0.2"))[0][3] == "write it without quotes"
     assert issues(case(contact__tensionless="true"))[0][3] == "write it without quotes"
@@ -479,20 +479,20 @@ def test_positions_have_a_tolerance() -> None:
 
 
 def test_largest_mesh_is_allowed() -> None:
-    """The limit itself is no fault."""
+    """The limit itself is no issue."""
     assert from_file(case(mesh__counts=[MOST_ELEMENTS // 2000, 2000])).mesh.counts == (2000, 2000)
 
 
 def test_parts_raise_on_their_own() -> None:
-    """A part built alone raises InputError with all its faults, named from the class; never pydantic's error."""
+    """A part built alone raises InputError with all its issues, named from the class; never pydantic's error."""
     with pytest.raises(InputError) as error:
         Plate(length_x=-1, length_y="4", thickness=float("nan"), E=30e9, nu=0.5, colour="red")
     assert [issue.location for issue in error.value.issues] == [
         "Plate.length_x", "Plate.length_y", "Plate.thickness", "Plate.nu", "Plate.colour",
     ]  # fmt: skip
-    with pytest.raises(InputError, match=r"Void\.x: got \[1, 0\]"):
+    with pytest.raises(InputError, match=r"Void\.x: found \[1, 0\]"):
         Void(depth=1, x=(1, 0), y=(0, 1))
-    with pytest.raises(InputError, match="PointLoad: got 3"):
+    with pytest.raises(InputError, match="PointLoad: found 3"):
         PointLoad.model_validate(3)
     with pytest.raises(InputError, match="or a number in Pa"):
         UniformLoad(q=None)

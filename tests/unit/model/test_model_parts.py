@@ -66,7 +66,7 @@ UNDESIGNED = "no ultimate combination of loads", "at least one to design for"
 
 
 def issues(data: object) -> list[tuple[str, str, str, str]]:
-    """Return all faults of what a file holds."""
+    """Return all issues of what a file holds."""
     with pytest.raises(InputError) as error:
         Model.model_validate(data, context=FROM_FILE)
     return [(issue.location, issue.found, issue.expected, issue.hint) for issue in error.value.issues]
@@ -257,7 +257,7 @@ ONE_FAULT = [
 
 @pytest.mark.parametrize(("data", "where", "found", "expected"), ONE_FAULT)
 def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
-    """Each rule, broken alone, gives exactly one fault with the exact place, what is there, and what should be."""
+    """Each rule, broken alone, gives exactly one issue with the exact place, what is there, and what should be."""
     (issue,) = issues(data)
     assert issue[:3] == (where, found, expected)
 
@@ -274,7 +274,7 @@ def test_one_fault(data: object, where: str, found: str, expected: str) -> None:
     ],
 )
 def test_parts_partly_off_the_plate(part: dict[str, Any], where: str) -> None:
-    """What leaves the plate, or reaches into an opening, is told once, with a place that is off it."""
+    """What leaves the plate, or reaches into an opening, is reported once, with a place that is off it."""
     ((place, found, _, _),) = issues(case() | part)
     assert place == where
     assert "off the plate" in found or "leaves the plate" in found
@@ -300,7 +300,7 @@ def test_supports_at_a_hair(distance: float, place: str) -> None:
     ],
 )
 def test_supports_too_close(distance: float, support: Any, other: str) -> None:
-    """A support beside an edge or a corner, too close to be meshed, is told with its distance and its neighbour."""
+    """A support beside an edge or a corner, too close to be meshed, is reported with its distance and its neighbour."""
     ((where, found, expected, _),) = issues(case({"zones": [ZONE]}, supports=[support(distance)]))
     assert where == "supports[1]"
     assert found.startswith(f"{distance:.3g} m between it and {other} at ")
@@ -378,7 +378,7 @@ def test_unfactored_loads_are_never_called_ultimate() -> None:
 
 
 def test_names_of_the_file_are_made_harmless_and_short() -> None:
-    """Names that a file has chosen come into messages escaped and cut, and of many only some are told."""
+    """Names that a file has chosen come into messages escaped and cut, and of many only some are reported."""
     long = [{"name": f"{'x' * 3000}{n}"} for n in range(30)]
     for data in (
         cases(cases=long, loads=[{**UNIFORM, "case": "y" * 3000}]),

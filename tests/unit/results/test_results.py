@@ -94,9 +94,9 @@ def test_points_outside_are_all_named() -> None:
         ("point[1, 0]", "(4, 1) m"),
         ("point[1, 1]", "(1, nan) m"),
     ]
-    with pytest.raises(InputError, match=r"^point: got \(7, 0\) m, expected a point on the plate$"):
+    with pytest.raises(InputError, match=r"^point: found \(7, 0\) m, expected a point on the plate$"):
         plate.value_at("settlement", 7, 0)
-    with pytest.raises(InputError, match=r"^point: got \(7, 0\) m, expected a point on the meshed ground$"):
+    with pytest.raises(InputError, match=r"^point: found \(7, 0\) m, expected a point on the meshed ground$"):
         corner_loaded().ground.value_at(7, 0)
     with pytest.raises(InputError) as error:
         plate.value_at("settlement", np.full(MOST_NAMED + 50, 9.0), 0)
@@ -111,9 +111,9 @@ def test_what_is_no_field_or_no_place_is_said() -> None:
         plate.value_at("setlement", 0, 0)
     with pytest.raises(InputError, match="field"):
         plate.value_at("elements", 0, 0)
-    with pytest.raises(InputError, match=r'got "1 m" and 0.*broadcast'):
+    with pytest.raises(InputError, match=r'found "1 m" and 0.*broadcast'):
         plate.value_at("settlement", "1 m", 0)
-    with pytest.raises(InputError, match=r"got shape \(2,\) and shape \(3,\)"):
+    with pytest.raises(InputError, match=r"found shape \(2,\) and shape \(3,\)"):
         plate.value_at("settlement", [1, 2], [1, 2, 3])
 
 

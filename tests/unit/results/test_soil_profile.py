@@ -87,7 +87,7 @@ def test_columns_of_varying_ground_share_one_decay() -> None:
 
 
 def test_boreholes_are_the_columns() -> None:
-    """With boreholes each of them is told, by its name or number; a given gamma is that of all."""
+    """With boreholes each of them is reported, by its name or number; a given gamma is that of all."""
     holes = [
         {"name": "B1", "x": -4, "y": 0, "layers": [FIRM]},
         {"x": 4, "y": 0, "layers": [FIRM | {"thickness": 4.0}]},

@@ -91,10 +91,10 @@ def test_every_dimension_has_sizes() -> None:
 
 
 def test_what_a_wrong_size_is_told() -> None:
-    """A size out of range is told the limit that it passes, with its unit."""
+    """A size out of range is reported the limit that it passes, with its unit."""
     wrong = {
-        '"6 m"': ('"1e100 m"', 'plate.length_x: got "1e100 m", expected a length at most 1e7 m'),
-        '"30 GPa"': ('"1e-40 Pa"', 'plate.E: got "1e-40 Pa", expected a pressure at least 1e-6 Pa'),
+        '"6 m"': ('"1e100 m"', 'plate.length_x: found "1e100 m", expected a length at most 1e7 m'),
+        '"30 GPa"': ('"1e-40 Pa"', 'plate.E: found "1e-40 Pa", expected a pressure at least 1e-6 Pa'),
         '["1 m", "2.5 m"]': ('["1e-300 m", "2.5 m"]', "expected a length that is 0 or has a size of at least 1e-30 m"),
     }
     for text, (other, said) in wrong.items():
@@ -112,5 +112,5 @@ def test_every_list_has_an_end() -> None:
         with pytest.raises(InputError) as error:
             Model.model_validate({name: [0] * (most + 1)})
         assert [str(issue) for issue in error.value.issues] == [
-            f"{name}: got a list of {most + 1}, expected at most {most}"
+            f"{name}: found a list of {most + 1}, expected at most {most}"
         ]

@@ -237,7 +237,7 @@ def test_a_plate_that_hangs_on_one_pile_can_rock_about_it(size: float) -> None:
     ],
 )
 def test_a_plate_on_two_piles_over_a_gap_can_rock_about_their_line(places: list[Any], line: str) -> None:
-    """Its own weight rests on two piles, if need be by a load that has the resultant between them."""
+    """Its self-weight rests on two piles, if need be by a load that has the resultant between them."""
     middle = np.mean(places, axis=0)
     weight = UniformLoad(q=1e3)
     loads: list[Any] = [weight]

@@ -418,7 +418,7 @@ class TestArchive:
 
     @pytest.mark.parametrize("content", [None, b"", b"no archive", b"PK\x03\x04 torn"])
     def test_refuses_what_is_no_archive(self, tmp_path: Path, content: bytes | None) -> None:
-        """A missing, empty, foreign or torn file gives a fault that names the file."""
+        """A missing, empty, foreign or torn file gives a issue that names the file."""
         path = tmp_path / "results.npz"
         if content is not None:
             path.write_bytes(content)

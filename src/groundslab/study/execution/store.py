@@ -65,7 +65,7 @@ def create(folder: Path, study: str, case: str, about: Mapping[str, Any], setup:
     except (OSError, sqlite3.Error) as error:
         found = getattr(error, "strerror", None) or str(error)
         raise InputError(
-            [Issue(str(folder), found, "a folder that can be written", "make room or choose another")]
+            [Issue(str(folder), found, "a folder that can be written", "free some space or choose another")]
         ) from None
 
 

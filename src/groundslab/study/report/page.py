@@ -103,15 +103,15 @@ def _lead(sample: Samples) -> str:
 def _warnings(sample: Samples) -> list[str]:
     """Return what a reader must know before any figure."""
     lost, n = int((~sample.solved).sum()), len(sample.number)
-    told = []
+    notes = []
     if n < sample.planned:
-        told.append(f"The study is not finished: {sample.planned - n} variants are still to be computed.")
+        notes.append(f"The study is not finished: {sample.planned - n} variants are still to be computed.")
     if lost:
-        told.append(
+        notes.append(
             f"{lost} of {n} variants have no result. They are left out of all figures; if they failed because the "
             "plate has no equilibrium, they belong to the worst ones."
         )
-    return told
+    return notes
 
 
 def _parts(
@@ -177,12 +177,12 @@ def _first_only(sample: Samples) -> list[str]:
 
 def _shown(sample: Samples) -> list[str]:
     """Return a remark if the scatter plots show less than all."""
-    told, drawn = [], int(sample.drawn.sum())
+    notes, drawn = [], int(sample.drawn.sum())
     if drawn > figures.MOST_POINTS:
-        told.append(f"Of {drawn} variants the first {figures.MOST_POINTS} are shown.")
+        notes.append(f"Of {drawn} variants the first {figures.MOST_POINTS} are shown.")
     if max(len(sample.varied), len(sample.outputs)) > figures.MOST_PANELS:
-        told.append(f"The first {figures.MOST_PANELS} inputs and outputs are shown.")
-    return told
+        notes.append(f"The first {figures.MOST_PANELS} inputs and outputs are shown.")
+    return notes
 
 
 def _reliability(found: Sequence[Reliability]) -> dict[str, Any]:

@@ -53,7 +53,7 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
     try:
         atomic.write(target, content)
     except OSError as error:
-        hint = "make room or choose another place; what was there is as it was"
+        hint = "free some space or choose another place; what was there is as it was"
         found = error.strerror or str(error)
         raise InputError([Issue(str(path), found, "a file that can be written", hint)]) from error
 

@@ -112,7 +112,7 @@ def write_report(
     except OSError as error:
         expected, hint = (
             "a file that can be written",
-            "make room or choose another place; what was there is as it was",
+            "free some space or choose another place; what was there is as it was",
         )
         raise InputError([Issue(str(target), error.strerror or str(error), expected, hint)]) from error
     return Path(path)
@@ -154,7 +154,7 @@ def read_asset(name: str) -> str:
 
 
 def _scene(combined: Results) -> tuple[str, list[str]]:
-    """Return the scene as text, and the combinations that it has no fields of, as few as there is no room for."""
+    """Return the scene as text, and the combinations that it has no fields of, as few as exceed the size."""
     most = len(combined.combinations)
     while True:
         scene = scene_of(combined, most)

@@ -75,7 +75,7 @@ def document_of(space: Modelspace) -> Document:
 
 
 def issues(draw: Draw, folder: Path, units: int = 6, layers: Layers | None = None, unit: str | None = None) -> str:
-    """Return the faults of a drawing."""
+    """Return the issues of a drawing."""
     with pytest.raises(InputError) as caught:
         dxf.read(save(draw, folder, units), layers, unit)
     assert caught.value.issues
@@ -297,11 +297,11 @@ class TestUnits:
         assert not said(drawn(outline, units=4, unit="mm"), "HEADER")
 
     def test_unknown(self, tmp_path: Path) -> None:
-        """A drawing without a unit, and a name that is none, are faults, together with the others."""
-        assert "$INSUNITS: got no unit" in issues(outline, tmp_path, units=0)
+        """A drawing without a unit, and a name that is none, are issues, together with the others."""
+        assert "$INSUNITS: found no unit" in issues(outline, tmp_path, units=0)
         assert "unit number 11" in issues(outline, tmp_path, units=11)
         text = issues(lambda space: space.add_line((0, 0), (1, 0), on("OUTLINE")), tmp_path, unit="kN")
-        assert 'got "kN"' in text
+        assert 'found "kN"' in text
         assert "a gap" in text
 
 
@@ -368,7 +368,7 @@ class TestBlocks:
         assert corners == {(1 + 4 * i, 5 * j) for i in range(3) for j in range(2)}
 
     def test_blocks_that_cannot_be_resolved(self, drawn: Any, tmp_path: Path) -> None:
-        """A missing block and one of nothing are reported; one in a circle is a fault."""
+        """A missing block and one of nothing are reported; one in a circle is a issue."""
 
         def draw(space: Modelspace) -> None:
             outline(space)
@@ -476,7 +476,7 @@ class TestFaults:
                 dxf.read(tmp_path / name)
 
     def test_empty_layers(self, tmp_path: Path) -> None:
-        """An empty outline layer is a fault with the layers that there are, and so is one asked for by name."""
+        """An empty outline layer is a issue with the layers that there are, and so is one asked for by name."""
         text = issues(lambda space: square(space, 0, 0, 1, "OUTLINES"), tmp_path, layers=Layers(zones="soft"))
         assert "" in text
         faults_of = text.splitlines()
@@ -496,7 +496,7 @@ class TestFaults:
         assert "$INSUNITS" in text
 
     def test_gap(self, tmp_path: Path) -> None:
-        """A gap is told with its place and size in the drawing's unit, and both entities."""
+        """A gap is reported with its place and size in the drawing's unit, and both entities."""
         handles: list[str] = []
 
         def draw(space: Modelspace) -> None:
@@ -506,7 +506,7 @@ class TestFaults:
         text = issues(draw, tmp_path, units=4)
         assert "plan.dxf" in text
         assert 'layer "OUTLINE"' in text
-        assert f"LINE {handles[0]} and LINE {handles[3]} at (0, 0) mm: got a gap of 3 mm, to (0, 3) mm" in text
+        assert f"LINE {handles[0]} and LINE {handles[3]} at (0, 0) mm: found a gap of 3 mm, to (0, 3) mm" in text
 
     def test_a_gap_within_the_tolerance_closes(self, drawn: Any) -> None:
         """Ends nearer than a millionth of the drawing's size are one."""
@@ -517,7 +517,7 @@ class TestFaults:
         assert len(drawn(draw).outline.points) == 4
 
     def test_branch_and_gaps_come_together(self, tmp_path: Path) -> None:
-        """Three lines in a point, and an open opening, are told at once."""
+        """Three lines in a point, and an open opening, are reported at once."""
 
         def draw(space: Modelspace) -> None:
             space.add_lwpolyline([*SQUARE, (0, 0)], dxfattribs=on("OUTLINE"))
@@ -543,7 +543,7 @@ class TestFaults:
         assert "(4, 3) m" in text
 
     def test_outlines_side_by_side(self, tmp_path: Path) -> None:
-        """Two plates, and two that overlap, are told apart."""
+        """Two plates, and two that overlap, are distinguished."""
         text = issues(lambda space: [outline(space), square(space, 10, 0, 1, "OUTLINE")], tmp_path)
         assert "beside the outline" in text
         assert "(10, 0) m" in text
@@ -562,7 +562,7 @@ class TestFaults:
         ],
     )
     def test_self_crossing(self, tmp_path: Path, points: Any) -> None:
-        """Curves that cross or touch themselves are told with the place."""
+        """Curves that cross or touch themselves are reported with the place."""
         text = issues(lambda s: s.add_lwpolyline(points, "xyb", close=True, dxfattribs=on("OUTLINE")), tmp_path)
         assert "crosses or touches itself" in text
         assert " at (" in text
@@ -655,7 +655,7 @@ class TestLoads:
         ],
     )
     def test_wrong_words(self, text: str, tmp_path: Path) -> None:
-        """What is meant as a value, and is not a force, is a fault with its place."""
+        """What is meant as a value, and is not a force, is a issue with its place."""
 
         def draw(space: Modelspace) -> None:
             outline(space)
@@ -668,7 +668,7 @@ class TestLoads:
         assert "(1.25, 1) m" in found
 
     def test_values_that_fit_nowhere(self, tmp_path: Path) -> None:
-        """A second value at a mark, one beside no mark, and two at the same place are faults, all at once."""
+        """A second value at a mark, one beside no mark, and two at the same place are issues, all at once."""
 
         def draw(space: Modelspace) -> None:
             outline(space)
@@ -801,12 +801,12 @@ class TestSpreadLoads:
             ("LOAD_LINE", "20", '"20", expected a force per length'),
             ("LOAD_AREA", "5 kN/m", '"5 kN/m", expected a pressure'),
             ("LOAD_AREA", "5 kPa\n2 kPa", "more than one pressure"),
-            ("LOAD_LINE_20", "", 'layer "LOAD_LINE_20": got "20", expected a force per length'),
-            ("LOAD_AREA_5 kN", "", 'layer "LOAD_AREA_5 kN": got "5 kN", expected a pressure'),
+            ("LOAD_LINE_20", "", 'layer "LOAD_LINE_20": found "20", expected a force per length'),
+            ("LOAD_AREA_5 kN", "", 'layer "LOAD_AREA_5 kN": found "5 kN", expected a pressure'),
         ],
     )
     def test_wrong_values(self, layer: str, words: str, found: str, tmp_path: Path) -> None:
-        """What is meant as a value and is none of the dimension is a fault, with its text or its layer."""
+        """What is meant as a value and is none of the dimension is a issue, with its text or its layer."""
 
         def draw(space: Modelspace) -> None:
             outline(space)
@@ -818,7 +818,7 @@ class TestSpreadLoads:
         assert found in issues(draw, tmp_path)
 
     def test_values_that_fit_nowhere(self, tmp_path: Path) -> None:
-        """A value beside no load, a second one, an open area and one that crosses itself are faults, all at once."""
+        """A value beside no load, a second one, an open area and one that crosses itself are issues, all at once."""
 
         def draw(space: Modelspace) -> None:
             outline(space, [(-99, -99), (99, -99), (99, 99), (-99, 99)])

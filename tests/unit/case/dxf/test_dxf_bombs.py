@@ -120,16 +120,16 @@ def test_a_comb_of_overlapping_boxes(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
 
 def test_lines_that_meet_in_one_point(tmp_path: Path) -> None:
-    """A star of lines is a fault of its middle, and is looked at in one go."""
+    """A star of lines is a issue of its middle, and is looked at in one go."""
     star = bombs.many(3000, lambda x, y: bombs.line(0, 0, 1 + x, 1 + y + 0.001 * x, "OPENINGS"))
     assert "lines that meet in one point" in said(tmp_path / "plan.dxf", bombs.document(star))
 
 
 def test_a_long_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A file above the limit is not opened; the fault says its size."""
+    """A file above the limit is not opened; the issue says its size."""
     monkeypatch.setattr(document, "LARGEST_FILE", 1_000)
     (tmp_path / "plan.dxf").write_text(bombs.circles(300, "OTHER"))
-    with pytest.raises(InputError, match=r"got a file of 0 MB, expected at most 0 MB; save only the layers"):
+    with pytest.raises(InputError, match=r"found a file of 0 MB, expected at most 0 MB; save only the layers"):
         dxf.read(tmp_path / "plan.dxf")
 
 

@@ -195,6 +195,6 @@ def test_failure_comes_first_in_report_and_workbench() -> None:
     """The report's title block has it before the certificate's verdict; the workbench gets headline and checks."""
     page = render_report(FAILING)
     assert page.index("DESIGN FAILS") < page.index("certified: equilibrium") < page.index('<nav class="contents')
-    told = build_summary(FAILING)["design"]
-    assert told["headline"].startswith("DESIGN FAILS")
-    assert told["checks"][0]["status"] == "fails"
+    reported = build_summary(FAILING)["design"]
+    assert reported["headline"].startswith("DESIGN FAILS")
+    assert reported["checks"][0]["status"] == "fails"

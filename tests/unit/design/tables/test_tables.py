@@ -393,7 +393,7 @@ def test_reinforcement_carries_the_moment() -> None:
 
 
 def test_reinforcement_that_fails() -> None:
-    """A moment too large for the concrete makes the layer inf, and the share of the area where it does is told."""
+    """A moment too large for the concrete makes the layer inf, and the share of the area where it does is reported."""
     of = combined(described(reinforcement=STEEL), plate=bent(20e6))
     one = row(table("reinforcement", of), layer="bottom x")
     assert one["required area"] == np.inf

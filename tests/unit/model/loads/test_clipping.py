@@ -148,14 +148,14 @@ def test_a_ring_on_the_edge_of_a_round_plate_acts_whole() -> None:
     ],
 )
 def test_what_lies_off_the_plate_is_refused(load: Any) -> None:
-    """A load wholly over an opening or beside the plate is a fault with its place; so is one far too large."""
-    with pytest.raises(InputError, match=r"^loads\[1\]: got a load .*off the plate"):
+    """A load wholly over an opening or beside the plate is a issue with its place; so is one far too large."""
+    with pytest.raises(InputError, match=r"^loads\[1\]: found a load .*off the plate"):
         Model(plate=HOLED, ground=Winkler(k=20e6), loads=[load])
 
 
 def test_a_footprint_over_the_edge_is_refused() -> None:
     """Of a force nothing may be lost, and no place on the plate is its own: the footprint must lie on the plate."""
-    with pytest.raises(InputError, match=r"^loads\[1\]: got a footprint of which 25 % lies off the plate"):
+    with pytest.raises(InputError, match=r"^loads\[1\]: found a footprint of which 25 % lies off the plate"):
         Model(plate=PLAIN, ground=Winkler(k=20e6), loads=[PointLoad(P=1, x=2.9, y=0, width_x=0.4, width_y=0.4)])
 
 
@@ -213,12 +213,12 @@ def test_summary_and_report_tell_what_does_not_act(tmp_path: Path, combinations:
         )
     (tmp_path / "case.toml").write_text(text)
     assert main.main(["solve", str(tmp_path / "case.toml"), "--out", str(tmp_path / "out"), "--quiet"]) == 0
-    told = json.loads((tmp_path / "out" / "summary.json").read_text())
-    assert told["cut_loads"]["share_2"] == pytest.approx(0.5)
-    assert told["cut_loads"]["force_2"] == {"value": pytest.approx(20e3), "unit": "N"}
-    assert told["cut_loads"]["sum_of_forces"]["value"] == pytest.approx(20e3)
+    reported = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert reported["cut_loads"]["share_2"] == pytest.approx(0.5)
+    assert reported["cut_loads"]["force_2"] == {"value": pytest.approx(20e3), "unit": "N"}
+    assert reported["cut_loads"]["sum_of_forces"]["value"] == pytest.approx(20e3)
     if combinations == 1:
-        assert told["certificate"]["load"]["value"] == pytest.approx(260e3)
+        assert reported["certificate"]["load"]["value"] == pytest.approx(260e3)
         table = (tmp_path / "out" / "tables" / "combinations.csv").read_text()
         assert ",260" in table.splitlines()[-1]
     assert main.main(["report", str(tmp_path / "out")]) == 0

@@ -192,7 +192,7 @@ def test_too_many_are_refused() -> None:
     many = [action(f"Q{n}", "variable", 0.7, 0.5, 0.3) for n in range(60)]
     assert len(combinations([G, *many[:6]], ["ultimate"])) == 386 <= MOST_COMBINATIONS
     for count in (7, 60):
-        with pytest.raises(InputError, match=f"got {count} variable actions, .* by hand"):
+        with pytest.raises(InputError, match=f"found {count} variable actions, .* by hand"):
             combinations([G, *many[:count]], ["ultimate"])
     with pytest.raises(InputError, match="at most 500"):
         combinations([G, *many[:6]], SETS)
@@ -207,10 +207,10 @@ def test_many_that_exclude_each_other_are_allowed() -> None:
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        (("Q", "snow"), r'action: got "snow", expected "permanent" or "variable"'),
-        (("Q", "variable", 1.2), "psi_0: got 1.2"),
-        (("Q", "variable", float("nan")), "psi_0: got nan"),
-        (("Q", "variable", 0.7, 0.3, 0.5), "psi_2: got 0.5, expected at most psi_1"),
+        (("Q", "snow"), r'action: found "snow", expected "permanent" or "variable"'),
+        (("Q", "variable", 1.2), "psi_0: found 1.2"),
+        (("Q", "variable", float("nan")), "psi_0: found nan"),
+        (("Q", "variable", 0.7, 0.3, 0.5), "psi_2: found 0.5, expected at most psi_1"),
     ],
 )
 def test_faulty_actions(values: tuple, message: str) -> None:

@@ -167,9 +167,9 @@ class TestStore:
         study = run(tmp_path, STUDY.replace("count = 12", "count = 1"))
         with pytest.raises(InputError, match="--resume continues"):
             run(tmp_path, STUDY.replace("count = 12", "count = 1"))
-        with pytest.raises(InputError, match="study file: got a file that was changed"):
+        with pytest.raises(InputError, match="study file: found a file that was changed"):
             run(tmp_path, resume=True)
-        with pytest.raises(InputError, match="case file: got a file that was changed"):
+        with pytest.raises(InputError, match="case file: found a file that was changed"):
             run(tmp_path, STUDY.replace("count = 12", "count = 1"), CASE + "# more\n", resume=True)
         about = study.folder / "about.json"
         about.write_text(about.read_text().replace(f'"groundslab": "{groundslab.__version__}"', '"groundslab": "0"'))

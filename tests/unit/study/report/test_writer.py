@@ -244,7 +244,7 @@ def test_designs_have_maps_and_probabilities_of_their_own(tmp_path: Path) -> Non
 def test_studies_without_a_design_point_are_refused(
     tmp_path: Path, vary: Any, more: dict[str, Any], name: str, where: str
 ) -> None:
-    """Listed values, random fields and unknown limit states have no design point; the fault says so."""
+    """Listed values, random fields and unknown limit states have no design point; the issue says so."""
     if "random_field" in more:
         pytest.importorskip("gstools")
     study = run(tmp_path, "monte carlo", 1, vary, keep=[SOFT], **more)
@@ -253,7 +253,7 @@ def test_studies_without_a_design_point_are_refused(
 
 
 def test_a_study_without_rows_is_no_study_to_evaluate(tmp_path: Path) -> None:
-    """Where no row is there yet, nothing is written and the fault says so."""
+    """Where no row is there yet, nothing is written and the issue says so."""
     import sqlite3
 
     study = run(tmp_path, "monte carlo", 1, [Q])

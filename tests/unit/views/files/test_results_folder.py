@@ -489,7 +489,7 @@ class TestRefuse:
         assert (tmp_path / "raft").read_text() == "mine"
 
     def test_a_link_to_itself(self, tmp_path: Path) -> None:
-        """A loop of links is a fault, not a traceback, as the folder and as its parent."""
+        """A loop of links is a issue, not a traceback, as the folder and as its parent."""
         _link(tmp_path / "loop", tmp_path / "loop")
         for target in (tmp_path / "loop", tmp_path / "loop" / "raft"):
             with pytest.raises(InputError, match="back to itself"):
@@ -507,7 +507,7 @@ class TestRefuse:
             results_folder.check(os.path.abspath(os.sep))  # noqa: PTH100
 
     def test_a_parent_without_leave_to_write(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """If the system refuses a folder, that is a fault; earlier results stay."""
+        """If the system refuses a folder, that is a issue; earlier results stay."""
         monkeypatch.setattr(os, "access", lambda *_: False)
         with pytest.raises(InputError, match="leave to write"):
             results_folder.check(folder)

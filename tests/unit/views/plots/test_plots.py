@@ -80,11 +80,11 @@ class TestRequest:
         with pytest.raises(InputError) as error:
             groundslab.plot(synthetic.combined(), "settlemnt", "m_z", combination="NULL")
         assert found_by_location(error) == {"combination": '"NULL"', "FIELD": '"m_z"'}
-        told = str(error.value)
-        assert '"settlemnt", expected' in told
-        assert 'did you mean "settlement"?' in told
-        assert 'did you mean "NUL"?' in told
-        assert all(name in told for name in request.QUANTITIES)
+        reported = str(error.value)
+        assert '"settlemnt", expected' in reported
+        assert 'did you mean "settlement"?' in reported
+        assert 'did you mean "NUL"?' in reported
+        assert all(name in reported for name in request.QUANTITIES)
 
     @pytest.mark.parametrize(
         ("wrong", "where"),
@@ -106,7 +106,7 @@ class TestRequest:
         ],
     )
     def test_what_does_not_go_together_is_refused(self, wrong: dict[str, Any], where: str) -> None:
-        """Each misfit is told where it stands."""
+        """Each misfit is reported where it stands."""
         fields = wrong.pop("fields", ())
         with pytest.raises(InputError) as error:
             groundslab.plot(synthetic.combined(), *fields, **wrong)
@@ -128,7 +128,7 @@ class TestRequest:
         assert "NOT CERTIFIED" not in words(groundslab.plot(combined, "w"))
 
     def test_why_a_combination_has_no_results_is_told(self) -> None:
-        """The reason of the refusal stands in the fault."""
+        """The reason of the refusal stands in the issue."""
         with pytest.raises(InputError, match="the loads pull the plate off"):
             groundslab.plot(synthetic.combined(), combination="wind alone")
 
@@ -247,19 +247,19 @@ class TestPlan:
     def test_extremes_are_told_with_their_places(self) -> None:
         """Largest value, uplift and places are those that the made-up fields have by construction; rings mark them."""
         axes = panels(groundslab.plot(synthetic.results(4), "settlement"))[0]
-        told = [text.get_text() for text in axes.texts]
+        reported = [text.get_text() for text in axes.texts]
         uplift = "uplift 28 mm at (4.8, 3.6) m"
-        assert f"largest 28 mm at (0, 0) m;  {uplift}" in told
-        assert {"max 28", "min \N{MINUS SIGN}28"} <= set(told)
+        assert f"largest 28 mm at (0, 0) m;  {uplift}" in reported
+        assert {"max 28", "min \N{MINUS SIGN}28"} <= set(reported)
         rings = {tuple(map(float, line.get_xydata()[0])) for line in axes.lines if line.get_marker() == "o"}
         assert rings == {(0.0, 0.0), (4.8, 3.6)}
 
     def test_zeros_are_no_extremes(self) -> None:
         """The smallest pressure is not told where it is zero; a field of zeros is called so."""
         results = synthetic.results(4)
-        told = words(groundslab.plot(results, "p", "s"))
-        assert "smallest" not in told
-        assert "zero everywhere" in told
+        reported = words(groundslab.plot(results, "p", "s"))
+        assert "smallest" not in reported
+        assert "zero everywhere" in reported
 
     @pytest.mark.parametrize("lifts", [True, False])
     def test_contact_boundary_is_drawn_only_if_the_plate_lifts(self, lifts: bool) -> None:
@@ -279,10 +279,10 @@ class TestPlan:
 
     @pytest.mark.slow
     def test_the_pressure_tells_of_the_edge_line_force(self) -> None:
-        """The line force neither stretches the scale nor is a pressure; its largest is told in words."""
-        told = words(groundslab.plot(synthetic.results(4, shear=True), "p"))
-        assert "largest 560 kPa at (0, 0) m" in told
-        assert "edge line force up to 500 kN/m at" in told
+        """The line force neither stretches the scale nor is a pressure; its largest is reported in words."""
+        reported = words(groundslab.plot(synthetic.results(4, shear=True), "p"))
+        assert "largest 560 kPa at (0, 0) m" in reported
+        assert "edge line force up to 500 kN/m at" in reported
         assert "line force" not in words(groundslab.plot(synthetic.results(4), "p"))
 
     @pytest.mark.slow
@@ -362,9 +362,9 @@ class TestPlan:
         one, two = (nodal_values(each, "settlement") for each in combined.results.values())
         assert np.array_equal(panels[0].values, np.maximum(one, two))
         assert np.array_equal(panels[1].values, np.minimum(one, two))
-        told = words(groundslab.plot(combined, "w", envelope="ultimate"))
-        assert "largest 56 mm at (0, 0) m (NUL)" in told
-        assert f"uplift 28 mm at (4.8, 3.6) m ({combined.combinations[0].name})" in told
+        reported = words(groundslab.plot(combined, "w", envelope="ultimate"))
+        assert "largest 56 mm at (0, 0) m (NUL)" in reported
+        assert f"uplift 28 mm at (4.8, 3.6) m ({combined.combinations[0].name})" in reported
 
     @pytest.mark.slow
     @pytest.mark.parametrize("ratio", [0.1, 0.4, 0.75, 1.0, 2.5])
@@ -540,7 +540,7 @@ class TestLines:
         assert curves[0][-1] == pytest.approx(curves[1][0])
 
     def test_many_combinations_become_a_band(self) -> None:
-        """Of more than can be told apart the largest and the smallest are drawn, as for an envelope."""
+        """Of more than can be distinguished the largest and the smallest are drawn, as for an envelope."""
         base = synthetic.results()
         names = [f"c{n}" for n in range(10)]
         found = {
@@ -607,9 +607,9 @@ class TestSoil:
         assert second.constants[0].gamma == pytest.approx(2 * first.constants[0].gamma)
         assert first.constants[0].gamma < 1.3 < second.constants[0].gamma
         assert second.constants[0].k0[0] < first.constants[0].k0[0]
-        told = words(groundslab.plot(results, kind="soil"))
-        assert "B1 at (\N{MINUS SIGN}4.8, 0) m" in told
-        assert "borehole 2 at (4.8, 0) m" in told
+        reported = words(groundslab.plot(results, kind="soil"))
+        assert "B1 at (\N{MINUS SIGN}4.8, 0) m" in reported
+        assert "borehole 2 at (4.8, 0) m" in reported
 
     def test_layers_to_scale_with_their_moduli(self) -> None:
         """Depth runs downwards, E as it varies, layers are as thick as they are."""
@@ -629,9 +629,9 @@ class TestSoil:
         """k0 and k1 stand beside each layer, given or found; without thickness nothing is called to scale."""
         given = Layered(coupling="interface", layers=[InterfaceLayer(k0=2e7, k1=3e6), InterfaceLayer(k0=5e7, k1=0)])
         figure = groundslab.plot(layered(given, None), kind="soil")
-        told = words(figure)
-        assert "not to scale" in told
-        assert {"20", "50", "3", "0"} <= set(told.splitlines())
+        reported = words(figure)
+        assert "not to scale" in reported
+        assert {"20", "50", "3", "0"} <= set(reported.splitlines())
         found = layered(Layered(coupling="interface", layers=self.LAYERS), 0.9)
         (stack,) = soil.soil_columns(found.model, plotted_combinations(found))
         for stratum, layer in zip(stack.layers, self.LAYERS, strict=True):
@@ -647,9 +647,9 @@ class TestSoil:
     def test_springs_have_no_depth(self) -> None:
         """Winkler's and Pasternak's ground are drawn as one layer, not to scale, with their constants."""
         for shear, known in ((False, {"20"}), (True, {"20", "30"})):
-            told = words(groundslab.plot(synthetic.results(shear=shear), kind="soil"))
-            assert "not to scale" in told
-            assert known <= set(told.splitlines())
+            reported = words(groundslab.plot(synthetic.results(shear=shear), kind="soil"))
+            assert "not to scale" in reported
+            assert known <= set(reported.splitlines())
 
     @pytest.mark.slow
     def test_many_profiles_go_on_several_pages(self) -> None:
@@ -670,17 +670,17 @@ class TestConvergence:
     """How the iteration went."""
 
     def test_steps_are_grouped_by_mesh(self) -> None:
-        """Changed nodes and nodes in contact of each step, a curve for each mesh, which is told by its unknowns."""
+        """Changed nodes and nodes in contact of each step, a curve for each mesh, which is reported by its unknowns."""
         results = synthetic.results()
         figure = groundslab.plot(results, kind="convergence")
         changed, touching = panels(figure)
         assert [list(line.get_ydata()) for line in changed.lines] == [[8], [1, 0]]
         assert [list(line.get_ydata()) for line in touching.lines] == [[25], [17, 16]]
         assert [list(line.get_xdata()) for line in touching.lines] == [[1], [2, 3]]
-        told = words(figure)
-        assert "340 unknowns" in told
-        assert "1234 unknowns" in told
-        assert "converged in 3 steps" in told
+        reported = words(figure)
+        assert "340 unknowns" in reported
+        assert "1234 unknowns" in reported
+        assert "converged in 3 steps" in reported
         assert (changed.get_ylabel(), touching.get_ylabel()) == ("changed nodes [-]", "nodes in contact [-]")
         assert touching.get_xlabel() == "step"
 
@@ -700,9 +700,9 @@ class TestConvergence:
         history = [{"iteration": 1, "closed": 40, "changed": 9}, {"iteration": 2, "closed": 41, "changed": 7}]
         refused = combined.refused | {"wind alone": NotConverged("the contact zone", history, {})}
         figure = groundslab.plot(replace(combined, refused=refused), kind="convergence")
-        told = words(figure)
-        assert "wind alone: did not converge" in told
-        assert "uncertified: not certified" in told
+        reported = words(figure)
+        assert "wind alone: did not converge" in reported
+        assert "uncertified: not certified" in reported
         with pytest.raises(InputError, match="history"):
             groundslab.plot(combined, kind="convergence", combination="wind alone")
         with apply_style():
@@ -782,7 +782,7 @@ assert "matplotlib.pyplot" not in sys.modules
         assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
 
     def test_unknown_endings_are_refused(self, tmp_path: Path) -> None:
-        """A name without one of the endings is told, and nothing is written."""
+        """A name without one of the endings is reported, and nothing is written."""
         with pytest.raises(InputError, match=r"\.pdf, \.svg or \.png"):
             groundslab.plot(synthetic.results(), to=tmp_path / "a.docx")
         assert not list(tmp_path.iterdir())
@@ -817,14 +817,14 @@ class TestPicture:
         boxes = panels(figure)
         assert [axes.get_xlabel() for axes in boxes] == ["x [m]", "x [m]"]
         assert [axes.child_axes[0].get_ylabel() for axes in boxes] == ["$w$ [mm]", "$p$ [kPa]"]
-        told = words(figure)
-        assert "Settlement of the plate" in told
-        assert "Contact pressure under the plate" in told
+        reported = words(figure)
+        assert "Settlement of the plate" in reported
+        assert "Contact pressure under the plate" in reported
         share = 100 * results.plate.area[results.plate.in_contact].sum() / results.plate.area.sum()
-        assert f"{number(share)} % of the plate in contact" in told
+        assert f"{number(share)} % of the plate in contact" in reported
         found = entries(figure)
         assert ("contact boundary" in found) == lifts
-        assert ("edge line force" in told) == shear
+        assert ("edge line force" in reported) == shear
         assert {"loaded area", "load on the entire plate", "point load"} <= found
 
     @pytest.mark.slow
@@ -921,17 +921,17 @@ class TestCommand:
         ],
     )
     def test_wrong_input_ends_with_2(
-        self, folder: Path, arguments: list[str], told: str, capsys: pytest.CaptureFixture[str]
+        self, folder: Path, arguments: list[str], reported: str, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """What is wrong is told with what would be right; nothing is written."""
+        """What is wrong is reported with what would be right; nothing is written."""
         assert main.main(["plot", str(folder), *arguments]) == 2
         out, err = capsys.readouterr()
         assert out == ""
-        assert told in err
+        assert reported in err
         assert [path.name for path in folder.parent.iterdir()] == ["raft-results"]
 
     def test_the_folder_of_results_is_kept_clean(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        """A file in it would keep solve from replacing it later; a folder without results is told."""
+        """A file in it would keep solve from replacing it later; a folder without results is reported."""
         assert main.main(["plot", str(folder), "--out", str(folder / "a.pdf")]) == 2
         assert "inside the folder" in capsys.readouterr().err
         assert main.main(["plot", str(folder.parent)]) == 2
@@ -947,8 +947,10 @@ class TestCommand:
         """What can be drawn stands in --help."""
         with pytest.raises(SystemExit):
             main.main(["plot", "--help"])
-        told = capsys.readouterr().out
-        assert all(name in told for name in (*request.QUANTITIES, "plan", "deformed", "lines", "soil", "convergence"))
+        reported = capsys.readouterr().out
+        assert all(
+            name in reported for name in (*request.QUANTITIES, "plan", "deformed", "lines", "soil", "convergence")
+        )
 
 
 @pytest.mark.slow

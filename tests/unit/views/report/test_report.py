@@ -209,9 +209,9 @@ class TestStructure:
         text = "# mine\n" + casefile.to_toml(plain.model)
         found = page(render_report(plain, text=text, file="raft <1>.toml"))
         assert found.one("pre").text == text
-        told = found.one("header", class_="title").text
-        assert hashlib.sha256(text.encode()).hexdigest() in told
-        assert "raft <1>.toml" in told
+        reported = found.one("header", class_="title").text
+        assert hashlib.sha256(text.encode()).hexdigest() in reported
+        assert "raft <1>.toml" in reported
 
     def test_drawings_and_pictures(self, plain: Results, root: Element) -> None:
         """Plan, soil and signs are drawings; pictures are within the page, with words and their size."""
@@ -251,7 +251,7 @@ class TestVerdict:
     """Whether the results may be used."""
 
     def test_of_several(self, root: Element) -> None:
-        """One refused combination makes the verdict bad, and its reason is told."""
+        """One refused combination makes the verdict bad, and its reason is reported."""
         verdict = root.one("p", class_="verdict bad").text
         assert "1 of 3 combinations have no certified result, number 3." in verdict
         assert "nothing holds part" in root.one("section", id="refused").text
@@ -333,11 +333,11 @@ class TestNumbers:
         """The viewer's data are those of the results to half a level of their range."""
         scene = unpack(gzip.decompress(base64.b64decode(root.one("script", id="scene").text)))
         assert scene.head["title"] == plain.model.title
-        for told in scene.head["combinations"][:2]:
-            plate = plain.results[told["name"]].plate
+        for reported in scene.head["combinations"][:2]:
+            plate = plain.results[reported["name"]].plate
             for name in ("settlement", "pressure", "moment_x", "moment_xy", "shear_y"):
                 exact = getattr(plate, name) * PLATE_FIELDS[name].scale
-                error = np.abs(values_of(scene, told["values"][name]) - exact).max()
+                error = np.abs(values_of(scene, reported["values"][name]) - exact).max()
                 assert error <= np.ptp(exact) / LEVELS * 0.5000001, name
 
     def test_constants_and_history(self, plain: Results, root: Element) -> None:
@@ -476,9 +476,9 @@ class TestSize:
     def test_what_is_left_out_is_named(self, monkeypatch: pytest.MonkeyPatch, plain: Results) -> None:
         """Fields beyond the budget are left out, and the page says whose."""
         monkeypatch.setattr(document, "MOST_DATA", 1)
-        told = page(render_report(plain)).one("section", id="explore").text
-        assert plain.combinations[0].name in told
-        assert plain.combinations[1].name not in told
+        reported = page(render_report(plain)).one("section", id="explore").text
+        assert plain.combinations[0].name in reported
+        assert plain.combinations[1].name not in reported
 
     def test_as_much_as_there_is_room_for(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """With room for two of three combinations, two are kept, and the file's part for them is not exceeded."""
@@ -513,19 +513,19 @@ class TestEcho:
 
     def test_single_keys(self) -> None:
         """Quantities come in a fitting unit, numbers as they are, choices and flags as words."""
-        told = {section.key: section for section in input_tables(described(["part"]))}
-        plate = {row[0].text: row for row in told["plate"].grids[0].rows}
+        reported = {section.key: section for section in input_tables(described(["part"]))}
+        plate = {row[0].text: row for row in reported["plate"].grids[0].rows}
         assert [cell.text for cell in plate["thickness"]] == ["thickness", "t", "400 mm", "thickness"]
         assert plate["E"][2].text == "30 GPa"
         assert plate["nu"][1].text == "nu"
         assert plate["shear factor"][2].text == "0.833333"
-        contact = {row[0].text: row[-2].text for row in told["contact"].grids[0].rows}
+        contact = {row[0].text: row[-2].text for row in reported["contact"].grids[0].rows}
         assert contact["tensionless"] == "yes"
 
     def test_lists_share_a_unit(self) -> None:
         """Parts of one kind stand in one grid by their numbers in the case, each column in one unit."""
-        told = {section.key: section for section in input_tables(described(["part"]))}
-        points = next(grid for grid in told["loads"].grids if grid.title.startswith("point"))
+        reported = {section.key: section for section in input_tables(described(["part"]))}
+        points = next(grid for grid in reported["loads"].grids if grid.title.startswith("point"))
         assert [(head.text, head.unit) for head in points.heads[:4]] == [
             ("no.", ""),
             ("name", ""),
@@ -533,20 +533,20 @@ class TestEcho:
             ("P", "kN"),
         ]
         assert [[row[0].text, row[3].text] for row in points.rows] == [["4", "200"], ["5", "100"]]
-        supports = told["supports"].grids
+        supports = reported["supports"].grids
         assert [head.text for head in supports[0].heads if head.unit == "MN/m"] == ["stiffness"]
         assert "rigid" in [cell.text for cell in supports[1].rows[0]]
 
     def test_parts_within_parts(self) -> None:
         """Layers of boreholes stand below them, each under its name."""
-        told = {section.key: section for section in input_tables(described(["part"]))}
-        titles = [grid.title for grid in told["boreholes"].grids]
+        reported = {section.key: section for section in input_tables(described(["part"]))}
+        titles = [grid.title for grid in reported["boreholes"].grids]
         assert titles[0] == ""
         assert [title.endswith(": layers") for title in titles[1:]] == [True] * 3
-        assert [row[1].text for row in told["boreholes"].grids[1].rows] == ["10", "60"]
+        assert [row[1].text for row in reported["boreholes"].grids[1].rows] == ["10", "60"]
 
     def test_shapes_in_words(self) -> None:
-        """Rectangles, circles and polygons are told with their places in metres."""
+        """Rectangles, circles and polygons are reported with their places in metres."""
         plate = {
             "outline": {"kind": "polygon", "points": [(0, 0), (8, 0), (8, 4)], "bulges": (0.0, 0.5)},
             "openings": [{"kind": "circle", "centre": (6, 1.5), "radius": 0.25}],
@@ -564,8 +564,8 @@ class TestEcho:
     def test_automatic_combinations_are_told(self) -> None:
         """What EN 1990 makes stands among the combinations, with its factors."""
         model = described(["part"], combinations=(), combine={"sets": ["ultimate"]})
-        told = {section.key: section for section in input_tables(model)}
-        (grid,) = told["combinations"].grids
+        reported = {section.key: section for section in input_tables(model)}
+        (grid,) = reported["combinations"].grids
         assert "1.35 part 0 + 1.5 part 1" in {row[3].text for row in grid.rows}
 
 
@@ -780,13 +780,13 @@ class TestFiles:
         assert sorted(folder.rglob("*")) == before
 
     def test_what_is_no_folder_of_results(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        """Exit code 2, the fault, and no file."""
+        """Exit code 2, the issue, and no file."""
         assert cli.main(["report", str(tmp_path)]) == 2
         assert "a folder of results that groundslab wrote" in capsys.readouterr().err
         assert not tmp_path.with_name(f"{tmp_path.name}.html").exists()
 
     def test_a_place_that_cannot_be_written(self, tmp_path: Path) -> None:
-        """A folder that is not there is told as such."""
+        """A folder that is not there is reported as such."""
         with pytest.raises(InputError, match="no folder"):
             groundslab.write_report(synthetic.results(), tmp_path / "missing" / "x.html")
 

@@ -83,7 +83,7 @@ class TestPlan:
         assert area(plan["columns"][1]["ring"]) == pytest.approx(0.24)
 
     def test_things_have_paths_names_and_places(self) -> None:
-        """Paths count from 1, as faults do; a load on a column stands where the column stands."""
+        """Paths count from 1, as issues do; a load on a column stands where the column stands."""
         plan = plan_of(Model(**RAFT))
         assert [each["path"] for each in plan["columns"]] == ["columns[1]", "columns[2]"]
         assert plan["boreholes"] == [{"path": "boreholes[1]", "name": "B1", "x": 3, "y": 4}]
@@ -120,7 +120,7 @@ class TestPlan:
         assert ["varies" in load for load in loads] == [False, True, *[False] * 7]
 
     def test_zones_of_soil(self) -> None:
-        """Zones of soil are told by their curves."""
+        """Zones of soil are reported by their curves."""
         zone = {"shape": {"kind": "rectangle", "x": (0, 1), "y": (0, 2)}, "ground": {"kind": "winkler", "k": 1e7}}
         plan = plan_of(synthetic.model().replace(soil_zones=[zone]))
         assert plan["soil_zones"] == [{"path": "soil_zones[1]", "ring": [[0, 0], [1, 0], [1, 2], [0, 2]]}]
@@ -148,13 +148,15 @@ class TestScene:
         assert np.array_equal(values_of(scene, scene.head["mesh"]["section"]), results.elements.section)
         assert values_of(scene, scene.head["mesh"]["nodes"]) == pytest.approx(plate.nodes, rel=1e-7)
         found = fields(scene, 1)
-        told = {field["name"]: field for field in scene.head["fields"]}
-        assert list(found) == list(told)
-        assert set(told) == set(PLATE_FIELDS) - {"rotation_x", "rotation_y", "penetration", "line_force"} | {"contact"}
+        reported = {field["name"]: field for field in scene.head["fields"]}
+        assert list(found) == list(reported)
+        assert set(reported) == set(PLATE_FIELDS) - {"rotation_x", "rotation_y", "penetration", "line_force"} | {
+            "contact"
+        }
         for name in set(found) - {"contact"}:
             exact = getattr(plate, name) * PLATE_FIELDS[name].scale
             assert np.abs(found[name] - exact).max() <= np.ptp(exact) / LEVELS * 0.5000001, name
-            assert told[name]["unit"] == PLATE_FIELDS[name].unit
+            assert reported[name]["unit"] == PLATE_FIELDS[name].unit
             extremes = scene.head["combinations"][0]["extremes"][name]
             assert (extremes["min"][0], extremes["max"][0]) == (exact.min(), exact.max())
         assert np.array_equal(found["contact"] < 0, plate.in_contact)
@@ -170,10 +172,10 @@ class TestScene:
     def test_signs(self) -> None:
         """Moments are always signed; settlements and pressures only where one of them is negative."""
         lifted, pressed = (scene_of(results_of(synthetic.results(lifts=lifts))).head for lifts in (True, False))
-        told = [{field["name"]: field["signed"] for field in head["fields"]} for head in (lifted, pressed)]
-        assert [each["settlement"] for each in told] == [True, False]
-        assert [each["pressure"] for each in told] == [False, False]
-        assert [each["moment_x"] for each in told] == [True, True]
+        reported = [{field["name"]: field["signed"] for field in head["fields"]} for head in (lifted, pressed)]
+        assert [each["settlement"] for each in reported] == [True, False]
+        assert [each["pressure"] for each in reported] == [False, False]
+        assert [each["moment_x"] for each in reported] == [True, True]
 
     def test_ground_that_yields_shows_how_far(self) -> None:
         """Penetration is a field where there is any."""

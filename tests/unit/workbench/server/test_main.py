@@ -205,15 +205,15 @@ def test_a_case_is_edited_solved_saved(start: Start, case: Path, tmp_path: Path)
     app.wait("solved", version=first["version"])
 
     state = app.set(["plate", "thickness"], "300 mm")
-    told = app.wait("solved", version=state["version"])
-    assert told["refused"] == {}
-    assert [name for name, about in app.events if about.get("run") == told["run"] and name != "progress"] == [
+    reported = app.wait("solved", version=state["version"])
+    assert reported["refused"] == {}
+    assert [name for name, about in app.events if about.get("run") == reported["run"] and name != "progress"] == [
         "solving",
         "solved",
     ]
-    scene = unpack(app.ask("GET", f"/api/results/{told['run']}/scene")[1])
+    scene = unpack(app.ask("GET", f"/api/results/{reported['run']}/scene")[1])
     assert scene.head["plan"]["bounds"] == state["plan"]["bounds"] == [-3, -2, 3, 2]
-    (combination,) = app.get(f"/api/results/{told['run']}/summary")["combinations"]
+    (combination,) = app.get(f"/api/results/{reported['run']}/summary")["combinations"]
     assert combination["certificate"]["holds"] is True
     rows = {row["key"]: row for section in combination["sections"] for row in section["rows"]}
     assert rows["thickness"]["value"] == "0.30000"

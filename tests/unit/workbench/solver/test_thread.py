@@ -212,7 +212,7 @@ def test_going_back_to_what_is_solved(make: Make, events: Events, tmp_path: Path
 @pytest.mark.parametrize(
     ("word", "words"),
     [
-        ("issue", "mesh.size: got"),
+        ("issue", "mesh.size: found"),
         ("refuse", "no"),
         ("memory", "memory is too small"),
         ("bug", "an error in groundslab itself: ZeroDivisionError"),

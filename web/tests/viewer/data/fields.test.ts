@@ -167,21 +167,21 @@ describe("fields of a scene", () => {
   it("have ends with places; those of the scene come first", () => {
     expect(extremesOf(scene, 0, "settlement").max[0]).toBe(8);
     expect(extremesOf(scene, 0, "settlement").max[1]).toBe(8);
-    const told = sceneOf(mesh, [{ name: "A", fields: { pressure: (x) => x } }]);
-    told.head.combinations[0]!.extremes = { pressure: { min: [0, 0, 0], max: [8.5, 8, 4] } };
-    expect(extremesOf(told, 0, "pressure")).toEqual({ min: [0, 0, 0], max: [8.5, 8, 4] });
+    const given = sceneOf(mesh, [{ name: "A", fields: { pressure: (x) => x } }]);
+    given.head.combinations[0]!.extremes = { pressure: { min: [0, 0, 0], max: [8.5, 8, 4] } };
+    expect(extremesOf(given, 0, "pressure")).toEqual({ min: [0, 0, 0], max: [8.5, 8, 4] });
   });
 
   it("know the largest line force along the edge where the ground has one", () => {
-    const told = sceneOf(mesh, [
+    const given = sceneOf(mesh, [
       { name: "A", fields: { pressure: (x) => x } },
       { name: "B", fields: { pressure: (x) => x } },
     ]);
-    expect(lineForceOf(told, 0)).toBeNull();
-    told.head.combinations[0]!.extremes = { line_force: { min: [0, 0, 0], max: [12, 8, 4] } };
-    told.head.combinations[1]!.extremes = { line_force: { min: [0, 0, 0], max: [15, 8, 0] } };
-    expect(lineForceOf(told, 0)).toEqual([12, 8, 4]);
-    expect(lineForceOf(told, "largest:ultimate")).toEqual([15, 8, 0]);
+    expect(lineForceOf(given, 0)).toBeNull();
+    given.head.combinations[0]!.extremes = { line_force: { min: [0, 0, 0], max: [12, 8, 4] } };
+    given.head.combinations[1]!.extremes = { line_force: { min: [0, 0, 0], max: [15, 8, 0] } };
+    expect(lineForceOf(given, 0)).toEqual([12, 8, 4]);
+    expect(lineForceOf(given, "largest:ultimate")).toEqual([15, 8, 0]);
   });
 
   it("are kept, and named", () => {
