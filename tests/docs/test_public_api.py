@@ -6,6 +6,7 @@ import doctest
 import inspect
 from dataclasses import fields, is_dataclass
 from functools import cache
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +25,6 @@ CHECKS = {
     "GL07", "GL08", "SS01", "SS02", "SS03", "SS04", "SS06", "PR01", "PR02", "PR03", "PR04", "PR06", "PR07", "PR08",
     "PR09", "RT01", "RT03", "RT04", "RT05", "YD01",
 }  # fmt: skip
-#: Documented without numpydoc's sections so far.
-LATER = {"open_study", "study"}
 #: Classes that public functions return, beside those that have public names.
 RETURNED = (
     *(getattr(mesh_results, name) for name in ("PlateResult", "ElementResult", "GroundResult")),
@@ -54,21 +53,25 @@ counts = [6, 4]
 """
 
 
+def public() -> list[tuple[str, object]]:
+    """Return the public names of the package and of its studies, with what they stand for."""
+    names = [*groundslab.__all__, *(f"study.{name}" for name in groundslab.study.__all__)]
+    return [(name, attrgetter(name)(groundslab)) for name in names]
+
+
 def classes() -> list[type]:
     """Return the classes that are documented by hand.
 
     The parts of a model are documented by their table of fields, of which docs/input.md is made.
     """
-    named = (getattr(groundslab, name) for name in groundslab.__all__ if name not in LATER)
+    named = [each for _, each in public()]
     own = [each for each in named if inspect.isclass(each) and not issubclass(each, Section)]
     return [*own, *RETURNED]
 
 
 def documented() -> list[str]:
     """Return the full names of public functions, classes and their public methods."""
-    functions = [
-        name for name in groundslab.__all__ if name not in LATER and inspect.isfunction(getattr(groundslab, name))
-    ]
+    functions = [name for name, each in public() if inspect.isfunction(each)]
     found = [f"groundslab.{name}" for name in functions]
     for each in classes():
         own = [name for name in vars(each) if not name.startswith("_") and callable(getattr(each, name))]

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def read_samples(study: Study) -> Samples:
     """Return all rows of a study that are there; of one that still runs, those that it has so far."""
     setup = study.setup
-    with study.opened_rows() as kept:
+    with study.open_rows() as kept:
         names = kept.columns.scalars
         rows = kept.rows(names)
     table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in names]

@@ -108,7 +108,7 @@ class Study:
 
     def __len__(self) -> int:
         """Return the number of variants with a row."""
-        with self.opened_rows() as rows:
+        with self.open_rows() as rows:
             return rows.count()
 
     def counts(self) -> dict[str, int]:
@@ -119,7 +119,7 @@ class Study:
         dict of str to int
             Number of variants with status "solved", and of failed ones by reason, the most frequent first.
         """
-        with self.opened_rows() as rows:
+        with self.open_rows() as rows:
             return rows.counts()
 
     def table(self) -> pd.DataFrame:
@@ -138,7 +138,7 @@ class Study:
             If pandas is not installed, or the rows are damaged.
         """
         pd = import_optional("pandas", "which makes a DataFrame of a study's rows")
-        with self.opened_rows() as rows:
+        with self.open_rows() as rows:
             names, results = rows.columns.scalars, rows.columns.results
             frame = pd.DataFrame(rows.rows(names), columns=names).set_index("number")
         return frame.astype(dict.fromkeys(["seconds", *results], float))
@@ -152,7 +152,7 @@ class Study:
             Last error by the number of the variant: an error of the machine, such as a killed worker, not of the
             variant, which would have a row with a reason.
         """
-        with self.opened_rows() as rows:
+        with self.open_rows() as rows:
             return rows.worker_failures()
 
     def runs(self) -> list[dict[str, Any]]:
@@ -163,7 +163,7 @@ class Study:
         list of dict
             Time ("at") and package versions ("versions") of each run.
         """
-        with self.opened_rows() as rows:
+        with self.open_rows() as rows:
             return rows.runs()
 
     def blocks(self) -> dict[str, range]:
@@ -206,7 +206,7 @@ class Study:
             If there is no such field, or not all variants have the same mesh.
         """
         self.mesh(name)
-        with self.opened_rows() as rows:
+        with self.open_rows() as rows:
             for number, _, values in rows.fields(self._column(name)):
                 yield number, values
 
@@ -229,7 +229,7 @@ class Study:
             If there is no such field, or not all variants have the same mesh.
         """
         self._column(name)
-        with self.opened_rows() as rows:
+        with self.open_rows() as rows:
             meshes = rows.meshes()
         if len(meshes) != 1:
             found = (
@@ -273,8 +273,19 @@ class Study:
         return Map(mesh, values, output.unit if statistic in ("mean", "std") else "", found.n)
 
     @contextmanager
-    def opened_rows(self) -> Iterator[store.Store]:
-        """Open the rows for reading; raises InputError if they are damaged."""
+    def open_rows(self) -> Iterator[store.Store]:
+        """Open the rows for reading.
+
+        Yields
+        ------
+        Store
+            The rows; closed at the end of the with statement.
+
+        Raises
+        ------
+        InputError
+            If they are damaged.
+        """
         try:
             with store.Store(self.folder, self.setup, read_only=True) as rows:
                 yield rows
