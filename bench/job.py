@@ -65,7 +65,7 @@ COMBINATIONS = {
 }
 #: What is timed inside an analysis: the name of the phase, where the function lives, its name there.
 PHASES: list[tuple[str, Any, str]] = [
-    ("mesh, loads, supports", mesh_hierarchy, "discretise"),
+    ("mesh, loads, supports", mesh_hierarchy, "discretize"),
     ("equilibrium possible", nested, "require_equilibrium"),
     ("assembly", mesh_hierarchy, "build_system"),
     ("assembly", mesh_hierarchy, "stiffness"),
@@ -167,7 +167,7 @@ def settlements(results: CombinationResult) -> dict[str, float]:
 
 
 def keep_memory() -> None:
-    """Let freed memory stay with the process, as far as the C library lets itself be told.
+    """Let freed memory stay with the process, as far as the C library allows.
 
     Where a machine is itself a guest on another, the first touch of memory can take longer than all computing, and
     differently from run to run. Both sides of every ratio here profit alike.

@@ -147,3 +147,11 @@ def test_figures_are_found_among_other_output(run: ModuleType) -> None:
     """The last line that is a JSON object counts, whatever the program prints around it."""
     assert run.last_figures('{"a": 1}\nbanner\n{"a": 2}\nProcess 0 Terminating\n{broken') == {"a": 2}
     assert run.last_figures("nothing") == {}
+
+
+def test_timed_phases_are_functions_of_the_package(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every phase that a job times names a function that its module calls by that name."""
+    monkeypatch.syspath_prepend(str(BENCH))
+    phases = importlib.import_module("job").PHASES
+    assert len(phases) > 10
+    assert not [(phase, name) for phase, module, name in phases if not callable(getattr(module, name, None))]
