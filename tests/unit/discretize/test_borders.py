@@ -164,3 +164,21 @@ def test_a_ring_followed_along_arcs_is_judged_by_centres() -> None:
     assert set(np.unique(by_centre)) == {0.0, 1.0}
     assert areas(found.xy) @ by_centre[:, 1] == pytest.approx(ring.area, rel=1e-5)
     assert 0 < np.abs(by_centre - by_area).max() < 0.05
+
+
+def test_a_void_that_touches_the_edge_is_taken_by_area() -> None:
+    """No mesh follows the cusp between a circle and an edge that it touches; no node has a negative area."""
+    radius = 0.8802123765848484
+    circle = {"kind": "circle", "centre": (7.44617243103454 / 2 - radius, -2.264071685958864), "radius": radius}
+    voids = [{"depth": 0.01, "shape": circle}, {"x": (2.0979032869894816, 3.3149045176986682), "y": (0.48, 4.95)}]
+    places = [(-1.861543107758635, 1.375), (-2.7923146616379526, 4.125), (3.72308621551727, -1.375)]
+    model = Model(
+        plate={"length_x": 7.44617243103454, "length_y": 11.0, "thickness": 0.8, "E": 30e9, "nu": 0.2},
+        ground={"kind": "pasternak", "k0": 20e6, "k1": 20e6},
+        beyond={"kind": "margin", "width": 8.832788608614285},
+        contact={"voids": voids},
+        supports=[{"kind": "point", "x": x, "y": y} for x, y in places],
+        loads=[{"kind": "uniform", "q": 50e3}],
+        mesh={"size": 3.74025991002138},
+    )
+    assert discretize(model).depths.area.min() >= 0

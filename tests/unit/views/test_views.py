@@ -447,7 +447,7 @@ def test_heavy_libraries_wait_until_they_are_called() -> None:
 import sys
 sys.path.insert(0, {str(ROOT / "tests")!r})
 from groundslab.views.files import manifest, npz, results_folder, vtk
-from groundslab.views.summary import combinations, progress, single, terminal
+from groundslab.views.summary import combinations, progress, sections, terminal
 assert not {{"matplotlib", "meshio", "rich", "scipy", "pint", "pydantic"}} & set(sys.modules)
 from groundslab.views import plots
 assert "matplotlib" not in sys.modules

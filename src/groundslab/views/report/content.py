@@ -192,16 +192,16 @@ def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout
 
 def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     """Return the certificate of each combination, one a row and cut in two; of a single one a figure a row."""
-    sections = {
+    proofs = {
         entry.combination.name: sections.certificate_section(entry.results.certificate)
         for entry in found
         if entry.results is not None
     }
-    if len(sections) == 1:
-        return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, sections.values())]
+    if len(proofs) == 1:
+        return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, proofs.values())]
     heads: list[TableHeader] = []
     rows = []
-    for name, section in sections.items():
+    for name, section in proofs.items():
         shown = [(row, shown_row(row)) for row in section.rows]
         heads = heads or [TableHeader(row.label, each.unit, number=True) for row, each in shown]
         cells = [Cell(each.figure, "bad" if row.ok is False else "number") for row, each in shown]

@@ -629,7 +629,7 @@ import os, signal, sys
 sys.path.insert(0, {str(ROOT / "tests")!r})
 from helpers import synthetic
 from groundslab.views.files import npz as archive, results_folder as store, vtk as vtu
-from groundslab.views.summary import single as summary
+from groundslab.views.summary import sections as summary
 function, number, moment, folder = sys.argv[1], int(sys.argv[2]), sys.argv[3], sys.argv[4]
 original, calls = getattr(os, function), []
 def die():

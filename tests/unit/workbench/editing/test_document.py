@@ -332,7 +332,7 @@ def test_files_that_are_no_text() -> None:
     [
         ("loads[2].x", ("loads", 1, "x")),
         ("plate.outline.points[3][1]", ("plate", "outline", "points", 2, 0)),
-        ('combinations[1].factors."self-weight"', ("combinations", 0, "factors", "self-weight")),
+        ('combinations[1].factors."own weight"', ("combinations", 0, "factors", "own weight")),
         ('"a\\"b".c', ('a"b', "c")),
         ("the description", ()),
         ("the text, line 3, column 5", ()),
