@@ -909,7 +909,7 @@ class TestCommand:
         assert "Contact pressure" in text
 
     @pytest.mark.parametrize(
-        ("arguments", "told"),
+        ("arguments", "reported"),
         [
             (["bogus"], "bottom_x"),
             (["--kind", "bogus"], "convergence"),
