@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from groundslab.case import casefile
-from helpers.paths import ROOT
+from helpers.paths import PACKAGE, ROOT
 
 README = ROOT / "README.md"
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
@@ -106,6 +106,25 @@ def test_files_that_the_code_names_are_there() -> None:
 
 
 @pytest.mark.slow
+def test_modules_that_the_docs_name_are_there() -> None:
+    """Every path in code type that begins with a folder of the package is a module or folder, with what it names."""
+    named = {
+        (path, name)
+        for page in PAGES
+        for path, name in re.findall(
+            r"`((?:[a-z]\w*/)+\w+)(?:\.(?!(?:py|html)\b)(\w+))?`", page.read_text(encoding="utf-8")
+        )
+        if (PACKAGE / path.split("/")[0]).is_dir()
+    }
+    assert len(named) > 30
+    for path, name in named:
+        module = PACKAGE / f"{path}.py"
+        assert module.exists() or (PACKAGE / path).is_dir(), path
+        assert not name or re.search(rf"^(?:def|class) {name}\b", module.read_text(encoding="utf-8"), re.MULTILINE), (
+            path
+        )
+
+
 def test_equation_numbers_are_the_papers() -> None:
     """Every equation number in the package's comments and texts is one that the paper has."""
     known = printed_equations()
