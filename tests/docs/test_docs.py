@@ -125,6 +125,7 @@ def test_modules_that_the_docs_name_are_there() -> None:
         )
 
 
+@pytest.mark.slow
 def test_equation_numbers_are_the_papers() -> None:
     """Every equation number in the package's comments and texts is one that the paper has."""
     known = printed_equations()

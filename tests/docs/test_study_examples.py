@@ -35,6 +35,7 @@ def test_cases_of_the_studies_are_solved(path: Path) -> None:
     assert solve(load(path)).certificate.holds
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_the_first_variant_is_solved(path: Path) -> None:
     """Every study can be read, its first variant has all results, and its command is in its comment."""

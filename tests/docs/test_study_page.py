@@ -24,6 +24,7 @@ def block(page: str, language: str, number: int = 0) -> str:
     return re.findall(rf"^```{language}\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[number]
 
 
+@pytest.mark.slow
 def test_study_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The study on the page runs with the smallest case of the input page, and is read as the page says."""
     case = block((DOCS / "input.md").read_text(encoding="utf-8"), "toml") + "\n[mesh]\ncounts = [6, 4]\n"

@@ -45,6 +45,7 @@ def test_sdist_and_wheel_contain_the_package(distributions: list[set[str]]) -> N
         assert "groundslab/py.typed" in names
 
 
+@pytest.mark.slow
 def test_sdist_and_wheel_contain_the_pages(distributions: list[set[str]]) -> None:
     """Both contain the report's script and the workbench's page, which git ignores."""
     for names in distributions:

@@ -22,6 +22,7 @@ TABLES = st.lists(st.tuples(WORDS, NUMBERS, st.integers(-(10**12), 10**12), st.n
 )
 
 
+@pytest.mark.slow
 @settings(deadline=None, derandomize=True)
 @given(table=TABLES)
 @example(table=table_of("t", "T", HEADS, [('a\r"b"\n,', 1e300, -1, None), ("\r", -math.inf, 0, 5e-324)]))
@@ -38,6 +39,7 @@ def test_csv_reads_back(table: Table) -> None:
         assert (g == "") if gap is None else math.isclose(float(g), gap, rel_tol=5e-7, abs_tol=1e-320)
 
 
+@pytest.mark.slow
 @settings(deadline=None, derandomize=True)
 @given(table=TABLES)
 def test_frames_hold_the_same(table: Table) -> None:

@@ -368,6 +368,7 @@ def test_units_do_not_matter(ground: Any, loads: list[Any], s: float, f: float, 
     assert_same(np.array(one.constants.k1) * f / s, np.array(other.constants.k1), 1e-5)
 
 
+@pytest.mark.slow
 @given(n=st.integers(2, 3), loads=pushes(), tensionless=st.booleans(), E_bottom=st.sampled_from([40e6, 70e6, 20e6]))
 @few(6)
 def test_sublayers_are_layers(n: int, loads: list[Any], tensionless: bool, E_bottom: float) -> None:
@@ -399,6 +400,7 @@ def test_more_sublayers_only_soften(n: int, x: float, y: float) -> None:
     assert coarse < fine < 2 * coarse
 
 
+@pytest.mark.slow
 @given(loads=pushes(), tensionless=st.booleans())
 @few(5)
 def test_without_shear_pasternak_is_winkler(loads: list[Any], tensionless: bool) -> None:
@@ -416,6 +418,7 @@ def test_without_shear_pasternak_is_winkler(loads: list[Any], tensionless: bool)
     assert 1.9 < far / near < 2.1
 
 
+@pytest.mark.slow
 @given(ground=grounds, P=rounded(-2e4, 2e4), x=rounded(-2.5, 2.5), y=rounded(-1.5, 1.5))
 @few(8)
 def test_compression_everywhere_makes_tensionless_equal_to_glued(ground: Any, P: float, x: float, y: float) -> None:
@@ -529,6 +532,7 @@ HARD = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", ["pardiso", "superlu"])
 @pytest.mark.parametrize(("plate", "ground", "contact", "loads"), HARD.values(), ids=HARD.keys())
 def test_contact_that_runs_in_a_circle_ends(
@@ -550,6 +554,7 @@ def test_contact_that_runs_in_a_circle_ends(
     assert len(result.steps) < 150
 
 
+@pytest.mark.slow
 @given(loads=pushes(), gamma=st.sampled_from([0.5, 2.0]))
 @few(4)
 def test_vlasov_with_gamma_given_is_pasternak(loads: list[Any], gamma: float) -> None:

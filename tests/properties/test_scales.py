@@ -44,6 +44,7 @@ def assert_same(a: CombinationResult, b: CombinationResult) -> None:
 VOID = Void(x=(-3, -1), y=(-2, 0), depth=1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ground", ["winkler", "pasternak"])
 @pytest.mark.parametrize("factor", FACTORS)
 def test_depth_of_a_void_that_stays_open(factor: float, ground: str) -> None:
@@ -55,6 +56,7 @@ def test_depth_of_a_void_that_stays_open(factor: float, ground: str) -> None:
     assert_same(one, other)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", FACTORS)
 def test_measured_gaps_that_stay_open(factor: float) -> None:
     """A plate on four piles above ground that it never touches, 1 m below it and much deeper."""
@@ -78,6 +80,7 @@ def test_gap_of_a_support_that_is_not_reached(acts: str, factor: float, ground: 
     assert_same(one, other)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", FACTORS)
 def test_limits_that_are_not_reached(factor: float) -> None:
     """Ground and pile that could carry far more than they must."""
@@ -92,6 +95,7 @@ def test_limits_that_are_not_reached(factor: float) -> None:
     assert_same(one, other)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", FACTORS[:2])
 def test_load_that_a_rigid_support_takes_at_once(factor: float) -> None:
     """A column right above a rigid pile: however large its force, plate and certificate know nothing of it."""

@@ -81,6 +81,7 @@ def test_heavy_libraries_are_imported_when_used(module: str) -> None:
     assert not at_once(module) & (HEAVY - LATE.get(module, set()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("late", LATE)
 def test_what_loads_with_its_library_is_imported_when_used(late: str) -> None:
     """A module that needs a heavy library as soon as it is imported is imported by functions only."""

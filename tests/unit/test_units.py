@@ -249,6 +249,7 @@ def test_pint_only_when_needed() -> None:
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
+@pytest.mark.slow
 def test_registry_without_cache_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where pint's cache folder cannot be used, units work all the same."""
     import pint

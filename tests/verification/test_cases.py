@@ -66,6 +66,7 @@ def test_a_tolerance_wider_than_the_value_is_an_error():
         next(runner.outcomes_of(case))
 
 
+@pytest.mark.slow
 def test_a_refuted_number_leaves_a_regression_value():
     """A row whose published number cannot be right pins our own number, and fails if that changes by 0.01 %."""
     case = runner.load("table1")
@@ -77,6 +78,7 @@ def test_a_refuted_number_leaves_a_regression_value():
     assert changed.reason.startswith("regression: our own number was")
 
 
+@pytest.mark.slow
 def test_a_proof_that_does_not_hold_fails():
     """Calling a right number impossible is reported as failed: 13.59 mm is in equilibrium."""
     case = runner.load("table1")

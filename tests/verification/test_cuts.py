@@ -132,6 +132,7 @@ def test_cuts_across_elements(a: tuple[float, float], b: tuple[float, float]) ->
     assert (np.array(errors[1]) < np.array(errors[0]) / 3).all()
 
 
+@pytest.mark.slow
 def test_a_strip_as_wide_as_the_plate() -> None:
     """Along the whole plate a strip's moments and shear are those of equilibrium; free edges have no moment.
 

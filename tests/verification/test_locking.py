@@ -131,12 +131,14 @@ def test_the_ritz_solution_has_the_known_thin_limit() -> None:
     assert ritz(1e-4) == pytest.approx(THIN_CLAMPED, abs=5e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("t", THICKNESSES)
 def test_the_ritz_solution_has_converged(t: float) -> None:
     """Two fewer polynomials each way change the reference by less than a hundredth of what is tested with it."""
     assert ritz(t, 7) == pytest.approx(ritz(t), rel=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("amount", [0.0, 0.3], ids=["regular", "distorted"])
 @pytest.mark.parametrize("clamped", [False, True], ids=["supported", "clamped"])
 @pytest.mark.parametrize("t", THICKNESSES)

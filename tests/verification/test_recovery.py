@@ -120,6 +120,7 @@ def orders(coarse: dict[str, np.ndarray], fine: dict[str, np.ndarray]) -> dict[s
     return {kind: np.log2(coarse[kind] / fine[kind]) for kind in coarse}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solve_it", [False, True], ids=["on the nodes", "solved"])
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_one_order_more_at_nodes_on_rectangles(name: str, solve_it: bool) -> None:
@@ -200,6 +201,7 @@ SQUARE = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
 ASKEW = [(-1.0, -0.7), (0.9, -1.2), (1.3, 0.8), (-0.6, 1.1)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("corners", [SQUARE, ASKEW], ids=["grid", "any quadrilaterals"])
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[tuple[float, float]]) -> None:

@@ -81,6 +81,7 @@ def zone(x: tuple[float, float], y: tuple[float, float], k: float) -> dict[str, 
 VOID_LOADS = [{"kind": "uniform", "q": 20e3}, {"kind": "patch", "q": 100e3, "x": (0.0, 1.0), "y": (-0.5, 0.5)}]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [0.5, 0.25, 0.125])
 def test_a_zone_between_grid_lines_has_the_settlement_of_another_program(size: float) -> None:
     """3.68753 mm, by hp finite elements: the border at x = 1.07 m is a line of the mesh at every size."""
@@ -89,6 +90,7 @@ def test_a_zone_between_grid_lines_has_the_settlement_of_another_program(size: f
     assert np.isclose(results.plate.nodes[:, 0], 1.07).any()
 
 
+@pytest.mark.slow
 def test_a_void_has_the_settlement_of_another_program() -> None:
     """1.7449 mm, by hp finite elements: a void is no wider than it is drawn."""
     void = {"x": (1.0, 2.0), "y": (-1.0, 1.0)}
@@ -97,6 +99,7 @@ def test_a_void_has_the_settlement_of_another_program() -> None:
         assert results.plate.settlement.max() == pytest.approx(1.7449e-3, rel=near)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("border", [1.07, 1.0])
 def test_settlements_beside_a_zone_converge_as_those_of_the_plate(border: float) -> None:
     """Halving the elements of a strip over two zones takes off at least as much error as of one over one."""
@@ -112,6 +115,7 @@ def test_settlements_beside_a_zone_converge_as_those_of_the_plate(border: float)
     assert errors[2] < errors[1] / 6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("k1", [0.0, 10e6])
 @pytest.mark.parametrize("edges", [(-0.93, 0.57), (-1.0, 0.5)])
 def test_settlements_over_a_cavity_converge_as_those_of_the_plate(edges: tuple[float, float], k1: float) -> None:

@@ -87,6 +87,7 @@ def test_sums_of_loads(combined: Results, tables: dict[str, Table]) -> None:
         assert each["reaction"] == pytest.approx(each["sum of loads"], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_pile_and_pressure_carry_the_loads(combined: Results, tables: dict[str, Table]) -> None:
     """The pile's force is 50 MN/m times its settlement; with the pressure over the area it is the sum of the loads."""
     (pile,) = rows(tables["supports"], combination="ULS")
@@ -130,6 +131,7 @@ def test_points_and_lines(combined: Results, tables: dict[str, Table]) -> None:
         assert middle["pressure p"] == pytest.approx(20 * middle["settlement w"], rel=1e-3)
 
 
+@pytest.mark.slow
 def test_columns(combined: Results, tables: dict[str, Table]) -> None:
     """Loads by hand; punching as called directly; V_Ed is the field of shear forces around the column, too."""
     a, b = rows(tables["columns"], combination="ULS")

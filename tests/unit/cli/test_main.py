@@ -555,6 +555,7 @@ class TestDxf:
         assert case["loads"][0]["P"] == "50000.0 N"
         assert "outline: 4 m x 4 m" in err
 
+    @pytest.mark.slow
     def test_layers_and_unit_count(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """Layers given together or apart are followed, an empty name takes none; the given unit wins."""
         arguments = ["--layers", "outline=SLAB", "openings=", "--unit", "ft", "--layers", "point_loads="]

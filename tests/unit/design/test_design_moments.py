@@ -48,6 +48,7 @@ def test_design_moments_cover_every_direction(m_x: float, m_y: float, m_xy: floa
         assert (sign * bending(x, y, 0) - sign * acting >= -1e-9).all()
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(MOMENTS, MOMENTS, MOMENTS)
 def test_no_smaller_sum_would_do(m_x: float, m_y: float, m_xy: float) -> None:

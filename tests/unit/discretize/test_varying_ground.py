@@ -65,6 +65,7 @@ def test_formulas_hold_column_by_column(formula: Any) -> None:
     np.testing.assert_allclose(np.array(formula(layer, gamma)), each, rtol=1e-13)
 
 
+@pytest.mark.slow
 def test_modes_of_many_columns_are_those_of_each() -> None:
     """Columns whose chains stand in one matrix do not feel each other: k0 and k1 are those of single profiles."""
     rng = np.random.default_rng(2)

@@ -77,6 +77,7 @@ def test_all_readers_give_the_same_contact() -> None:
     assert any(value == pytest.approx(100 * 22 / 24) for value in texts)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beyond", [{"kind": "none"}, {"kind": "margin", "width": 1.0}])
 def test_the_plate_of_the_results_is_whole(beyond: dict[str, Any]) -> None:
     """With sections, ground beyond and voids at once, nodes that stand for several sides stay where they are."""

@@ -221,6 +221,7 @@ def test_order_of_convergence(name: str, t: float, amount: float) -> None:
     assert fine[1] < 2e-2
 
 
+@pytest.mark.slow
 @every_element
 @pytest.mark.parametrize("t", [0.2, 0.01])
 def test_convergence_on_meshes_that_stay_distorted(name: str, t: float) -> None:

@@ -152,6 +152,7 @@ def test_a_session_of_the_caller_is_left_alone() -> None:
         gmsh.finalize()
 
 
+@pytest.mark.slow
 @each_maker
 def test_rectilinear_plans_can_be_meshed_freely(maker: Maker) -> None:
     """The free mesher takes what the grid takes, with the same areas."""
@@ -245,6 +246,7 @@ def test_what_gmsh_says_becomes_our_error() -> None:
     assert not gmsh.isInitialized()
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
 @pytest.mark.parametrize("thread", [False, True], ids=["main thread", "another thread"])
 def test_a_broken_pipe_stays_an_error(thread: bool) -> None:

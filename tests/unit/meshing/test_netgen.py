@@ -91,6 +91,7 @@ def test_arcs_are_cut_where_they_cross() -> None:
         assert np.abs(np.linalg.norm(edge.at(np.linspace(0, 1, 7)) - [6, 0], axis=1) - 5).max() < 1e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("maker", MAKERS)
 @pytest.mark.parametrize("parts", [5, 20])
 @pytest.mark.parametrize("plan", [pytest.param(plan, id=name) for name, plan in HARD.items()])
@@ -171,6 +172,7 @@ def square(middle: tuple[float, float]) -> Cells:
     return Cells(nodes, np.zeros((0, 3), dtype=np.int64), cells, drawn)
 
 
+@pytest.mark.slow
 def test_the_next_cells_are_taken_when_the_first_are_bad() -> None:
     """Unusable cells are passed over, poor ones are bettered, and after good ones no more are asked for."""
     plan = Plan(rectangle(-1, 1, -1, 1))

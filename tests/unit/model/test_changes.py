@@ -61,6 +61,7 @@ WITHOUT_SHEAR = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ground", WITHOUT_SHEAR)
 @pytest.mark.parametrize("beyond", [
     {"kind": "infinite"}, {"kind": "infinite", "width": 3}, {"kind": "margin", "width": 3},
@@ -79,6 +80,7 @@ def test_ground_beyond_without_shear_has_no_effect(ground: Any, beyond: dict[str
     assert rows["beyond"] == "no effect, as the ground carries no shear"
 
 
+@pytest.mark.slow
 def test_infinite_ground_tends_to_that_without_shear() -> None:
     """The smaller k1, the nearer infinite ground comes to none: what is said of k1 = 0 is the limit, not a rule."""
     wanted = solve(model(ground=Winkler(k=2e7))).plate.settlement

@@ -210,6 +210,7 @@ def test_table_for_notebooks() -> None:
     assert rows[4][4] == "refused: the loads pull the plate off"
 
 
+@pytest.mark.slow
 def test_plate_as_a_grid_of_pyvista() -> None:
     """Cells, points and fields are the plate's, in units of display."""
     pytest.importorskip("pyvista", reason="PyVista, the extra viz, is not installed")

@@ -196,6 +196,7 @@ def test_a_cycle_is_broken(matrix: np.ndarray, load: np.ndarray) -> None:
     assert len(steps) < 20
 
 
+@pytest.mark.slow
 @settings(max_examples=10, derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000))
 def test_every_start_leads_to_the_same_solution(seed: int) -> None:
@@ -303,6 +304,7 @@ def test_steps_are_reported_as_they_happen() -> None:
     assert all(step[2] > 0 for step in steps[:-1])
 
 
+@pytest.mark.slow
 @settings(max_examples=60, derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000), condition=st.sampled_from([2.0, 1e3]), count=st.integers(1, 9))
 def test_bearings_of_every_kind_follow_their_law(seed: int, condition: float, count: int) -> None:

@@ -143,6 +143,7 @@ def supported(side: str, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     return {"left": x == -LX / 2, "right": x == LX / 2, "bottom": y == -LY / 2, "top": y == LY / 2}[side]
 
 
+@pytest.mark.slow
 @settings(max_examples=40, derandomize=True, deadline=None)
 @given(seed=st.integers(0, 100_000), side=st.sampled_from([None, "left", "right", "bottom", "top"]))
 def test_decision_equals_a_linear_program(seed: int, side: str | None) -> None:
@@ -215,6 +216,7 @@ def pile(x: float, y: float, acts: str, **keys: Any) -> dict[str, Any]:
     return {"x": x, "y": y, "acts": acts, **keys}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [0.6, 0.5, 0.4])
 def test_a_plate_that_hangs_on_one_pile_can_rock_about_it(size: float) -> None:
     """Uplift pulls a circle straight up on the pile in its middle: no force keeps it from tilting, on any mesh."""

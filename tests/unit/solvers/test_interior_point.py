@@ -21,6 +21,7 @@ def solved(A: np.ndarray, f: np.ndarray, b: Bearings) -> tuple[contact.Contact, 
     return found, len(steps)
 
 
+@pytest.mark.slow
 def test_it_finds_what_the_active_set_iteration_finds() -> None:
     """Bearings of every kind: the same unknowns, forces and states in at most fifty steps, in 95 of 100 small problems.
 

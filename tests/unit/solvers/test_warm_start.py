@@ -93,6 +93,7 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     np.testing.assert_array_equal(after, state)
 
 
+@pytest.mark.slow
 def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     """From states that are off by some nodes along the border, the strip alone leads to the zone of the solution."""
     given = model()
@@ -118,6 +119,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     np.testing.assert_array_equal(found, right.state)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_wrong_forecast_costs_steps_but_not_the_result(seed: int) -> None:
     """States and unknowns of the forecast drawn by lot: the certified result is the same."""

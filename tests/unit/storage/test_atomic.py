@@ -134,6 +134,7 @@ for _ in range(40):
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="folders cannot be locked there")
 def test_processes_that_write_the_same_folder_wait_for_each_other(tmp_path: Path) -> None:
     """None of several writers fails, what is left is one writer's alone, and nothing lies beside it."""

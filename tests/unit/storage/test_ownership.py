@@ -66,6 +66,7 @@ def test_figures_of_others_are_never_replaced(tmp_path: Path, ending: str) -> No
         assert os.listdir(tmp_path) == [target.name]  # noqa: PTH208
 
 
+@pytest.mark.slow
 def test_a_figure_that_somebody_wrote_notes_on_is_theirs(figures: Path, tmp_path: Path) -> None:
     """Readers append notes to a PDF; such a file is groundslab's no more."""
     target = tmp_path / "a.pdf"
@@ -88,6 +89,7 @@ def test_a_full_disk_leaves_the_earlier_figure(figures: Path, ending: str, monke
     assert {path.name: path.read_bytes() for path in figures.iterdir()} == before
 
 
+@pytest.mark.slow
 def test_commands_ask_before_they_draw(
     results: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -159,6 +159,7 @@ def test_small_ring_is_the_central_force() -> None:
         assert w["settlement"] == pytest.approx(factor * P * 4 / (16 * math.pi * D), rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("clamped", [True, False])
 @pytest.mark.parametrize("load", [{"q": 1e3}, {"ring": 1e3}, {"q": 1e3, "ring": -700.0}])
 def test_partly_loaded_plate_solves_the_boundary_value_problem(clamped: bool, load: dict[str, float]) -> None:
@@ -277,6 +278,7 @@ def test_warm_bottom_lifts_the_edges() -> None:
 COLUMN = {"a": 4.0, "b": 3.0, "q": 1e4, "u": 0.5, "v": 0.5}
 
 
+@pytest.mark.slow
 def test_no_column_is_navier_and_a_rigid_one_does_not_settle() -> None:
     """K = 0 gives the plate without a column; the higher K, the less the centre (or the mean) settles."""
     for x, y in ((0.0, 0.0), (0.7, -1.1)):

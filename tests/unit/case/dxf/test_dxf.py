@@ -351,6 +351,7 @@ class TestBlocks:
         self.block(space)
         space.add_blockref("SHAFT", (0, 0), on("OPENINGS"))
 
+    @pytest.mark.slow
     def test_nested_and_in_rows(self, drawn: Any) -> None:
         """Blocks in blocks, and rows of a block, are resolved; a layer inside a block counts."""
 

@@ -84,6 +84,7 @@ ACTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("plate", "load", "acts"), ACTS.values(), ids=ACTS.keys())
 def test_what_lies_on_the_plate_acts_and_the_rest_is_told(plate: Plate, load: Any, acts: float) -> None:
     """The sum of the loads of a solved plate is the part on the plate in closed form; the remark says the rest."""
@@ -126,6 +127,7 @@ def test_what_ends_at_the_edge_is_whole(plate: Plate, load: Any) -> None:
     assert find_clipped_loads(plate, (load,)) == ()
 
 
+@pytest.mark.slow
 def test_a_ring_on_the_edge_of_a_round_plate_acts_whole() -> None:
     """A wall on the edge of a tank's slab bears 2 pi R q, though elements' curved sides miss the circle a little."""
     for size in (0.3, 1.5):

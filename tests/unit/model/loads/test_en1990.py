@@ -172,6 +172,7 @@ def by_brute_force(actions: list[LoadCase], limit_state: str) -> set[frozenset[t
     return found
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None, derandomize=True)
 @given(lists_of_actions(), st.sampled_from(SETS))
 def test_all_combinations_and_no_others(actions: list[LoadCase], limit_state: str) -> None:
@@ -187,6 +188,7 @@ def test_all_combinations_and_no_others(actions: list[LoadCase], limit_state: st
     assert set(sets) == by_brute_force(actions, limit_state)
 
 
+@pytest.mark.slow
 def test_too_many_are_refused() -> None:
     """Six variable actions give 2 (1 + 6 * 32) = 386 ultimate combinations, seven 898; sixty are refused at once."""
     many = [action(f"Q{n}", "variable", 0.7, 0.5, 0.3) for n in range(60)]

@@ -110,6 +110,7 @@ def read_si(raw: object) -> float:
 class TestDistributions:
     """Distributions by their moments."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         "part",
         [

@@ -29,6 +29,7 @@ def test_mean_is_students_interval() -> None:
     assert statistics.mean(x[:1]) == statistics.Estimate(3.0, -np.inf, np.inf)
 
 
+@pytest.mark.slow
 def test_deviation_holds_the_true_one() -> None:
     """The interval holds the standard deviation of normal and of uniform samples about as often as it says."""
     normal = coverage(lambda rng: rng.normal(2.0, 3.0, 400), 3.0, statistics.deviation)
@@ -45,6 +46,7 @@ def test_deviation_of_equal_and_of_few_samples() -> None:
     assert (few.value, few.low, few.high) == (1.0, 0.0, np.inf)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("p", [0.05, 0.5, 0.95])
 def test_percentile_holds_the_true_one(p: float) -> None:
     """The interval between order statistics holds the quantile at least as often as it says, whatever the density."""

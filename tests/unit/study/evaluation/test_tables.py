@@ -345,6 +345,7 @@ def test_figures_are_whole_svg() -> None:
     assert re.findall(r"<svg.*?</svg>", made_page(made), re.DOTALL) == figures
 
 
+@pytest.mark.slow
 def test_a_study_without_any_result_has_a_page() -> None:
     """Where all variants failed, the page says so and why."""
     made = monte_carlo(12, missing=tuple(range(12)))
@@ -353,6 +354,7 @@ def test_a_study_without_any_result_has_a_page() -> None:
     assert "NoEquilibrium" in text
 
 
+@pytest.mark.slow
 def test_the_page_has_the_colours_of_the_other_pages() -> None:
     """Every colour that the page shares with report and workbench is theirs, light and dark, where they are at hand."""
     theme = ROOT / "web" / "src" / "viewer" / "shared" / "theme.css"

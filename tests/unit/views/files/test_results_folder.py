@@ -176,6 +176,7 @@ class TestSeveral:
         assert [row["factor of wind"] for row in rows] == ["1.5", "0.0", "0.0", "1.0"]
         assert rows[3]["reason"] == "the loads pull the plate off"
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("place", ["02-nul", "own", "01-grosse-1-2-dead-wind/deeper"])
     def test_foreign_things_in_folders_within(self, tmp_path: Path, place: str) -> None:
         """What somebody put into a folder below protects the whole; litter of file managers does not."""
@@ -266,6 +267,7 @@ class TestSeveral:
 class TestDamaged:
     """Folders in which something is damaged."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("how", damage.FILES)
     def test_files(self, folder: Path, how: str, capsys: pytest.CaptureFixture[str]) -> None:
         """Whatever became of a file: reading, report and plot name the folder, with exit code 2 and no traceback."""
@@ -316,6 +318,7 @@ class TestDamaged:
         with pytest.raises(InputError, match="certificate"):
             results_folder.load_results(folder)
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("value", ["text", None, [], {"a": 1}])
     def test_summaries(self, tmp_path: Path, value: Any) -> None:
         """Whatever stands in place of any value of a summary, it is read as it was meant, or refused."""
@@ -404,6 +407,7 @@ class TestRefuse:
         with pytest.raises(InputError, match=r"plate\.vtu"):
             results_folder.save_results(NEW, folder)
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         "name",
         ["thesis.docx", "case.md", "sub/thesis.docx", "../thesis.docx", "tables/../thesis.docx", "Plate.vtu",

@@ -443,6 +443,7 @@ class TestWords:
 class TestDeformed:
     """The plate in space."""
 
+    @pytest.mark.slow
     def test_exaggeration_is_round_and_told(self) -> None:
         """1, 2 or 5 times a power of ten, so that the largest settlement is about a seventh of the longer side."""
         for largest in (1e-4, 0.0028, 0.028, 0.3):
@@ -694,6 +695,7 @@ class TestConvergence:
         assert gamma.get_ylabel() == r"$\gamma$ [-]"
         assert "gamma = 1.2" in words(figure)
 
+    @pytest.mark.slow
     def test_an_iteration_that_did_not_converge_is_drawn_too(self) -> None:
         """Its history is what one wants to see; those without a history are left out."""
         combined = synthetic.combined()
@@ -908,6 +910,7 @@ class TestCommand:
         assert ">NUL (ultimate)</text>" in text
         assert "Contact pressure" in text
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         ("arguments", "reported"),
         [

@@ -183,6 +183,7 @@ class TestStructure:
         assert [each for each in ids if not each.startswith("table-")] == SECTIONS
         assert [link.attributes["href"] for link in root.one("nav").all("a")] == [f"#{name}" for name in SECTIONS]
 
+    @pytest.mark.slow
     def test_names_of_places_are_there_once(self, root: Element) -> None:
         """No id stands twice, and every link leads to one."""
         ids = [each.attributes["id"] for each in root.all() if "id" in each.attributes]
@@ -256,6 +257,7 @@ class TestVerdict:
         assert "1 of 3 combinations have no certified result, number 3." in verdict
         assert "nothing holds part" in root.one("section", id="refused").text
 
+    @pytest.mark.slow
     def test_of_one_that_is_certified(self) -> None:
         """A good result is called so; nothing is refused."""
         found = page(render_report(synthetic.results()))
@@ -276,6 +278,7 @@ class TestVerdict:
         assert "No combination has a certified result" in found.one("section", id="extremes").text
         assert not list(found.one("section", id="pictures").all("svg"))
 
+    @pytest.mark.slow
     def test_of_none(self) -> None:
         """If every combination is refused, the case, its drawings and the reasons are left."""
         model = described(["part"])
@@ -316,6 +319,7 @@ class TestNumbers:
         ]  # fmt: skip
         assert rows["largest moment", "mx"][2:4] == [format_number(100.0), "kNm/m"]
 
+    @pytest.mark.slow
     def test_figures_are_written_as_in_the_summary(self) -> None:
         """Value, unit and place of each extreme are the texts of the summary's rows."""
         results = synthetic.results(4, shear=True, constants=Constants((synthetic.K0,), (synthetic.K1,), None, 0))
@@ -473,6 +477,7 @@ class TestSize:
         assert "tables/lines.csv" in cut.text
         assert not list(cut.all("details"))
 
+    @pytest.mark.slow
     def test_what_is_left_out_is_named(self, monkeypatch: pytest.MonkeyPatch, plain: Results) -> None:
         """Fields beyond the budget are left out, and the page says whose."""
         monkeypatch.setattr(document, "MOST_DATA", 1)
@@ -639,6 +644,7 @@ class TestDrawings:
         found = dict(export._font_attributes("oblique 700 8.5px 'DejaVu Sans', sans-serif"))
         assert found == {"font-style": "oblique", "font-weight": "700", "font-size": "8.5px"}
 
+    @pytest.mark.slow
     def test_ids_begin_with_the_name(self) -> None:
         """Two drawings on one page have no id in common, and what refers to one finds it."""
         found = [page(to_inline_svg(lambda: plot(synthetic.results(), "p"), name, "p")) for name in "ab"]
@@ -651,6 +657,7 @@ class TestDrawings:
         assert not ids[0] & ids[1]
         assert set() < used[0] <= ids[0]
 
+    @pytest.mark.slow
     def test_soil_is_to_scale(self, plain: Results) -> None:
         """Layers are drawn by their thickness, with their moduli, constants and modes."""
         results = next(iter(plain.results.values()))
@@ -799,6 +806,7 @@ class TestFiles:
         assert cli.main(["report", str(tmp_path / "several")]) == 0
         assert "1 of 3 combinations" in capsys.readouterr().err
 
+    @pytest.mark.slow
     def test_an_installation_that_is_not_whole(
         self, folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
@@ -808,6 +816,7 @@ class TestFiles:
         assert "missing from this installation" in capsys.readouterr().err
         assert not folder.with_name("raft-results.html").exists()
 
+    @pytest.mark.slow
     def test_in_python(self, tmp_path: Path) -> None:
         """The package's front has it, for one combination and for several."""
         target = groundslab.write_report(synthetic.results(), str(tmp_path / "x.html"))

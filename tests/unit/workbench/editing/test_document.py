@@ -291,6 +291,7 @@ def test_endless_nesting_is_refused() -> None:
     assert (document.data, document.layout) == (None, None)
 
 
+@pytest.mark.slow
 def test_all_edits_or_none() -> None:
     """A list of edits of which the last is wrong gives no document at all."""
     document = Document(RAFT)

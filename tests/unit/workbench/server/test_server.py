@@ -543,6 +543,7 @@ def test_only_regular_files_are_read(bench: Bench, case: Path, tmp_path: Path) -
     assert "a pipe" in bench.post("/api/save", {"over": True}, 422)["error"]["found"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["x" * 300, "x" * 300 + ".toml", "a/" * 3000, "/", ".", "..", "a\0b", "\ud800", "~none/x"]
 )
