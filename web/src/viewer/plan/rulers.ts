@@ -1,5 +1,6 @@
 // Grid, rulers with figures along the left and the lower edge, and the scale bar of a plan.
 import { formatShort, formatTicks, multiplesWithin, roundStep, roundStepOf } from "../data/numbers";
+import { offset } from "../data/points";
 import { svg } from "../shared/dom";
 import type { Camera } from "./camera";
 import { drawPath, drawText } from "./symbols";
@@ -62,15 +63,7 @@ export function drawRulers(camera: Camera): SVGElement[] {
 export function drawScaleBar({ width, height, scale }: Camera): SVGElement[] {
   const length = roundStep(50 / scale);
   const [left, right, y] = [width - 12 - length * scale, width - 12, height - RULER.bottom - 10];
-  const bar = drawPath(
-    [
-      [left, y - 4],
-      [left, y + 2],
-      [right, y + 2],
-      [right, y - 4],
-    ],
-    false,
-    "scale-bar",
-  );
+  const ends = [...offset([left, y], [0, -4], [0, 2]), ...offset([right, y], [0, 2], [0, -4])];
+  const bar = drawPath(ends, false, "scale-bar");
   return [bar, drawText([right, y - 5], `${formatShort(length)} m`, [0, 0], "end")];
 }

@@ -1,5 +1,7 @@
 // Symbols of what has a place in plan: the same in the editor and over a result.
+import { boxAround } from "../data/boxes";
 import { formatShort } from "../data/numbers";
+import { offset, pointBetween } from "../data/points";
 import type { Point } from "../data/scene";
 import { svg } from "../shared/dom";
 import type { Camera } from "./camera";
@@ -20,27 +22,27 @@ export type Kind =
   | "section line"
   | "strip";
 
+type Ring = readonly Readonly<Point>[];
+
 /** Something with a place in plan. */
 export interface PlanSymbol {
   kind: Kind;
   shape: "point" | "line" | "area";
-  points: readonly Readonly<Point>[]; // [m]
+  points: Ring; // [m]
   texts: readonly string[]; // beside it, one below the other
-  foot?: readonly Readonly<Point>[] | null | undefined; // a column's cross-section, a load's footprint
-  holes?: readonly (readonly Readonly<Point>[])[]; // parts of an area that are not loaded
+  foot?: Ring | null | undefined; // a column's cross-section, a load's footprint
+  holes?: readonly Ring[]; // parts of an area that are not loaded
   hidden?: boolean; // a point load that another one at the same place stands for
   upward?: boolean; // a point load that lifts
   elastic?: boolean; // a support
   width?: number; // of a strip [m]
 }
 
-type Pixels = readonly Readonly<Point>[];
-
 const ARROW = 26; // px: length of a point load's arrow
 
 /** Draw a symbol. */
 export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
-  const toPixels = (points: readonly Readonly<Point>[]) => points.map((point) => camera.toPixel(point));
+  const toPixels = (points: Ring) => points.map((point) => camera.toPixel(point));
   const pixels = toPixels(symbol.points);
   const at = pixels[0];
   if (!at) return [];
@@ -79,7 +81,7 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
 }
 
 /** Draw a line through pixels. */
-export function drawPath(pixels: Pixels, closed: boolean, className = ""): SVGElement {
+export function drawPath(pixels: Ring, closed: boolean, className = ""): SVGElement {
   const d = pixels.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
   return svg("path", { d: closed ? `${d}Z` : d, class: className || null });
 }
@@ -95,23 +97,24 @@ export function drawText(
 }
 
 /** Draw a surface; lines have no such class, since a closed one would be filled, too. */
-function drawArea(pixels: Pixels): SVGElement {
+function drawArea(pixels: Ring): SVGElement {
   return drawPath(pixels, true, "area");
 }
 
-function leftTop(pixels: Pixels): Point {
-  return [Math.min(...pixels.map(([x]) => x)), Math.min(...pixels.map(([, y]) => y))];
+function leftTop(pixels: Ring): Point {
+  const [x0, y0] = boxAround(pixels);
+  return [x0, y0];
 }
 
-function middleTop(pixels: Pixels): Point {
-  const xs = pixels.map(([x]) => x);
-  return [(Math.min(...xs) + Math.max(...xs)) / 2, leftTop(pixels)[1]];
+function middleTop(pixels: Ring): Point {
+  const [x0, y0, x1] = boxAround(pixels);
+  return [(x0 + x1) / 2, y0];
 }
 
 /** Return the middle of a line's places. */
-function middleOf(pixels: Pixels): Point {
-  const [a, b] = [pixels[Math.floor((pixels.length - 1) / 2)]!, pixels[Math.ceil((pixels.length - 1) / 2)]!];
-  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+function middleOf(pixels: Ring): Point {
+  const middle = (pixels.length - 1) / 2;
+  return pointBetween(pixels[Math.floor(middle)]!, pixels[Math.ceil(middle)]!);
 }
 
 /** Return the direction from one place to another, and the distance. */
@@ -120,66 +123,46 @@ function directionOf(a: Readonly<Point>, b: Readonly<Point>): [x: number, y: num
   return [(b[0] - a[0]) / (length || 1), (b[1] - a[1]) / (length || 1), length];
 }
 
-function drawDiagonals(pixels: Pixels): SVGElement[] {
+function drawDiagonals(pixels: Ring): SVGElement[] {
   if (pixels.length !== 4) return [];
   return [0, 1].map((i) => drawPath([pixels[i]!, pixels[i + 2]!], false, "fine"));
 }
 
-function drawColumn(at: Readonly<Point>, foot: Pixels, name: string): SVGElement[] {
+function drawColumn(at: Readonly<Point>, foot: Ring, name: string): SVGElement[] {
   const size = Math.max(0, ...foot.map(([x, y]) => Math.max(Math.abs(x - at[0]), Math.abs(y - at[1]))));
   const body = size < 3.5 ? svg("rect", { x: at[0] - 3.5, y: at[1] - 3.5, width: 7, height: 7 }) : drawArea(foot);
   return [body, drawText(at, name, [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
 }
 
-function drawPointSupport([x, y]: Readonly<Point>, elastic: boolean, name: string): SVGElement[] {
-  const spring = [-7, -3.5, 0, 3.5, 7].map((dx, i): Point => [x + dx, y + (i % 2 ? 19 : 15)]);
-  const base: Pixels = elastic
-    ? spring
-    : [
-        [x - 9, y + 15],
-        [x + 9, y + 15],
-      ];
-  const triangle: Pixels = [
-    [x, y],
-    [x - 7, y + 12],
-    [x + 7, y + 12],
-  ];
-  return [drawArea(triangle), drawPath(base, false, "fine"), drawText([x, y], name, [11, 16])];
+function drawPointSupport(at: Readonly<Point>, elastic: boolean, name: string): SVGElement[] {
+  const spring = [-7, -3.5, 0, 3.5, 7].map((dx, i): Point => [dx, i % 2 ? 19 : 15]);
+  const base = elastic ? offset(at, ...spring) : offset(at, [-9, 15], [9, 15]);
+  const triangle = offset(at, [0, 0], [-7, 12], [7, 12]);
+  return [drawArea(triangle), drawPath(base, false, "fine"), drawText(at, name, [11, 16])];
 }
 
 /** Draw short strokes along a line support. */
-function drawTeeth(pixels: Pixels): SVGElement[] {
-  return placesAlong(pixels, 9).map(({ at: [x, y], along: [dx, dy] }) =>
-    drawPath(
-      [
-        [x, y],
-        [x - dy * 5 - dx * 5, y + dx * 5 - dy * 5],
-      ],
-      false,
-      "fine",
-    ),
+function drawTeeth(pixels: Ring): SVGElement[] {
+  return placesAlong(pixels, 9).map(({ at, along: [dx, dy] }) =>
+    drawPath(offset(at, [0, 0], [-dy * 5 - dx * 5, dx * 5 - dy * 5]), false, "fine"),
   );
 }
 
 /** Return places along a line, so many pixels apart, with the direction there. */
-function placesAlong(pixels: Pixels, spacing: number): { at: Point; along: Point }[] {
+function placesAlong(pixels: Ring, spacing: number): { at: Point; along: Point }[] {
   return pixels.slice(1).flatMap((b, i) => {
     const a = pixels[i]!;
     const [dx, dy, length] = directionOf(a, b);
     if (length === 0) return [];
     const count = Math.min(400, Math.max(1, Math.round(length / spacing)));
     return Array.from({ length: count + 1 }, (_, k) => ({
-      at: [a[0] + (dx * length * k) / count, a[1] + (dy * length * k) / count] as Point,
+      at: pointBetween(a, b, k / count),
       along: [dx, dy] as Point,
     }));
   });
 }
 
-function drawLoad(
-  symbol: PlanSymbol,
-  pixels: Pixels,
-  toPixels: (points: readonly Readonly<Point>[]) => Point[],
-): SVGElement[] {
+function drawLoad(symbol: PlanSymbol, pixels: Ring, toPixels: (points: Ring) => Point[]): SVGElement[] {
   const { texts } = symbol;
   const drawTexts = (at: Readonly<Point>, dx: number, dy: number, up: boolean) =>
     texts.map((text, i) => drawText(at, text, [dx, dy + 12 * (up ? i - texts.length + 1 : i)]));
@@ -191,26 +174,11 @@ function drawLoad(
     const holes = (symbol.holes ?? []).map((hole) => drawPath(toPixels(hole), true, "hole"));
     return [drawArea(pixels), ...holes, ...drawTexts(leftTop(pixels), 5, 13, false)];
   }
-  const arrows = placesAlong(pixels, 16).flatMap(({ at: [x, y] }) => [
-    drawPath(
-      [
-        [x, y],
-        [x, y - 11],
-      ],
-      false,
-      "fine",
-    ),
-    drawPath(
-      [
-        [x - 2.5, y - 4.5],
-        [x, y],
-        [x + 2.5, y - 4.5],
-      ],
-      false,
-      "fine",
-    ),
+  const arrows = placesAlong(pixels, 16).flatMap(({ at }) => [
+    drawPath(offset(at, [0, 0], [0, -11]), false, "fine"),
+    drawPath(offset(at, [-2.5, -4.5], [0, 0], [2.5, -4.5]), false, "fine"),
   ]);
-  const tails = pixels.map(([x, y]): Point => [x, y - 11]);
+  const tails = pixels.flatMap((at) => offset(at, [0, -11]));
   return [
     drawPath(pixels, false, "wall"),
     drawPath(tails, false, "fine"),
@@ -243,53 +211,26 @@ function drawBorehole([x, y]: Readonly<Point>, name: string): SVGElement[] {
   ];
 }
 
-function drawStrip(pixels: Pixels, half: number, name: string): SVGElement[] {
+function drawStrip(pixels: Ring, half: number, name: string): SVGElement[] {
   const [a, b = a] = pixels as [Point, Point?];
   const [dx, dy, length] = directionOf(a, b);
   if (length === 0) return [];
   const [nx, ny] = [-dy * half, dx * half];
-  const outline: Pixels = [
-    [a[0] + nx, a[1] + ny],
-    [b[0] + nx, b[1] + ny],
-    [b[0] - nx, b[1] - ny],
-    [a[0] - nx, a[1] - ny],
-  ];
+  const outline = [...offset(a, [nx, ny]), ...offset(b, [nx, ny], [-nx, -ny]), ...offset(a, [-nx, -ny])];
   return [drawArea(outline), drawPath(pixels, false), drawText(a, name, [6, -6])];
 }
 
 /** Draw bars across the ends of a section line. */
-export function drawEnds([a, b]: Pixels): SVGElement[] {
+export function drawEnds([a, b]: Ring): SVGElement[] {
   if (!a || !b) return [];
   const [dx, dy] = directionOf(a, b);
-  return [a, b].map(([x, y]) =>
-    drawPath(
-      [
-        [x + dy * 6, y - dx * 6],
-        [x - dy * 6, y + dx * 6],
-      ],
-      false,
-    ),
-  );
+  return [a, b].map((at) => drawPath(offset(at, [dy * 6, -dx * 6], [-dy * 6, dx * 6]), false));
 }
 
 /** Draw an upright cross. */
-export function drawCross([x, y]: Readonly<Point>, size: number): SVGElement[] {
-  return [
-    drawPath(
-      [
-        [x - size, y],
-        [x + size, y],
-      ],
-      false,
-    ),
-    drawPath(
-      [
-        [x, y - size],
-        [x, y + size],
-      ],
-      false,
-    ),
-  ];
+export function drawCross(at: Readonly<Point>, size: number): SVGElement[] {
+  const lines = [offset(at, [-size, 0], [size, 0]), offset(at, [0, -size], [0, size])];
+  return lines.map((line) => drawPath(line, false));
 }
 
 /** Format a thickness [m] as beside a zone. */

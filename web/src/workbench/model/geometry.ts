@@ -1,17 +1,20 @@
 // Shapes in plan in meters: read from the case file, and written back as edits.
 
 import { type Box, boxAround } from "../../viewer/data/boxes";
+import { distanceBetween, offset, pointBetween } from "../../viewer/data/points";
 import type { Edit } from "./changes/edits";
 import { isTable, type Json, type Path, valueAt } from "./paths";
 import { parseLength, parsePoint, parsePoints } from "./quantities";
 
 export type Point = readonly [number, number];
 export type Ring = readonly Point[];
+/** From a number to another. */
+export type Range = readonly [number, number];
 
 /** Where an item is in plan. `at` is the path of the table that holds the keys. */
 export type Geometry =
   | { type: "sides"; at: Path; x: number; y: number }
-  | { type: "box"; at: Path; x: readonly [number, number]; y: readonly [number, number] }
+  | { type: "box"; at: Path; x: Range; y: Range }
   | { type: "polygon"; at: Path; points: Ring; bulges: readonly number[] }
   | { type: "circle"; at: Path; center: Point; radius: number }
   | { type: "point"; at: Path; x: number; y: number }
@@ -28,10 +31,8 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
     return start && end ? { type: "segment", at, start, end } : null;
   }
   if (table.radius !== undefined) {
-    const [center, radius] = [
-      table.centre === undefined ? ([0, 0] as const) : parsePoint(table.centre),
-      parseLength(table.radius),
-    ];
+    const center: Point | null = table.centre === undefined ? [0, 0] : parsePoint(table.centre);
+    const radius = parseLength(table.radius);
     return center && radius !== null && radius > 0 ? { type: "circle", at, center, radius } : null;
   }
   if (Array.isArray(table.x)) {
@@ -71,13 +72,7 @@ export function ringOf(geometry: Geometry): Ring {
         return next ? [point, ...arcPoints(point, next, geometry.bulges[n] ?? 0)] : [point];
       });
     case "circle":
-      return Array.from({ length: 180 }, (_, n): Point => {
-        const angle = n * CHORD_ANGLE;
-        return [
-          geometry.center[0] + geometry.radius * Math.cos(angle),
-          geometry.center[1] + geometry.radius * Math.sin(angle),
-        ];
-      });
+      return Array.from({ length: 180 }, (_, n) => pointOnCircle(geometry.center, geometry.radius, n * CHORD_ANGLE));
     case "point":
       return [[geometry.x, geometry.y]];
     case "segment":
@@ -88,13 +83,22 @@ export function ringOf(geometry: Geometry): Ring {
 }
 
 /** The four corners of a rectangle, counter-clockwise from the lower left. */
-export function rectangleCorners(x: readonly [number, number], y: readonly [number, number]): Ring {
+export function rectangleCorners(x: Range, y: Range): Ring {
   return [
     [x[0], y[0]],
     [x[1], y[0]],
     [x[1], y[1]],
     [x[0], y[1]],
   ];
+}
+
+/** The four points of a circle on the axes through its center. */
+export function quarterPoints({ center, radius }: { center: Point; radius: number }): Ring {
+  return offset([...center], [radius, 0], [0, radius], [-radius, 0], [0, -radius]);
+}
+
+function pointOnCircle([x, y]: Point, radius: number, angle: number): Point {
+  return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
 }
 
 /** Points on an arc between two corners, without its ends; bulge is tan of a quarter of its angle. */
@@ -106,17 +110,13 @@ function arcPoints(from: Point, to: Point, bulge: number): Point[] {
   const sweep = 4 * Math.atan(bulge);
   // the center lies on the chord's normal, to its left for a counter-clockwise arc below a half circle
   const off = length / 2 / Math.tan(sweep / 2);
-  const center: Point = [
-    (from[0] + to[0]) / 2 - (chord[1] / length) * off,
-    (from[1] + to[1]) / 2 + (chord[0] / length) * off,
-  ];
+  const [x, y] = pointBetween(from, to);
+  const center: Point = [x - (chord[1] / length) * off, y + (chord[0] / length) * off];
   const start = Math.atan2(from[1] - center[1], from[0] - center[0]);
-  const radius = Math.hypot(from[0] - center[0], from[1] - center[1]);
+  const radius = distanceBetween(from, center);
   const steps = Math.max(2, Math.ceil(Math.abs(sweep) / CHORD_ANGLE));
-  return Array.from({ length: steps - 1 }, (_, n): Point => {
-    const angle = start + (sweep * (n + 1)) / steps;
-    return [center[0] + radius * Math.cos(angle), center[1] + radius * Math.sin(angle)];
-  });
+  const angles = Array.from({ length: steps - 1 }, (_, n) => start + (sweep * (n + 1)) / steps);
+  return angles.map((angle) => pointOnCircle(center, radius, angle));
 }
 
 /** Whether a geometry encloses an area. */
@@ -149,8 +149,8 @@ export function nearestOnSegment(a: Point, b: Point, [x, y]: Point): { at: Point
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const square = dx * dx + dy * dy;
   const share = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - a[0]) * dx + (y - a[1]) * dy) / square));
-  const at: Point = [a[0] + share * dx, a[1] + share * dy];
-  return { at, distance: Math.hypot(at[0] - x, at[1] - y) };
+  const at = pointBetween(a, b, share);
+  return { at, distance: distanceBetween(at, [x, y]) };
 }
 
 /** The rectangle [x0, y0, x1, y1] around places, null if there are none. */
@@ -206,6 +206,6 @@ export function editsBetween(before: Geometry, after: Geometry): Edit[] {
 
 /** Return the corner of a ring nearest to a place. */
 export function nearestCorner(ring: Ring, at: Point): Point {
-  const distance = (point: Point) => Math.hypot(point[0] - at[0], point[1] - at[1]);
-  return ring.reduce((best, each) => (distance(each) < distance(best) ? each : best), ring[0] ?? at);
+  const isNearer = (a: Point, b: Point) => distanceBetween(a, at) < distanceBetween(b, at);
+  return ring.reduce((best, each) => (isNearer(each, best) ? each : best), ring[0] ?? at);
 }

@@ -1,8 +1,9 @@
 // Switching a table to another kind: what both kinds share stays, what the other needs is filled in.
 
+import type { Box } from "../../../viewer/data/boxes";
 import { defaultsFor } from "../defaults";
-import { boundsOf, type Point, readGeometry, readSides, ringOf } from "../geometry";
-import { type Json, type Path, sameValue, type Table, tableAt, valueAt } from "../paths";
+import { boundsOf, type Point, quarterPoints, readGeometry, readSides, rectangleCorners, ringOf } from "../geometry";
+import { type Json, type Path, pathKey, sameValue, type Table, tableAt, valueAt } from "../paths";
 import { formatLength } from "../quantities";
 import type { Field, Node, Part } from "../schema";
 import type { Edit } from "./edits";
@@ -13,8 +14,8 @@ export type Memory = Map<string, Table>;
 /** The edits that make the table at a path another kind. */
 export function switchKind(data: Table, path: Path, from: Part | null, to: Part, memory: Memory): Edit[] {
   const old = tableAt(data, path);
-  if (from) memory.set(memoryKey(path, from), old);
-  const wanted = convertTable(data, path, old, from, to, memory.get(memoryKey(path, to)) ?? {});
+  if (from) memory.set(pathKey([...path, from.name]), old);
+  const wanted = convertTable(data, path, old, from, to, memory.get(pathKey([...path, to.name])) ?? {});
   if (valueAt(data, path) === undefined) return [{ op: "set", path, value: wanted }];
   const edits: Edit[] = [];
   if (to.kind) edits.push({ op: "set", path: [...path, "kind"], value: to.kind });
@@ -23,10 +24,6 @@ export function switchKind(data: Table, path: Path, from: Part | null, to: Part,
     if (key !== "kind" && !sameValue(value, old[key])) edits.push({ op: "set", path: [...path, key], value });
   }
   return edits;
-}
-
-function memoryKey(path: Path, part: Part): string {
-  return JSON.stringify([path, part.name]);
 }
 
 /** The table after the switch. */
@@ -100,38 +97,14 @@ export function defaultPlacement(data: Table, path: Path, part: Part, old: Table
 }
 
 /** Corners of a rectangle; of a circle the ends of its quarters, which stay arcs: the tangent of a quarter of each. */
-function cornersFor(
-  data: Table,
-  path: Path,
-  [x0, y0, x1, y1]: readonly [number, number, number, number],
-  text: (at: Point) => Json[],
-): Table {
+function cornersFor(data: Table, path: Path, [x0, y0, x1, y1]: Box, text: (at: Point) => Json[]): Table {
   const geometry = path.length > 0 ? readGeometry(data, path) : null;
-  if (geometry?.type !== "circle")
-    return {
-      points: (
-        [
-          [x0, y0],
-          [x1, y0],
-          [x1, y1],
-          [x0, y1],
-        ] as const
-      ).map(text),
-    };
-  const {
-    center: [x, y],
-    radius,
-  } = geometry;
-  const ends = [
-    [x + radius, y],
-    [x, y + radius],
-    [x - radius, y],
-    [x, y - radius],
-  ] as const;
+  if (geometry?.type !== "circle") return { points: rectangleCorners([x0, x1], [y0, y1]).map(text) };
+  const ends = quarterPoints(geometry);
   return { points: ends.map(text), bulges: ends.map(() => Math.tan(Math.PI / 8)) };
 }
 
-function boundsFor(data: Table, path: Path, old: Table): [number, number, number, number] {
+function boundsFor(data: Table, path: Path, old: Table): Box {
   const own = Object.keys(old).length > 0 ? (readGeometry(data, path) ?? readGeometry(data, [...path, "shape"])) : null;
   const bounds = own ? boundsOf(ringOf(own)) : null;
   if (bounds && bounds[2] > bounds[0] && bounds[3] > bounds[1]) return bounds;

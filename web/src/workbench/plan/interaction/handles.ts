@@ -1,6 +1,14 @@
 // Handles of a geometry: the places that can be dragged, and what dragging them makes.
 
-import { type Geometry, type Point, type Ring, rectangleCorners } from "../../model/geometry";
+import { distanceBetween, pointBetween } from "../../../viewer/data/points";
+import {
+  type Geometry,
+  type Point,
+  quarterPoints,
+  type Range,
+  type Ring,
+  rectangleCorners,
+} from "../../model/geometry";
 
 export interface Handle {
   kind: "corner" | "edge" | "add" | "radius" | "end";
@@ -25,18 +33,7 @@ export function handlesOf(geometry: Geometry): Handle[] {
         ...edgeHandles(geometry.points, geometry.type === "polygon", geometry.bulges),
       ];
     case "circle":
-      return (
-        [
-          [1, 0],
-          [0, 1],
-          [-1, 0],
-          [0, -1],
-        ] as const
-      ).map(([x, y], index) => ({
-        kind: "radius",
-        index,
-        at: [geometry.center[0] + x * geometry.radius, geometry.center[1] + y * geometry.radius],
-      }));
+      return quarterPoints(geometry).map((at, index) => ({ kind: "radius", index, at }));
     case "segment":
       return [geometry.start, geometry.end].map((at, index) => ({ kind: "end", index, at }));
     default:
@@ -50,11 +47,11 @@ function edgeHandles(points: Ring, closed: boolean, bulges: readonly number[]): 
   return points.slice(0, last).flatMap((a, index): Handle[] => {
     const b = points[(index + 1) % points.length];
     if (!b || bulges[index]) return [];
-    return [{ kind: "add", index, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2] }];
+    return [{ kind: "add", index, at: pointBetween(a, b) }];
   });
 }
 
-function boxHandles(x: readonly [number, number], y: readonly [number, number]): Handle[] {
+function boxHandles(x: Range, y: Range): Handle[] {
   const [middleX, middleY] = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2];
   const edges: Handle[] = [
     { kind: "edge", index: 0, at: [x[0], middleY], along: "x" },
@@ -83,7 +80,7 @@ export function dragHandle(geometry: Geometry, handle: Handle, to: Point): Geome
       return { ...geometry, x: sortPair(x), y: sortPair(y) };
     }
     case "circle": {
-      const radius = Math.hypot(to[0] - geometry.center[0], to[1] - geometry.center[1]);
+      const radius = distanceBetween(to, geometry.center);
       return radius > 0 ? { ...geometry, radius } : null;
     }
     case "segment":
@@ -101,12 +98,7 @@ export function dragHandle(geometry: Geometry, handle: Handle, to: Point): Geome
   }
 }
 
-function dragBox(
-  x: readonly [number, number],
-  y: readonly [number, number],
-  handle: Handle,
-  to: Point,
-): { x: [number, number]; y: [number, number] } {
+function dragBox(x: Range, y: Range, handle: Handle, to: Point): { x: Range; y: Range } {
   const left = handle.kind === "edge" ? handle.index === 0 : handle.index === 0 || handle.index === 3;
   const below = handle.kind === "edge" ? handle.index === 2 : handle.index < 2;
   const movesX = handle.along !== "y";
@@ -117,7 +109,7 @@ function dragBox(
   };
 }
 
-function sortPair([a, b]: readonly [number, number]): [number, number] {
+function sortPair([a, b]: Range): Range {
   return a < b ? [a, b] : [b, a];
 }
 

@@ -1,0 +1,17 @@
+// Points of a plan or a screen, and distances between them.
+import type { Point } from "./scene";
+
+/** Return the points that lie so far from another one. */
+export function offset([x, y]: Readonly<Point>, ...steps: readonly Readonly<Point>[]): Point[] {
+  return steps.map(([dx, dy]) => [x + dx, y + dy]);
+}
+
+/** Return the distance between two points. */
+export function distanceBetween(a: Readonly<Point>, b: Readonly<Point>): number {
+  return Math.hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+/** Return the point at a share of the way from one to another. */
+export function pointBetween(a: Readonly<Point>, b: Readonly<Point>, share = 0.5): Point {
+  return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
+}
