@@ -3,12 +3,8 @@ import type { Mesh } from "./scene";
 
 export type Box = [x0: number, y0: number, x1: number, y1: number];
 
-const EMPTY: Readonly<Box> = [
-  Number.POSITIVE_INFINITY,
-  Number.POSITIVE_INFINITY,
-  Number.NEGATIVE_INFINITY,
-  Number.NEGATIVE_INFINITY,
-];
+export const EVERYTHING: Readonly<Box> = [-Infinity, -Infinity, Infinity, Infinity];
+const EMPTY: Readonly<Box> = [Infinity, Infinity, -Infinity, -Infinity];
 
 /** Return the box around points; an inverted, infinite one if there are none. */
 export function boxAround(points: Iterable<readonly [number, number]>): Box {

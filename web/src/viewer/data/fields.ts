@@ -1,6 +1,6 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
 import type { LocalPoint, Locator } from "./point-location";
-import { type Combination, type Extreme, type Field, readBlock, type Scene } from "./scene";
+import { type Extreme, type Field, readBlock, type Scene } from "./scene";
 
 /** A combination by its index in the head, or an envelope over all certified combinations (of one limit state). */
 export type Choice = number | Envelope;
@@ -14,23 +14,28 @@ export interface FieldInfo extends Field {
 /** The field whose sign distinguishes contact (negative) from gap; never offered as a field. */
 export const CONTACT = "contact";
 const MOMENTS = ["moment_x", "moment_y", "moment_xy"] as const;
+type Moments = [mx: number, my: number, mxy: number];
 
-/** Moments derived from m_x, m_y and m_xy; names as in the tables. */
-const DERIVED: readonly { name: string; symbol: string; meaning: string }[] = [
-  { name: "m_1", symbol: "m_1", meaning: "larger principal moment" },
-  { name: "m_2", symbol: "m_2", meaning: "smaller principal moment" },
-  {
-    name: "bottom_x",
-    symbol: "m_x bottom",
-    meaning: "design moment bottom x, for reinforcement along x (Wood and Armer)",
-  },
-  {
-    name: "bottom_y",
-    symbol: "m_y bottom",
-    meaning: "design moment bottom y, for reinforcement along y (Wood and Armer)",
-  },
-  { name: "top_x", symbol: "m_x top", meaning: "design moment top x, for reinforcement along x (Wood and Armer)" },
-  { name: "top_y", symbol: "m_y top", meaning: "design moment top y, for reinforcement along y (Wood and Armer)" },
+/** A moment derived from m_x, m_y and m_xy. */
+interface DerivedField extends Pick<Field, "name" | "symbol" | "meaning"> {
+  of: (...moments: Moments) => number;
+}
+
+const designField = (face: string, axis: string, of: DerivedField["of"]): DerivedField => ({
+  name: `${face}_${axis}`,
+  symbol: `m_${axis} ${face}`,
+  meaning: `design moment ${face} ${axis}, for reinforcement along ${axis} (Wood and Armer)`,
+  of,
+});
+
+/** The derived moments; names as in the tables. */
+const DERIVED: readonly DerivedField[] = [
+  { name: "m_1", symbol: "m_1", meaning: "larger principal moment", of: (...m) => principalMoments(...m)[0] },
+  { name: "m_2", symbol: "m_2", meaning: "smaller principal moment", of: (...m) => principalMoments(...m)[1] },
+  designField("bottom", "x", (...m) => designMoments(...m)[0]),
+  designField("bottom", "y", (...m) => designMoments(...m)[1]),
+  designField("top", "x", (mx, my, mxy) => 0 - designMoments(-mx, -my, mxy)[0]),
+  designField("top", "y", (mx, my, mxy) => 0 - designMoments(-mx, -my, mxy)[1]),
 ];
 
 /** Return the fields that can be shown: those of the scene, then what is derived of the moments. */
@@ -41,7 +46,8 @@ export function fieldsOf(scene: Scene): FieldInfo[] {
   const moment = basic.find((field) => field.name === MOMENTS[0]);
   if (!moment || !MOMENTS.every((name) => basic.some((field) => field.name === name))) return basic;
   const averaged = "derived from m_x, m_y and m_xy at the nodes";
-  return [...basic, ...DERIVED.map((each) => ({ ...each, unit: moment.unit, averaged, signed: true, derived: true }))];
+  const common = { unit: moment.unit, averaged, signed: true, derived: true };
+  return [...basic, ...DERIVED.map(({ name, symbol, meaning }) => ({ name, symbol, meaning, ...common }))];
 }
 
 /** Where a field is smallest and largest: value, x, y. */
@@ -97,23 +103,10 @@ export function designMoments(mx: number, my: number, mxy: number): [number, num
 }
 
 /** Return one derived moment of m_x, m_y and m_xy. */
-export function deriveMoment(name: string, mx: number, my: number, mxy: number): number {
-  switch (name) {
-    case "m_1":
-      return principalMoments(mx, my, mxy)[0];
-    case "m_2":
-      return principalMoments(mx, my, mxy)[1];
-    case "bottom_x":
-      return designMoments(mx, my, mxy)[0];
-    case "bottom_y":
-      return designMoments(mx, my, mxy)[1];
-    case "top_x":
-      return 0 - designMoments(-mx, -my, mxy)[0];
-    case "top_y":
-      return 0 - designMoments(-mx, -my, mxy)[1];
-    default:
-      throw new RangeError(`no derived field ${name}`);
-  }
+export function deriveMoment(name: string, ...moments: Moments): number {
+  const field = DERIVED.find((each) => each.name === name);
+  if (!field) throw new RangeError(`no derived field ${name}`);
+  return field.of(...moments);
 }
 
 /** Whether a choice is an envelope. */
@@ -121,15 +114,10 @@ export function isEnvelope(choice: Choice): choice is Envelope {
   return typeof choice !== "number";
 }
 
-/** Return the combinations that have values to show. */
-export function shown(scene: Scene): Combination[] {
-  return scene.head.combinations.filter((each) => each.values !== null);
-}
-
 /** Return the indices of the combinations that an envelope goes over: certified, with values, of its limit state. */
 export function combinationsOf(scene: Scene, choice: Choice): number[] {
   if (!isEnvelope(choice)) return [choice];
-  const [, state] = splitEnvelope(choice);
+  const state = limitStateOf(choice);
   return scene.head.combinations.flatMap((each, i) =>
     each.values !== null && each.certified && (state === null || each.limit_state === state) ? [i] : [],
   );
@@ -149,8 +137,8 @@ export function envelopesOf(scene: Scene): Envelope[] {
 export function choiceName(scene: Scene, choice: Choice): string {
   const { combinations } = scene.head;
   if (isEnvelope(choice)) {
-    const [which, state] = splitEnvelope(choice);
-    return `${which === "largest" ? "max" : "min"} of all ${state === null ? "" : `${state} `}combinations`;
+    const state = limitStateOf(choice);
+    return `${isLargest(choice) ? "max" : "min"} of all ${state === null ? "" : `${state} `}combinations`;
   }
   const one = combinations[choice];
   return one ? (combinations.length > 1 ? `${one.number} ${one.name}` : one.name) : "";
@@ -164,21 +152,19 @@ export function parseChoice(text: string): Choice {
 /** Return nodal values of a field, of a combination or an envelope; kept for the next time. */
 export function nodalValues(scene: Scene, choice: Choice, name: string): Float32Array {
   const key = `${choice} ${name}`;
-  const kept = cacheOf(scene);
-  const before = kept.get(key);
-  if (before) {
-    // the most lately used are kept longest
-    kept.delete(key);
-    kept.set(key, before);
-    return before;
-  }
-  const made = isEnvelope(choice) ? envelopeValues(scene, choice, name) : combinationValues(scene, choice, name);
-  kept.set(key, made);
+  const kept = CACHES.get(scene) ?? new Map<string, Float32Array>();
+  CACHES.set(scene, kept);
+  const values =
+    kept.get(key) ??
+    (isEnvelope(choice) ? envelopeValues(scene, choice, name) : combinationValues(scene, choice, name));
+  // the most lately used are kept longest
+  kept.delete(key);
+  kept.set(key, values);
   for (const [oldest, array] of kept) {
-    if (sizeOf(kept) <= MOST_BYTES || array === made) break;
+    if (sizeOf(kept) <= MOST_BYTES || array === values) break;
     kept.delete(oldest);
   }
-  return made;
+  return values;
 }
 
 /** A value at a place, and the combination (index) that it comes from. */
@@ -196,10 +182,9 @@ export function fieldValueAt(
   spot: LocalPoint,
 ): FieldValue {
   let found: FieldValue = { value: NaN, from: -1 };
-  const largest = !isEnvelope(choice) || splitEnvelope(choice)[0] === "largest";
   for (const from of combinationsOf(scene, choice)) {
     const value = interpolateField(scene, locator, from, name, spot);
-    if (found.from < 0 || (largest ? value > found.value : value < found.value)) found = { value, from };
+    if (found.from < 0 || (isLargest(choice) ? value > found.value : value < found.value)) found = { value, from };
   }
   return found;
 }
@@ -225,22 +210,19 @@ export function findExtremes(of: Float32Array): { min: number; max: number; minN
 const MOST_BYTES = 256e6;
 const CACHES = new WeakMap<Scene, Map<string, Float32Array>>();
 
-function cacheOf(scene: Scene): Map<string, Float32Array> {
-  const cache = CACHES.get(scene) ?? new Map<string, Float32Array>();
-  CACHES.set(scene, cache);
-  return cache;
-}
-
 function sizeOf(kept: Map<string, Float32Array>): number {
-  let sum = 0;
-  for (const array of kept.values()) sum += array.byteLength;
-  return sum;
+  return [...kept.values()].reduce((sum, array) => sum + array.byteLength, 0);
 }
 
-function splitEnvelope(choice: Envelope): ["largest" | "smallest", string | null] {
+/** Whether a choice takes the largest of its combinations' values. */
+function isLargest(choice: Choice): boolean {
+  return !isEnvelope(choice) || choice.startsWith("largest");
+}
+
+/** Return the limit state of an envelope, null for that of all combinations. */
+function limitStateOf(choice: Envelope): string | null {
   const at = choice.indexOf(":");
-  const which = (at < 0 ? choice : choice.slice(0, at)) as "largest" | "smallest";
-  return [which, at < 0 ? null : choice.slice(at + 1)];
+  return at < 0 ? null : choice.slice(at + 1);
 }
 
 function isDerived(name: string): boolean {
@@ -249,12 +231,9 @@ function isDerived(name: string): boolean {
 
 function combinationValues(scene: Scene, index: number, name: string): Float32Array {
   if (isDerived(name)) {
-    const [mx, my, mxy] = MOMENTS.map((moment) => nodalValues(scene, index, moment)) as [
-      Float32Array,
-      Float32Array,
-      Float32Array,
-    ];
-    return mx.map((value, i) => deriveMoment(name, value, my[i]!, mxy[i]!));
+    const [mx, my, mxy] = MOMENTS.map((moment) => nodalValues(scene, index, moment));
+    const { of } = DERIVED.find((each) => each.name === name)!;
+    return mx!.map((value, i) => of(value, my![i]!, mxy![i]!));
   }
   const of = scene.head.combinations[index]?.values?.[name];
   if (!of) throw new RangeError(`no values of ${name} in combination ${index}`);
@@ -265,7 +244,7 @@ function envelopeValues(scene: Scene, choice: Envelope, name: string): Float32Ar
   const of = combinationsOf(scene, choice);
   if (!of.length) throw new RangeError("no combination for this envelope");
   // a place counts as lifted if it is in any of the combinations
-  const largest = name === CONTACT || splitEnvelope(choice)[0] === "largest";
+  const largest = name === CONTACT || isLargest(choice);
   const result = combinationValues(scene, of[0]!, name).slice();
   for (const index of of.slice(1)) {
     const other = combinationValues(scene, index, name);
@@ -277,10 +256,6 @@ function envelopeValues(scene: Scene, choice: Envelope, name: string): Float32Ar
 
 function interpolateField(scene: Scene, locator: Locator, index: number, name: string, spot: LocalPoint): number {
   if (!isDerived(name)) return locator.interpolate(nodalValues(scene, index, name), spot);
-  const [mx, my, mxy] = MOMENTS.map((moment) => locator.interpolate(nodalValues(scene, index, moment), spot)) as [
-    number,
-    number,
-    number,
-  ];
-  return deriveMoment(name, mx, my, mxy);
+  const moments = MOMENTS.map((moment) => locator.interpolate(nodalValues(scene, index, moment), spot));
+  return deriveMoment(name, ...(moments as Moments));
 }

@@ -1,44 +1,47 @@
 // One solved model as the browser gets it: a JSON head, and blocks of numbers behind it.
 
+/** Arrays of the numbers in a block, by its type. */
+const ARRAYS = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array, i32: Int32Array, f32: Float32Array } as const;
+
 export type Point = [number, number];
 export type Ring = Point[];
 
 export interface Block {
   offset: number; // bytes, in the data
   shape: number[];
-  type: "u8" | "u16" | "u32" | "i32" | "f32";
+  type: keyof typeof ARRAYS;
   scale: number; // value = scale * raw + shift
   shift: number;
 }
 
-export interface Opening {
+/** A part of the model, by its place in the case file. */
+interface Part {
   path: string;
+}
+interface Named extends Part {
+  name: string;
+}
+export interface Area extends Part {
   ring: Ring;
 }
-export interface Zone {
-  path: string;
-  ring: Ring;
+export interface Zone extends Area {
   thickness: number;
   name?: string;
 }
-export interface Column {
-  path: string;
-  name: string;
+export interface Place extends Named {
   x: number;
   y: number;
+}
+export interface Column extends Place {
   ring: Ring;
 }
-export interface Support {
-  path: string;
-  name: string;
+export interface Support extends Named {
   kind: "point" | "line";
   points: Point[];
   acts: string;
   elastic: boolean;
 }
-export interface Load {
-  path: string;
-  name: string;
+export interface Load extends Named {
   kind: string; // point, line, patch, area, uniform, self weight, ...
   case: string;
   points?: Point[];
@@ -48,19 +51,7 @@ export interface Load {
   parts: [string, number, string][]; // symbol, value without factor, unit
   varies?: boolean; // whether the pressure varies over the area
 }
-export interface Place {
-  path: string;
-  name: string;
-  x: number;
-  y: number;
-}
-export interface Area {
-  path: string;
-  ring: Ring;
-}
-export interface Line {
-  path: string;
-  name: string;
+export interface Line extends Named {
   start: Point;
   end: Point;
 }
@@ -72,7 +63,7 @@ export interface Plan {
   bounds: [number, number, number, number]; // x0, y0, x1, y1 of the plate [m]
   outline: Ring;
   thickness?: number; // [m] outside all zones
-  openings: Opening[];
+  openings: Area[];
   zones: Zone[];
   columns: Column[];
   supports: Support[];
@@ -143,7 +134,6 @@ export interface Scene {
 export class SceneError extends Error {}
 
 const FORMAT = 2;
-const BYTES = { u8: 1, u16: 2, u32: 4, i32: 4, f32: 4 } as const;
 
 /** Read a packed scene: 4 bytes length, JSON, padding to a multiple of 8, data. */
 export function decodeScene(buffer: ArrayBuffer): Scene {
@@ -161,12 +151,8 @@ export function decodeScene(buffer: ArrayBuffer): Scene {
   for (const node of elements)
     if (node >= nodeCount) throw new SceneError("The results are damaged: an element names a node that is not there.");
   const section = head.mesh.section ? Uint16Array.from(readRaw(buffer, start, head.mesh.section)) : null;
-  return {
-    head,
-    data: buffer,
-    start,
-    mesh: { nodes, elements, section, nodeCount, elementCount: elements.length / 9 },
-  };
+  const mesh = { nodes, elements, section, nodeCount, elementCount: elements.length / 9 };
+  return { head, data: buffer, start, mesh };
 }
 
 /** Read base64 of a gzipped packed scene, as a report holds it. */
@@ -200,26 +186,12 @@ function readNumbers(buffer: ArrayBuffer, start: number, of: Block): Float32Arra
   return values;
 }
 
-function readRaw(
-  buffer: ArrayBuffer,
-  start: number,
-  of: Block,
-): Uint8Array | Uint16Array | Uint32Array | Int32Array | Float32Array {
+function readRaw(buffer: ArrayBuffer, start: number, of: Block): InstanceType<(typeof ARRAYS)[Block["type"]]> {
   const count = of.shape.reduce((product, side) => product * side, 1);
   const offset = start + of.offset;
-  if (offset + count * BYTES[of.type] > buffer.byteLength) throw new SceneError("The results are cut off.");
-  switch (of.type) {
-    case "u8":
-      return new Uint8Array(buffer, offset, count);
-    case "u16":
-      return new Uint16Array(buffer, offset, count);
-    case "u32":
-      return new Uint32Array(buffer, offset, count);
-    case "i32":
-      return new Int32Array(buffer, offset, count);
-    case "f32":
-      return new Float32Array(buffer, offset, count);
-  }
+  const Numbers = ARRAYS[of.type];
+  if (offset + count * Numbers.BYTES_PER_ELEMENT > buffer.byteLength) throw new SceneError("The results are cut off.");
+  return new Numbers(buffer, offset, count);
 }
 
 function decodeBase64(text: string): Uint8Array<ArrayBuffer> {

@@ -1,6 +1,7 @@
 // Values of a field along a straight line through the plate.
 import { type Choice, fieldValueAt } from "./fields";
 import type { LocalPoint, Locator } from "./point-location";
+import { distanceBetween, pointBetween } from "./points";
 import type { Point, Scene } from "./scene";
 
 /** Where a line was sampled: distances from its start [m], and where in the mesh, null off the plate. */
@@ -19,9 +20,8 @@ const BISECTIONS = 22;
  * So kinks, jumps where the thickness changes, and edges of openings are where they are.
  */
 export function sampleLine(locator: Locator, start: Point, end: Point, count = 400): Samples {
-  const length = Math.hypot(end[0] - start[0], end[1] - start[1]);
-  const at = (part: number) =>
-    locator.locate(start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1]));
+  const length = distanceBetween(start, end);
+  const at = (part: number) => locator.locate(...pointBetween(start, end, part));
   const parts: number[] = [];
   const spots: (LocalPoint | null)[] = [];
   const keep = (part: number, spot: LocalPoint | null) => {
@@ -51,12 +51,8 @@ export function sampleLine(locator: Locator, start: Point, end: Point, count = 4
   }
   // a border that falls on an even sample is met twice
   const once = parts.map((part, i) => i === 0 || part > parts[i - 1]!);
-  return {
-    start,
-    end,
-    s: parts.filter((_, i) => once[i]).map((part) => part * length),
-    spots: spots.filter((_, i) => once[i]),
-  };
+  const s = parts.filter((_, i) => once[i]).map((part) => part * length);
+  return { start, end, s, spots: spots.filter((_, i) => once[i]) };
 }
 
 /** Return a field along a line, null off the plate. */

@@ -33,21 +33,14 @@ export function makeTiling(mesh: Mesh): Tiling {
   let [fine, coarse] = [0, TRIANGLES.length * elementCount];
   for (const members of groupByTile(boxes, total, elementCount)) {
     if (!members.length) continue;
-    const box: Box = [
-      boxes[4 * members[0]!]!,
-      boxes[4 * members[0]! + 1]!,
-      boxes[4 * members[0]! + 2]!,
-      boxes[4 * members[0]! + 3]!,
-    ];
-    tiles.push({
-      box,
-      fine: [fine, members.length * TRIANGLES.length],
-      coarse: [coarse, members.length * CORNERS.length],
-    });
+    const boxOf = (e: number) => [...boxes.subarray(4 * e, 4 * e + 4)] as Box;
+    const box = boxOf(members[0]!);
+    const [fineCount, coarseCount] = [members.length * TRIANGLES.length, members.length * CORNERS.length];
+    tiles.push({ box, fine: [fine, fineCount], coarse: [coarse, coarseCount] });
     for (const e of members) {
       for (const k of TRIANGLES) triangles[fine++] = elements[9 * e + k]!;
       for (const k of CORNERS) triangles[coarse++] = elements[9 * e + k]!;
-      const [x0, y0, x1, y1] = boxes.subarray(4 * e, 4 * e + 4) as unknown as Box;
+      const [x0, y0, x1, y1] = boxOf(e);
       extend(box, x0, y0, x1, y1);
       area += (x1 - x0) * (y1 - y0);
     }

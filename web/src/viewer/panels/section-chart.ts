@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import { type Choice, choiceName, fieldOf, isEnvelope } from "../data/fields";
 import { formatNumber, formatShort } from "../data/numbers";
 import type { Locator } from "../data/point-location";
+import { distanceBetween, pointBetween } from "../data/points";
 import type { Point, Scene } from "../data/scene";
 import { axisLimits, findPeaks, pointsDownward, type Samples, sampleField, sampleLine } from "../data/section-sampling";
 import { h } from "../shared/dom";
@@ -136,10 +137,14 @@ export class SectionChart {
       padding: [10 * times, 14 * times, 0, 0],
       series: [
         { label: "s", value: (_, value: number | null) => (value === null ? "–" : `${value.toFixed(2)} m`) },
-        ...choices.map((choice, i): uPlot.Series => {
-          const label = choiceName(scene, choice) || symbolText(info.symbol);
-          return makeSeries(label, info.unit, i, choices.length, times, CURVES[theme]);
-        }),
+        ...choices.map(
+          (choice, i): uPlot.Series => ({
+            ...makeStroke(i, times, CURVES[theme]),
+            ...(choices.length === 1 ? { fill: `${CURVES[theme][0]}1c` } : {}),
+            label: choiceName(scene, choice) || symbolText(info.symbol),
+            value: (_, value: number | null) => (value === null ? "–" : `${formatNumber(value)} ${info.unit}`),
+          }),
+        ),
       ],
       hooks: {
         draw: [(plot) => this.drawPeaks(plot, times, palette)],
@@ -151,7 +156,7 @@ export class SectionChart {
 
   private length(): number {
     const { start, end } = this.section!;
-    return Math.hypot(end[0] - start[0], end[1] - start[1]);
+    return distanceBetween(start, end);
   }
 
   private pointAt(plot: uPlot): void {
@@ -160,7 +165,7 @@ export class SectionChart {
     if (s === undefined) return this.onPlace?.(null);
     const { start, end } = this.section!;
     const part = s / (this.length() || 1);
-    this.onPlace?.([start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])]);
+    this.onPlace?.(pointBetween(start, end, part));
   }
 
   /** Draw the zero line, and minimum and maximum of all curves with the number of their combination. */
@@ -181,22 +186,10 @@ export class SectionChart {
       const choice = this.section!.choices[i]!;
       return ends ? [ends.min, ends.max].map(([s, value]): Peak => ({ s, value, choice })) : [];
     });
-    const first = found[0];
-    if (first) {
-      this.drawPeak(
-        plot,
-        "max",
-        found.reduce((a, b) => (b.value > a.value ? b : a), first),
-        times,
-        palette,
-      );
-      this.drawPeak(
-        plot,
-        "min",
-        found.reduce((a, b) => (b.value < a.value ? b : a), first),
-        times,
-        palette,
-      );
+    const findPeak = (sign: 1 | -1) => found.reduce((a, b) => (sign * b.value > sign * a.value ? b : a));
+    if (found.length > 0) {
+      this.drawPeak(plot, "max", findPeak(1), times, palette);
+      this.drawPeak(plot, "min", findPeak(-1), times, palette);
     }
     ctx.restore();
   }
@@ -244,21 +237,11 @@ function makeAxes(label: string, times: number, palette: Palette): uPlot.Axis[] 
   return [makeAxis("distance s along the section [m]", 18, 26, 60), makeAxis(label, 20, 50, 26)];
 }
 
-function makeSeries(
-  label: string,
-  unit: string,
-  i: number,
-  count: number,
-  times: number,
-  colors: readonly string[],
-): uPlot.Series {
+function makeStroke(i: number, times: number, colors: readonly string[]): uPlot.Series {
   return {
-    label,
     stroke: colors[i % colors.length]!,
-    ...(count === 1 ? { fill: `${colors[0]}1c` } : {}),
     width: 1.7 * times,
     ...(i >= colors.length ? { dash: DASH.map((part) => part * times) } : {}),
     points: { show: false },
-    value: (_, value: number | null) => (value === null ? "–" : `${formatNumber(value)} ${unit}`),
   };
 }

@@ -2,7 +2,6 @@
 import {
   type Choice,
   choiceName,
-  type FieldInfo,
   fieldsOf,
   fieldValueAt,
   isEnvelope,
@@ -34,19 +33,22 @@ export class ValuePanel {
     const place = h("div", { class: "gs-values-at" }, `x ${meters(x)} m, y ${meters(y)} m`);
     const spot = locator.locate(x, y);
     if (!spot) return fill(this.element, place, h("p", {}, "This point is not on the plate."));
-    const rows = fieldsOf(scene).map((info) => this.makeRow(scene, locator, choice, spot, info, info.name === field));
+    const rows = fieldsOf(scene).map((info) => {
+      const found = fieldValueAt(scene, locator, choice, info.name, spot);
+      const row = makeRow(info.symbol, info.meaning, formatNumber(found.value), info.unit);
+      const from = scene.head.combinations[found.from];
+      if (isEnvelope(choice))
+        row.append(h("td", { class: "gs-from", title: from?.name ?? "" }, `(${from?.number ?? ""})`));
+      row.classList.toggle("gs-chosen", info.name === field);
+      this.listenOn(row, info.name);
+      return row;
+    });
     if (!isEnvelope(choice) && fieldsOf(scene).some((each) => each.name === "m_1")) {
       const [mx, my, mxy] = ["moment_x", "moment_y", "moment_xy"].map(
         (name) => fieldValueAt(scene, locator, choice, name, spot).value,
       ) as [number, number, number];
-      rows.push(
-        makeRow(
-          "phi_1",
-          "direction of the strips that m_1 bends, from x",
-          formatNumber(principalDirection(mx, my, mxy), 3),
-          "°",
-        ),
-      );
+      const direction = formatNumber(principalDirection(mx, my, mxy), 3);
+      rows.push(makeRow("phi_1", "direction of the strips that m_1 bends, from x", direction, "°"));
     }
     fill(
       this.element,
@@ -57,28 +59,15 @@ export class ValuePanel {
     );
   }
 
-  private makeRow(
-    scene: Scene,
-    locator: Locator,
-    choice: Choice,
-    spot: LocalPoint,
-    info: FieldInfo,
-    isChosen: boolean,
-  ): HTMLElement {
-    const found = fieldValueAt(scene, locator, choice, info.name, spot);
-    const row = makeRow(info.symbol, info.meaning, formatNumber(found.value), info.unit);
-    const from = scene.head.combinations[found.from];
-    if (isEnvelope(choice))
-      row.append(h("td", { class: "gs-from", title: from?.name ?? "" }, `(${from?.number ?? ""})`));
-    row.classList.toggle("gs-chosen", isChosen);
+  /** Let a click or Enter on a row choose its field. */
+  private listenOn(row: HTMLElement, name: string): void {
     const { onField } = this;
-    if (!onField) return row;
+    if (!onField) return;
     row.tabIndex = 0;
-    row.addEventListener("click", () => onField(info.name));
+    row.addEventListener("click", () => onField(name));
     row.addEventListener("keydown", (event) => {
-      if (event.key === "Enter") onField(info.name);
+      if (event.key === "Enter") onField(name);
     });
-    return row;
   }
 
   private showHint(): void {

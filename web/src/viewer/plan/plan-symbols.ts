@@ -1,71 +1,44 @@
 // The symbols of a solved plan.
 import { labelLoads } from "../data/load-labels";
-import type { Load, Plan, Ring } from "../data/scene";
+import type { Area, Line, Load, Place, Plan } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
 import { type PlanSymbol, thicknessText } from "./symbols";
 
 /** What of the plan is drawn. */
-export interface Layers {
-  loads: boolean;
-  columns: boolean;
-  supports: boolean;
-  zones: boolean;
-  ground: boolean; // boreholes, soil zones, voids
-  output: boolean; // section lines, strips, points
-  labels: boolean;
-  extremes: boolean; // where the shown field has its minimum and maximum
-  axes: boolean;
-}
-
-export const ALL_LAYERS: Layers = {
+export const ALL_LAYERS = {
   loads: true,
   columns: true,
   supports: true,
   zones: true,
-  ground: true,
-  output: true,
+  ground: true, // boreholes, soil zones, voids
+  output: true, // section lines, strips, points
   labels: true,
-  extremes: true,
+  extremes: true, // where the shown field has its minimum and maximum
   axes: true,
 };
+export type Layers = typeof ALL_LAYERS;
 
 /** Return the symbols from below upwards; `factors` of the load cases, null where no one combination is shown. */
 export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<string, number> | null): PlanSymbol[] {
-  const area = (kind: PlanSymbol["kind"], ring: Ring, text = ""): PlanSymbol => ({
-    kind,
-    shape: "area",
-    points: ring,
-    texts: [text],
-  });
-  const point = (kind: PlanSymbol["kind"], { x, y, name }: { x: number; y: number; name: string }): PlanSymbol => ({
+  type Kind = PlanSymbol["kind"];
+  const area = (kind: Kind, { ring }: Pick<Area, "ring">, text = "") =>
+    ({ kind, shape: "area", points: ring, texts: [text] }) as const;
+  const line = (kind: Kind, { start, end, name }: Line) =>
+    ({ kind, shape: "line", points: [start, end], texts: [name] }) as const;
+  const point = (kind: Kind, { x, y, name }: Place): PlanSymbol => ({
     kind,
     shape: "point",
     points: [[x, y]],
     texts: [name],
   });
   const ground = [
-    ...plan.soil_zones.map(({ ring }) => area("soil zone", ring)),
-    ...plan.voids.map(({ ring }) => area("void", ring)),
+    ...plan.soil_zones.map((each) => area("soil zone", each)),
+    ...plan.voids.map((each) => area("void", each)),
     ...plan.boreholes.map((each) => point("borehole", each)),
   ];
   const output = [
-    ...plan.strips.map(
-      ({ start, end, name, width }): PlanSymbol => ({
-        kind: "strip",
-        shape: "line",
-        points: [start, end],
-        texts: [name],
-        width,
-      }),
-    ),
-    ...plan.lines.map(
-      ({ start, end, name }): PlanSymbol => ({
-        kind: "section line",
-        shape: "line",
-        points: [start, end],
-        texts: [name],
-      }),
-    ),
+    ...plan.strips.map((each) => ({ ...line("strip", each), width: each.width })),
+    ...plan.lines.map((each) => line("section line", each)),
     ...plan.points.map((each) => point("output point", each)),
   ];
   const supports = plan.supports.map(
@@ -73,9 +46,9 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
   );
   const symbols = [
     ...(layers.ground ? ground : []),
-    ...(layers.zones ? plan.zones.map(({ ring, thickness }) => area("zone", ring, thicknessText(thickness))) : []),
-    area("slab", plan.outline),
-    ...plan.openings.map(({ ring }) => area("opening", ring)),
+    ...(layers.zones ? plan.zones.map((each) => area("zone", each, thicknessText(each.thickness))) : []),
+    area("slab", { ring: plan.outline }),
+    ...plan.openings.map((each) => area("opening", each)),
     ...(layers.output ? output : []),
     ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),

@@ -1,6 +1,5 @@
 // The plate in plan: a field in colors, and above it the symbols of the plan.
 import {
-  type Choice,
   CONTACT,
   extremesOf,
   type FieldExtremes,
@@ -11,11 +10,10 @@ import {
 } from "../data/fields";
 import { formatNumber } from "../data/numbers";
 import type { Extreme, Plan, Point, Scene } from "../data/scene";
-import { type ScaleRange, type ShownField, scaleFor } from "../data/shown-field";
-import { createRenderer } from "../renderer/create-renderer";
-import type { FieldRenderer, Picture } from "../renderer/renderer";
+import { type ShownField, scaleFor } from "../data/shown-field";
+import { FieldView } from "../renderer/field-view";
+import type { Picture } from "../renderer/renderer";
 import { h } from "../shared/dom";
-import { currentTheme, type Theme } from "../shared/theme";
 import { Camera } from "./camera";
 import { isFar, pixelOf, Touches, zoomByWheel } from "./navigation";
 import { type Marks, Overlay } from "./overlay";
@@ -27,51 +25,34 @@ export type Tool = "pan" | "pick" | "section";
 
 const STILL = 140; // ms without movement until everything is drawn again
 
-export class PlanView {
+export class PlanView extends FieldView {
   /** A point of the plan was picked [m]. */
   onPick?: (at: Point) => void;
   /** A section was cut between two points [m]. */
   onSection?: (start: Point, end: Point) => void;
   /** The pointer is over a point of the plan [m]; null: it left. */
   onHover?: (at: Point | null) => void;
-  /** Another field, combination or scale is shown; null: none. */
-  onShow?: (shown: ShownField | null) => void;
-
-  readonly element = h("div", {
-    class: "gs-plan",
-    tabindex: 0,
-    role: "application",
-    "aria-label": "Plan view. Arrow keys move it, plus and minus zoom, 0 shows all.",
-  });
+  /** What is shown; null: no field. */
+  shown: ShownField | null = null;
   private readonly overlay = new Overlay();
-  private renderer: FieldRenderer;
-  private scene: Scene | null = null;
   private plan: Plan | null = null;
-  private choice: { choice: Choice; field: string } | null = null;
   private picture: Picture | null = null;
-  private seen: ShownField | null = null;
   private readonly camera = new Camera();
-  private fitted = false; // whether the user has left the view as `fit` made it
   private tool: Tool = "pan";
-  private theme: Theme = currentTheme();
   private readonly layers: Layers = { ...ALL_LAYERS };
   private readonly options = { lines: true, mesh: false, contact: true };
-  private range: ScaleRange = "auto";
   private readonly marks: Marks = { pick: null, place: null, section: null, extremes: [], factors: null };
   private sectionStart: Point | null = null;
   private readonly touches = new Touches();
   private pressed: Point | null = null; // where a click may begin
-  private frame = 0;
   private stillTimer = 0;
   private moving = false;
   private drawn: Camera | null = null; // what the overlay shows
   private painted: { camera: Camera; when: number } | null = null; // what the renderer drew last
 
   constructor(container: HTMLElement) {
-    this.renderer = createRenderer(false, (replacement) => {
-      this.renderer = replacement;
-      this.load();
-    });
+    const label = "Plan view. Arrow keys move it, plus and minus zoom, 0 shows all.";
+    super(h("div", { class: "gs-plan", tabindex: 0, role: "application", "aria-label": label }), false);
     this.element.append(this.renderer.canvas, this.overlay.element);
     container.append(this.element);
     this.listen();
@@ -80,16 +61,10 @@ export class PlanView {
     this.resize();
   }
 
-  get shown(): ShownField | null {
-    return this.seen;
-  }
-
   /** Show a scene, with its plan; null takes the field away and leaves the plan. */
-  setScene(scene: Scene | null): void {
-    this.scene = scene;
-    this.choice = null;
+  override setScene(scene: Scene | null): void {
+    super.setScene(scene);
     if (scene) this.setPlan(scene.head.plan);
-    this.load();
   }
 
   /** Show a plan; the field, if there is one, stays. */
@@ -101,22 +76,10 @@ export class PlanView {
     this.redraw();
   }
 
-  /** Show a field of a combination or an envelope. */
-  show(choice: Choice, field: string): void {
-    this.choice = { choice, field };
-    this.refresh();
-  }
-
   setTool(tool: Tool): void {
     this.tool = tool;
     this.sectionStart = null;
     this.element.dataset.tool = tool;
-  }
-
-  setTheme(theme: Theme): void {
-    this.theme = theme;
-    this.renderer.setTheme(theme);
-    this.redraw();
   }
 
   /** Choose what is drawn above the field. */
@@ -131,18 +94,12 @@ export class PlanView {
     this.refresh();
   }
 
-  setRange(range: ScaleRange): void {
-    this.range = range;
-    this.refresh();
-  }
-
   /** Set a mark; null: remove it. */
   mark<K extends "pick" | "place" | "section">(name: K, at: Marks[K]): void {
     this.marks[name] = at;
     this.redraw();
   }
 
-  /** Show the entire plate. */
   fit(): void {
     this.fitTo(this.camera);
     this.fitted = true;
@@ -155,28 +112,15 @@ export class PlanView {
     // what is seen now fits into the paper
     camera.scale *= Math.min(width / Math.max(this.camera.width, 1), height / Math.max(this.camera.height, 1));
     if (this.fitted) this.fitTo(camera);
-    const picture = h("canvas", { width: Math.round(width * ratio), height: Math.round(height * ratio) });
-    this.renderer.setTheme("light");
-    this.paint(camera, ratio);
-    picture.getContext("2d")!.drawImage(this.renderer.canvas, 0, 0, picture.width, picture.height);
-    this.renderer.setTheme(this.theme);
-    this.draw();
+    const picture = this.takePicture(width, height, ratio, () => this.paint(camera, ratio));
     const overlay = new Overlay();
     overlay.draw(camera, this.plan, this.layers, this.marks);
     return h("div", { class: "gs-snapshot", style: `width:${width}px;height:${height}px` }, picture, overlay.element);
   }
 
-  /** Give the renderer everything it needs. */
-  private load(): void {
-    this.renderer.setTheme(this.theme);
-    this.renderer.setMesh(this.scene?.mesh ?? null);
-    this.refresh();
-  }
-
-  /** Find out what is to be shown: values, scale, marks. */
-  private refresh(): void {
+  protected refresh(): void {
     const { scene, choice: shown, options, marks } = this;
-    this.picture = this.seen = this.painted = marks.factors = null;
+    this.picture = this.shown = this.painted = marks.factors = null;
     marks.extremes = [];
     if (scene && shown) {
       const field = fieldOf(scene, shown.field);
@@ -188,13 +132,13 @@ export class PlanView {
       const nodal = nodalValues(scene, shown.choice, shown.field);
       const visible = options.contact && lifted ? contact : null;
       this.picture = { values: nodal, contact: visible, settlement: null, scale, lines, mesh };
-      this.seen = { choice: shown.choice, field, scale, lifted };
+      this.shown = { choice: shown.choice, field, scale, lifted };
       marks.extremes = extremeMarks(extremesOf(scene, shown.choice, shown.field));
       const factors = isEnvelope(shown.choice) ? null : scene.head.combinations[shown.choice]?.factors;
       if (factors?.length) marks.factors = new Map(factors);
     }
     this.renderer.setPicture(this.picture);
-    this.onShow?.(this.seen);
+    this.onShow?.(this.shown);
     this.redraw();
   }
 
@@ -211,17 +155,9 @@ export class PlanView {
     camera.fit(this.plan?.bounds ?? [-5, -5, 5, 5], 36, axes ? RULER.left : 0, axes ? RULER.bottom + 14 : 0);
   }
 
-  /** Draw with the next frame. */
-  private redraw(): void {
+  protected override redraw(): void {
     this.drawn = null;
-    this.request();
-  }
-
-  private request(): void {
-    this.frame ||= requestAnimationFrame(() => {
-      this.frame = 0;
-      this.draw();
-    });
+    super.redraw();
   }
 
   /** The user has moved the view: draw roughly until nothing has moved for a while. */
@@ -233,10 +169,10 @@ export class PlanView {
       this.moving = false;
       this.redraw();
     }, STILL);
-    this.request();
+    super.redraw();
   }
 
-  private draw(): void {
+  protected draw(): void {
     const { camera, drawn } = this;
     if (!this.element.clientWidth || !this.element.clientHeight) return;
     this.drawField();
@@ -265,7 +201,7 @@ export class PlanView {
         return;
       }
     }
-    this.paint(camera, Math.min(window.devicePixelRatio || 1, 2));
+    this.paint(camera, this.screenRatio);
     renderer.canvas.style.transform = "";
     this.painted = { camera: Object.assign(new Camera(), camera), when: now };
   }
@@ -303,9 +239,6 @@ export class PlanView {
     );
     element.addEventListener("dblclick", () => {
       if (this.tool === "pan") this.fit();
-    });
-    element.addEventListener("keydown", (event) => {
-      if (this.handleKey(event)) event.preventDefault();
     });
   }
 
@@ -347,28 +280,21 @@ export class PlanView {
     }
   }
 
-  private handleKey(event: KeyboardEvent): boolean {
-    if (event.ctrlKey || event.metaKey || event.altKey) return false;
-    const { camera } = this;
-    const step = event.shiftKey ? 200 : 50;
-    const moves: Record<string, () => void> = {
-      ArrowLeft: () => camera.pan(step, 0),
-      ArrowRight: () => camera.pan(-step, 0),
-      ArrowUp: () => camera.pan(0, step),
-      ArrowDown: () => camera.pan(0, -step),
-      "+": () => camera.zoom(1.25),
-      "=": () => camera.zoom(1.25),
-      "-": () => camera.zoom(0.8),
-    };
-    const move = moves[event.key];
-    if (move) {
-      move();
-      this.moved();
-    } else if (event.key === "0") this.fit();
-    else if (event.key === "Escape" && this.sectionStart) {
-      this.sectionStart = null;
-      this.mark("section", null);
-    } else return false;
+  protected step([x, y]: readonly [number, number], far: boolean): void {
+    const pixels = far ? 200 : 50;
+    this.camera.pan(-x * pixels, y * pixels);
+    this.moved();
+  }
+
+  protected zoom(enlarge: boolean): void {
+    this.camera.zoom(enlarge ? 1.25 : 0.8);
+    this.moved();
+  }
+
+  protected override handleKey(event: KeyboardEvent): boolean {
+    if (event.key !== "Escape" || !this.sectionStart) return super.handleKey(event);
+    this.sectionStart = null;
+    this.mark("section", null);
     return true;
   }
 }

@@ -1,5 +1,5 @@
 // Draws a field by the processor alone: for browsers without WebGL or a graphics card behind it.
-import { Matrix4, Vector3 } from "three";
+import { BufferAttribute, Matrix4, Vector3 } from "three";
 import { bandOf } from "../data/color-scale";
 import type { Mesh } from "../data/scene";
 import { borderLines, makeTiling, type Range, sideLines, type Tiling } from "../data/triangulation";
@@ -162,19 +162,12 @@ function isOther(neighbor: number, band: number): boolean {
   return neighbor !== band && neighbor < UNDER;
 }
 
-/** Return x and y [dots] and depth of points in space on the screen; those behind the eye have depth 2. */
+/** Return x and y [dots] and depth of points in space on the screen; the depth of those behind the eye is beyond 1. */
 function projectPoints(points: Float32Array, view: View): Float32Array {
-  const m = new Matrix4().multiplyMatrices(view.camera.projectionMatrix, view.camera.matrixWorldInverse).elements;
   const [width, height] = dotsOf(view);
-  const screen = new Float32Array(points.length);
-  for (let i = 0; i < points.length; i += 3) {
-    const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
-    const w = m[3] * x + m[7] * y + m[11] * z + m[15];
-    screen[i] = ((m[0] * x + m[4] * y + m[8] * z + m[12]) / w + 1) * 0.5 * width;
-    screen[i + 1] = (1 - (m[1] * x + m[5] * y + m[9] * z + m[13]) / w) * 0.5 * height;
-    screen[i + 2] = w > 0 ? (m[2] * x + m[6] * y + m[10] * z + m[14]) / w : 2;
-  }
-  return screen;
+  const screen = new Matrix4().makeScale(width / 2, -height / 2, 1).setPosition(width / 2, height / 2, 0);
+  screen.multiply(view.camera.projectionMatrix).multiply(view.camera.matrixWorldInverse);
+  return new BufferAttribute(points.slice(), 3).applyMatrix4(screen).array as Float32Array;
 }
 
 function projectNodes({ nodes, nodeCount }: Mesh, { settlement }: Picture, view: View): Float32Array {
@@ -189,16 +182,9 @@ function projectNodes({ nodes, nodeCount }: Mesh, { settlement }: Picture, view:
 
 /** Return the light on a triangle, 0 .. 255; both faces are lit alike. */
 function lightOn({ nodes }: Mesh, settlement: Float32Array, times: number, a: number, b: number, c: number): number {
-  const [ux, uy, uz] = [
-    nodes[2 * b]! - nodes[2 * a]!,
-    nodes[2 * b + 1]! - nodes[2 * a + 1]!,
-    (settlement[a]! - settlement[b]!) * times,
-  ];
-  const [vx, vy, vz] = [
-    nodes[2 * c]! - nodes[2 * a]!,
-    nodes[2 * c + 1]! - nodes[2 * a + 1]!,
-    (settlement[a]! - settlement[c]!) * times,
-  ];
+  const [ux, uy] = [nodes[2 * b]! - nodes[2 * a]!, nodes[2 * b + 1]! - nodes[2 * a + 1]!];
+  const [vx, vy] = [nodes[2 * c]! - nodes[2 * a]!, nodes[2 * c + 1]! - nodes[2 * a + 1]!];
+  const [uz, vz] = [(settlement[a]! - settlement[b]!) * times, (settlement[a]! - settlement[c]!) * times];
   const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
   const cosine = Math.abs(nx * SUN[0] + ny * SUN[1] + nz * SUN[2]) / (Math.hypot(nx, ny, nz) || 1);
   return 255 * (AMBIENT + (1 - AMBIENT) * cosine);
@@ -227,11 +213,9 @@ function fillTriangle(
   const [va, vb, vc] = [values[a]!, values[b]! - values[a]!, values[c]! - values[a]!];
   for (let y = y0; y <= y1; y++) {
     const middle = y + 0.5;
-    const [ab, bc, ca] = [
-      crossRow(ax, ay, bx, by, middle),
-      crossRow(bx, by, cx, cy, middle),
-      crossRow(cx, cy, ax, ay, middle),
-    ];
+    const ab = crossRow(ax, ay, bx, by, middle);
+    const bc = crossRow(bx, by, cx, cy, middle);
+    const ca = crossRow(cx, cy, ax, ay, middle);
     // a row crosses two of the sides, or none
     const [first, second] = [Number.isNaN(ab) ? bc : ab, Number.isNaN(ca) ? bc : ca];
     const x0 = Math.max(0, Math.ceil(Math.min(first, second) - 0.5));
@@ -283,14 +267,8 @@ function drawLines(
   const count = pairs ? pairs.length : screen.length / 3;
   for (let k = 0; k + 1 < count; k += 2) {
     const [a, b] = pairs ? [3 * pairs[k]!, 3 * pairs[k + 1]!] : [3 * k, 3 * k + 3];
-    const [x0, y0, z0, x1, y1, z1] = [
-      screen[a]!,
-      screen[a + 1]!,
-      screen[a + 2]!,
-      screen[b]!,
-      screen[b + 1]!,
-      screen[b + 2]!,
-    ];
+    const [x0, y0, z0] = [screen[a]!, screen[a + 1]!, screen[a + 2]!];
+    const [x1, y1, z1] = [screen[b]!, screen[b + 1]!, screen[b + 2]!];
     if (!(Math.abs(z0) < 1 && Math.abs(z1) < 1)) continue;
     const steps = Math.min(20000, Math.ceil(Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0)))) || 1;
     for (let n = 0; n <= steps; n++) {

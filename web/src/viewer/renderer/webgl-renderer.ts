@@ -110,8 +110,8 @@ export class WebglRenderer implements FieldRenderer {
   private readonly exaggeration = { value: 0 }; // [m] for each mm
   private readonly uniforms = {
     uBands: { value: null as DataTexture | null },
-    ...numberUniforms("uOrigin", "uStep", "uCount", "uLow", "uHigh", "uLines", "uRatio", "uContact", "uLit"),
-    ...vectorUniforms("uOver", "uUnder", "uPaper", "uHatch", "uSun"),
+    ...makeUniforms(() => 0, "uOrigin", "uStep", "uCount", "uLow", "uHigh", "uLines", "uRatio", "uContact", "uLit"),
+    ...makeUniforms(() => new Vector3(), "uOver", "uUnder", "uPaper", "uHatch", "uSun"),
     uAnchor: { value: new Vector2() },
     uExaggeration: this.exaggeration,
   };
@@ -250,12 +250,8 @@ export class WebglRenderer implements FieldRenderer {
   }
 }
 
-function numberUniforms<K extends string>(...names: K[]): Record<K, { value: number }> {
-  return Object.fromEntries(names.map((name) => [name, { value: 0 }])) as Record<K, { value: number }>;
-}
-
-function vectorUniforms<K extends string>(...names: K[]): Record<K, { value: Vector3 }> {
-  return Object.fromEntries(names.map((name) => [name, { value: new Vector3() }])) as Record<K, { value: Vector3 }>;
+function makeUniforms<K extends string, T>(make: () => T, ...names: K[]): Record<K, { value: T }> {
+  return Object.fromEntries(names.map((name) => [name, { value: make() }])) as Record<K, { value: T }>;
 }
 
 /** Return the parts of a color as shares of 1. */

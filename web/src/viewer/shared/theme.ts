@@ -22,16 +22,10 @@ export function switchTheme(): void {
   for (const listener of listeners) listener(theme);
 }
 
-/** Call back whenever the theme changes, by the user or the system; returns a function that stops it. */
-export function onThemeChange(listener: (theme: Theme) => void): () => void {
+/** Call back whenever the theme changes, by the user or the system. */
+export function onThemeChange(listener: (theme: Theme) => void): void {
   listeners.add(listener);
-  const bySystem = () => listener(currentTheme());
-  const query = matchMedia(DARK);
-  query.addEventListener("change", bySystem);
-  return () => {
-    listeners.delete(listener);
-    query.removeEventListener("change", bySystem);
-  };
+  matchMedia(DARK).addEventListener("change", () => listener(currentTheme()));
 }
 
 /** Apply the stored choice; call once when the page starts. */

@@ -1,34 +1,18 @@
 // The plate in space, bent by its settlement many times exaggerated, with a field in colors.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { EVERYTHING } from "../data/boxes";
 import { type Choice, extremesOf, fieldOf, nodalValues } from "../data/fields";
 import { formatShort, roundStep } from "../data/numbers";
 import type { Ring, Scene } from "../data/scene";
-import { type ScaleRange, type ShownField, scaleFor } from "../data/shown-field";
-import { createRenderer } from "../renderer/create-renderer";
-import type { FieldRenderer } from "../renderer/renderer";
+import { scaleFor } from "../data/shown-field";
+import { FieldView } from "../renderer/field-view";
 import { h } from "../shared/dom";
-import { currentTheme, type Theme } from "../shared/theme";
 import "./space-view.css";
 
 const FIELD_OF_VIEW = 32; // degrees
 const TANGENT = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
-const EVERYTHING = [
-  Number.NEGATIVE_INFINITY,
-  Number.NEGATIVE_INFINITY,
-  Number.POSITIVE_INFINITY,
-  Number.POSITIVE_INFINITY,
-] as const;
-
-export class SpaceView {
-  /** Another field, combination or scale is shown; null: none. */
-  onShow?: (shown: ShownField | null) => void;
-  readonly element = h("div", {
-    class: "gs-space",
-    tabindex: 0,
-    role: "application",
-    "aria-label": "View in space. Drag or arrow keys turn it, the wheel or plus and minus zoom, 0 shows all.",
-  });
+export class SpaceView extends FieldView {
   private readonly slider = h("input", {
     type: "range",
     min: 0,
@@ -39,23 +23,14 @@ export class SpaceView {
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
   private readonly stage = h("div", { class: "gs-space-stage" });
   private readonly controls: OrbitControls;
-  private renderer: FieldRenderer;
-  private scene: Scene | null = null;
-  private choice: { choice: Choice; field: string } | null = null;
-  private range: ScaleRange = "auto";
-  private theme: Theme = currentTheme();
   private base = 1; // exaggeration in the slider's middle
   private exaggeration = 1;
   private depth = 0; // of the middle between least and greatest settlement [mm]
   private feet: number[] = []; // the node next to each column
-  private fitted = false; // whether the user has left the view as `fit` made it
-  private frame = 0;
 
   constructor(container: HTMLElement) {
-    this.renderer = createRenderer(true, (replacement) => {
-      this.renderer = replacement;
-      this.load();
-    });
+    const help = "View in space. Drag or arrow keys turn it, the wheel or plus and minus zoom, 0 shows all.";
+    super(h("div", { class: "gs-space", tabindex: 0, role: "application", "aria-label": help }), true);
     this.stage.append(this.renderer.canvas);
     const label = h("label", { class: "gs-space-factor" }, "settlement exaggerated", this.slider, this.factor);
     this.element.append(this.stage, label);
@@ -67,25 +42,20 @@ export class SpaceView {
       this.fitted = false;
     });
     this.slider.addEventListener("input", () => this.exaggerate());
-    this.element.addEventListener("keydown", (event) => {
-      if (this.handleKey(event)) event.preventDefault();
-    });
     new ResizeObserver(() => (this.fitted ? this.fit() : this.redraw())).observe(this.element);
-    this.renderer.setTheme(this.theme);
+    this.load();
   }
 
-  setScene(scene: Scene | null): void {
-    this.scene = scene;
-    this.choice = null;
+  override setScene(scene: Scene | null): void {
+    super.setScene(scene);
     this.feet = scene ? scene.head.plan.columns.map(({ x, y }) => nearestNode(scene, x, y)) : [];
-    this.load();
     this.fit();
   }
 
-  show(choice: Choice, field: string): void {
-    this.choice = { choice, field };
+  protected refresh(): void {
     const { scene } = this;
-    if (!scene) return;
+    if (!scene || !this.choice) return;
+    const { choice, field } = this.choice;
     const info = fieldOf(scene, field);
     const scale = scaleFor(scene, choice, info, this.range);
     const settlement = nodalValues(scene, choice, "settlement");
@@ -97,17 +67,6 @@ export class SpaceView {
     this.depth = (ends.min[0] + ends.max[0]) / 2;
     this.exaggerate();
     this.onShow?.({ choice, field: info, scale, lifted: false });
-  }
-
-  setRange(range: ScaleRange): void {
-    this.range = range;
-    this.refresh();
-  }
-
-  setTheme(theme: Theme): void {
-    this.theme = theme;
-    this.renderer.setTheme(theme);
-    this.redraw();
   }
 
   /** Show the entire plate, from the front and above. */
@@ -131,28 +90,9 @@ export class SpaceView {
 
   /** Draw what is seen, on white: for paper. */
   snapshot(width: number, height: number, ratio: number): HTMLElement {
-    const picture = h("canvas", {
-      width: Math.round(width * ratio),
-      height: Math.round(height * ratio),
-      style: `width:${width}px`,
-    });
-    this.renderer.setTheme("light");
-    this.draw(width, height, ratio);
-    picture.getContext("2d")!.drawImage(this.renderer.canvas, 0, 0, picture.width, picture.height);
-    this.renderer.setTheme(this.theme);
-    this.draw();
+    const picture = this.takePicture(width, height, ratio, () => this.draw(width, height, ratio));
+    picture.style.width = `${width}px`;
     return picture;
-  }
-
-  /** Give the renderer everything it needs. */
-  private load(): void {
-    this.renderer.setTheme(this.theme);
-    this.renderer.setMesh(this.scene?.mesh ?? null);
-    this.refresh();
-  }
-
-  private refresh(): void {
-    if (this.choice) this.show(this.choice.choice, this.choice.field);
   }
 
   private extent(): number {
@@ -193,42 +133,26 @@ export class SpaceView {
     return Float32Array.from(lines);
   }
 
-  private handleKey(event: KeyboardEvent): boolean {
-    if (event.target !== this.element || event.ctrlKey || event.metaKey || event.altKey) return false;
-    const { controls } = this;
-    const turn = Math.PI / 24;
-    const moves: Record<string, () => void> = {
-      ArrowLeft: () => controls.rotateLeft(turn),
-      ArrowRight: () => controls.rotateLeft(-turn),
-      ArrowUp: () => controls.rotateUp(turn),
-      ArrowDown: () => controls.rotateUp(-turn),
-      "+": () => controls.dollyIn(0.85),
-      "=": () => controls.dollyIn(0.85),
-      "-": () => controls.dollyOut(0.85),
-    };
-    const move = moves[event.key];
-    if (move) {
-      move();
-      this.fitted = false;
-      controls.update();
-      this.redraw();
-    } else if (event.key === "0") this.fit();
-    return move !== undefined || event.key === "0";
+  protected step([x, y]: readonly [number, number]): void {
+    this.controls.rotateLeft((-x * Math.PI) / 24);
+    this.controls.rotateUp((y * Math.PI) / 24);
+    this.follow();
   }
 
-  /** Draw with the next frame. */
-  private redraw(): void {
-    this.frame ||= requestAnimationFrame(() => {
-      this.frame = 0;
-      this.draw();
-    });
+  protected zoom(enlarge: boolean): void {
+    if (enlarge) this.controls.dollyIn(0.85);
+    else this.controls.dollyOut(0.85);
+    this.follow();
   }
 
-  private draw(
-    width = this.stage.clientWidth,
-    height = this.stage.clientHeight,
-    ratio = Math.min(window.devicePixelRatio || 1, 2),
-  ): void {
+  /** Draw from where the keys have moved the camera. */
+  private follow(): void {
+    this.fitted = false;
+    this.controls.update();
+    this.redraw();
+  }
+
+  protected draw(width = this.stage.clientWidth, height = this.stage.clientHeight, ratio = this.screenRatio): void {
     const { camera, exaggeration } = this;
     if (!width || !height) return;
     camera.aspect = width / height;
@@ -245,7 +169,7 @@ function sidesOf(ring: Ring, make: (from: Ring[number], to: Ring[number]) => num
 }
 
 function nearestNode({ mesh }: Scene, x: number, y: number): number {
-  let [nearest, least] = [0, Number.POSITIVE_INFINITY];
+  let [nearest, least] = [0, Infinity];
   for (let i = 0; i < mesh.nodeCount; i++) {
     const distance = (mesh.nodes[2 * i]! - x) ** 2 + (mesh.nodes[2 * i + 1]! - y) ** 2;
     if (distance < least) [nearest, least] = [i, distance];

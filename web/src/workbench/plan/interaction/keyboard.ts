@@ -1,4 +1,5 @@
 // The keyboard in the drawing.
+import { ARROWS } from "../../../viewer/shared/keys";
 import type { Store } from "../../client/store";
 import type { Change } from "../../model/changes/edits";
 import { duplicateItem } from "../../model/changes/new-items";
@@ -11,13 +12,6 @@ import { toolForKey } from "../tools";
 import { removeCorner } from "./handles";
 import { Nudge } from "./nudge";
 import type { Pointer } from "./pointer";
-
-const ARROWS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 export class Keyboard {
   private readonly nudge: Nudge;
