@@ -18,15 +18,12 @@ const queue: EditQueue = new EditQueue(api, {
   base: () => store.doc?.version ?? 0,
   adopt: (state, waiting) => store.setDoc(state, waiting),
   fits: (change, state) => isUntouched(change, store.doc?.data ?? {}, state.data ?? {}),
-  onRefused: (change, why) => store.notify({ kind: "bad", text: `“${change.text}” was not done: ${why}` }),
+  onRefused: (change, why) => store.set("notice", { kind: "bad", text: `“${change.text}” was not done: ${why}` }),
   onLost: (error) => connection.handleLoss(error),
   onChange: () => store.setWaiting(queue.waiting),
 });
 const resolveOffer = (state: DocState) => askOffer(api, state);
-const connection: Connection = new Connection(api, store, queue, {
-  resolveOffer: resolveOffer,
-  askWhichText: askWhichText,
-});
+const connection: Connection = new Connection(api, store, queue, { resolveOffer, askWhichText });
 
 // while the keyboard is used, the drawing shows that it has the focus
 const setInput = (kind: string) => {

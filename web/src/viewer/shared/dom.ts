@@ -53,9 +53,9 @@ export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** A button with a text and a tooltip. */
+/** A button with a text, and a tooltip if it is not empty. */
 export function button(text: string, title: string, onclick: () => void, className?: string): HTMLButtonElement {
-  return h("button", { type: "button", class: className, title, onclick }, text);
+  return h("button", { type: "button", class: className, title: title || null, onclick }, text);
 }
 
 /** Fill a list with options (value, text); the chosen one stays chosen if it is still there. */

@@ -2,7 +2,7 @@
 
 import type { Change } from "../model/changes/edits";
 import { type Issue, issueLine } from "../model/issues";
-import type { Table } from "../model/paths";
+import { isTable, type Json, type Table, tableAt } from "../model/paths";
 
 /** Unsaved work that an earlier run of the server has kept. */
 export interface Offer {
@@ -70,11 +70,14 @@ export interface Summary {
   combinations: CombinationSummary[];
 }
 
+/** The connection is lost. */
+export abstract class Lost extends Error {}
+
 /** The server does not answer. */
-export class Unreachable extends Error {}
+export class Unreachable extends Lost {}
 
 /** The server answers, but does not know this page: another server, or a restarted one. */
-export class Unauthorized extends Error {}
+export class Unauthorized extends Lost {}
 
 /** The edit was made on an older version; `state` is the present one. */
 export class Outdated extends Error {
@@ -95,30 +98,10 @@ export class Refused extends Error {
   }
 }
 
-export interface Api {
-  state(): Promise<DocState>;
-  schema(): Promise<Table>;
-  edit(change: Change, base: number): Promise<DocState>;
-  undo(): Promise<DocState>;
-  redo(): Promise<DocState>;
-  save(file: string | null, over: boolean): Promise<DocState>;
-  open(file: string): Promise<DocState>;
-  createCase(): Promise<DocState>;
-  restore(take: boolean): Promise<DocState>;
-  files(folder: string | null): Promise<Folder>;
-  solve(): Promise<number>;
-  cancel(): Promise<void>;
-  autosolve(on: boolean): Promise<void>;
-  scene(run: number): Promise<ArrayBuffer>;
-  summary(run: number): Promise<Summary>;
-  reportAddress(run: number): string;
-  eventsAddress(): string;
-}
-
 const PATIENCE = 15_000; // ms until a server that does not answer counts as gone
 
 /** The interface over HTTP, every call with the token. */
-export class HttpApi implements Api {
+export class HttpApi {
   constructor(private token: string) {}
 
   /** Use another token, because the server was restarted. */
@@ -150,61 +133,39 @@ export class HttpApi implements Api {
   }
 
   private async request(name: string, body?: object, patience = PATIENCE): Promise<Response> {
-    let response: Response;
-    try {
-      response = await fetch(`api/${name}`, {
-        method: body === undefined ? "GET" : "POST",
-        headers: {
-          "X-Groundslab-Token": this.token,
-          ...(body === undefined ? {} : { "Content-Type": "application/json" }),
-        },
-        ...(body === undefined ? {} : { body: JSON.stringify(body) }),
-        signal: AbortSignal.timeout(patience),
-      });
-    } catch (error) {
+    const headers = new Headers({ "X-Groundslab-Token": this.token });
+    if (body) headers.set("Content-Type", "application/json");
+    const content = body ? { method: "POST", body: JSON.stringify(body) } : {};
+    const signal = AbortSignal.timeout(patience);
+    const response = await fetch(`api/${name}`, { headers, signal, ...content }).catch((error: unknown) => {
       throw new Unreachable(String(error));
-    }
+    });
     if (!response.ok) throw await refusal(response);
     return response;
   }
 }
 
+/** What the page asks of the server. */
+export type Api = Omit<HttpApi, "setToken">;
+
 /** Return the error of an answer. */
 async function refusal(response: Response): Promise<Error> {
-  if (response.status === 403 || response.status === 401) return new Unauthorized("the server does not know this page");
-  if (response.status === 502 || response.status === 503 || response.status === 504)
-    return new Unreachable(`status ${response.status}`);
-  let body: unknown;
-  try {
-    body = await response.json();
-  } catch {
-    return new Refused(`the server answered ${response.status}`, response.status);
-  }
-  if (response.status === 409 && isState(body)) return new Outdated(body);
-  const words = messageOf(body) ?? `the server answered ${response.status}`;
-  return new Refused(words, response.status, errorField(body, "kind"), errorField(body, "url"));
-}
-
-/** Return a text in the error of an answer, empty if there is none. */
-function errorField(body: unknown, name: string): string {
-  const error =
-    typeof body === "object" && body !== null && "error" in body
-      ? (body.error as Record<string, unknown> | null)
-      : null;
-  const part = error?.[name];
-  return typeof part === "string" ? part : "";
-}
-
-function isState(body: unknown): body is DocState {
-  return typeof body === "object" && body !== null && "version" in body && "text" in body;
+  const { status } = response;
+  if ([401, 403].includes(status)) return new Unauthorized("the server does not know this page");
+  if ([502, 503, 504].includes(status)) return new Unreachable(`status ${status}`);
+  const body = (await response.json().catch(() => null)) as Json;
+  if (status === 409 && isTable(body) && "version" in body && "text" in body)
+    return new Outdated(body as unknown as DocState);
+  const { kind, url } = tableAt(body, ["error"]);
+  return new Refused(messageOf(body) ?? `the server answered ${status}`, status, String(kind ?? ""), String(url ?? ""));
 }
 
 /** Return the message of a refusal: {"error": {...}} with an issue's parts or a message, or {"detail": ...}. */
 export function messageOf(body: unknown): string | null {
   if (typeof body === "string") return body;
   if (Array.isArray(body)) return body.flatMap((each) => messageOf(each) ?? []).join("; ") || null;
-  if (typeof body !== "object" || body === null) return null;
-  const table = body as Record<string, unknown>;
+  if (!isTable(body as Json)) return null;
+  const table = body as Table;
   if (typeof table.found === "string" && typeof table.expected === "string")
     return issueLine(table as unknown as Issue);
   return messageOf(table.error ?? table.message ?? table.msg ?? table.detail ?? table.issues ?? null);

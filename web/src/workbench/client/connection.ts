@@ -1,8 +1,10 @@
 // The connection to the server: its events, and reconnecting.
 
-import { type Api, type DocState, Unauthorized, Unreachable } from "./api";
+import type { Change } from "../model/changes/edits";
+import type { Issue } from "../model/issues";
+import { type Api, type DocState, Lost, Unauthorized } from "./api";
 import type { EditQueue } from "./edit-queue";
-import type { Store } from "./store";
+import type { Run, Solved, Store } from "./store";
 
 /** What to do about the document when the server is back. */
 export type Reconciliation = "same" | "adopt" | "offer" | "differs";
@@ -52,19 +54,19 @@ export class Connection {
       const state = await this.api.state();
       await this.reconcile(state);
       this.listen();
-      this.store.setConnection("ok");
+      this.store.set("connection", "ok");
       this.wait = FIRST_WAIT;
     } catch (error) {
-      if (!(error instanceof Unreachable || error instanceof Unauthorized)) throw error;
+      if (!(error instanceof Lost)) throw error;
       this.handleLoss(error);
     }
   }
 
   /** The server did not answer, or does not know this page: try until it does. */
-  handleLoss(error: Unreachable | Unauthorized): void {
+  handleLoss(error: Lost): void {
     this.queue.hold();
     this.close();
-    this.store.setConnection(error instanceof Unauthorized ? "unauthorized" : "away");
+    this.store.set("connection", error instanceof Unauthorized ? "unauthorized" : "away");
     this.scheduleRetry();
   }
 
@@ -106,13 +108,11 @@ export class Connection {
     } else if (what === "differs" && own) {
       this.queue.hold();
       if ((await this.hooks.askWhichText(state, own.text)) === "page") {
-        taken = await this.api.edit(
-          { edits: [{ op: "text", value: own.text }], text: "keep the page's text" },
-          state.version,
-        );
+        const change: Change = { edits: [{ op: "text", value: own.text }], text: "keep the page's text" };
+        taken = await this.api.edit(change, state.version);
       } else this.queue.clear();
     }
-    if (this.isNewServer) this.store.setSolved(null);
+    if (this.isNewServer) this.store.set("solved", null);
     this.isNewServer = false;
     if (own && own.text !== taken.text) this.queue.rebase(taken);
     this.store.setDoc(taken);
@@ -123,43 +123,26 @@ export class Connection {
     this.close();
     const source = this.events(this.api.eventsAddress());
     this.source = source;
-    const on = (name: string, take: (about: Record<string, unknown>) => void) =>
-      source.addEventListener(name, (event) =>
-        take(JSON.parse((event as MessageEvent<string>).data) as Record<string, unknown>),
-      );
-    on("state", (about) => void this.refresh(Number(about.version)));
+    const on = <T = unknown>(name: string, take: (about: T) => void) =>
+      source.addEventListener(name, (event) => take(JSON.parse((event as MessageEvent<string>).data) as T));
+    const setRun = (run: Run) => this.store.set("run", run);
+    on<{ version: number }>("state", ({ version }) => void this.refresh(version));
     on("saved", () => void this.refresh(-1));
-    on("solving", (about) =>
-      this.store.setRun({
-        kind: "solving",
-        run: Number(about.run),
-        version: Number(about.version),
-        text: "",
-        share: null,
-      }),
+    on<{ run: number; version: number }>("solving", ({ run, version }) =>
+      setRun({ kind: "solving", run, version, text: "", share: null }),
     );
-    on("progress", (about) => this.progress(about));
-    on("solved", (about) => {
-      this.store.setRun({ kind: "idle" });
-      this.store.setSolved({
-        run: Number(about.run),
-        version: Number(about.version),
-        seconds: Number(about.seconds),
-        design: String(about.design ?? ""),
-      });
+    on<{ run: number; text: string; share: number | null }>("progress", ({ run, text, share }) => {
+      const now = this.store.run;
+      if (now.kind === "solving" && now.run === run) setRun({ ...now, text, share });
     });
-    on("refused", (about) => {
-      const issues = Array.isArray(about.issues)
-        ? (about.issues as { location: string; found: string; expected: string; hint: string }[])
-        : [];
-      this.store.setRun({
-        kind: "refused",
-        version: Number(about.version),
-        message: String(about.message ?? ""),
-        issues,
-      });
+    on<Solved>("solved", ({ run, version, seconds, design }) => {
+      setRun({ kind: "idle" });
+      this.store.set("solved", { run, version, seconds, design });
     });
-    on("cancelled", () => this.store.setRun({ kind: "cancelled" }));
+    on<{ version: number; message: string; issues: Issue[] }>("refused", ({ version, message, issues }) =>
+      setRun({ kind: "refused", version, message, issues }),
+    );
+    on("cancelled", () => setRun({ kind: "cancelled" }));
     source.addEventListener("error", () => {
       if (this.source !== source) return;
       // a stream may end without reason: only a request without an answer counts
@@ -168,20 +151,13 @@ export class Connection {
     });
   }
 
-  private progress(about: Record<string, unknown>): void {
-    const { run } = this.store;
-    if (run.kind !== "solving" || run.run !== Number(about.run)) return;
-    const share = typeof about.share === "number" ? about.share : null;
-    this.store.setRun({ ...run, text: String(about.text ?? ""), share });
-  }
-
   private async refresh(version: number): Promise<void> {
     if (this.queue.waiting.length > 0 || version === this.store.doc?.version) return;
     try {
       const state = await this.api.state();
       if (this.queue.waiting.length === 0) this.store.setDoc(state);
     } catch (error) {
-      if (error instanceof Unreachable || error instanceof Unauthorized) this.handleLoss(error);
+      if (error instanceof Lost) this.handleLoss(error);
     }
   }
 

@@ -1,7 +1,7 @@
 // Edits on their way to the server: one at a time, in order, none lost when the server is away.
 
 import type { Change } from "../model/changes/edits";
-import { type Api, type DocState, Outdated, Refused, Unauthorized, Unreachable } from "./api";
+import { type Api, type DocState, Lost, Outdated, Refused } from "./api";
 
 export interface QueueHooks {
   /** The version that the next edit builds on. */
@@ -13,7 +13,7 @@ export interface QueueHooks {
   /** An edit was dropped; `why` is for users. */
   onRefused(change: Change, why: string): void;
   /** The server does not answer, or does not know this page. */
-  onLost(error: Unreachable | Unauthorized): void;
+  onLost(error: Lost): void;
   /** The list of waiting edits has changed. */
   onChange(): void;
 }
@@ -84,7 +84,7 @@ export class EditQueue {
         this.removeFirst(change);
         this.hooks.adopt(state, this.waiting);
       } catch (error) {
-        if (error instanceof Unreachable || error instanceof Unauthorized) {
+        if (error instanceof Lost) {
           this.held = true;
           this.repeated = true;
           this.hooks.onLost(error);
@@ -129,8 +129,6 @@ export function canMerge(earlier: Change, later: Change): boolean {
     JSON.stringify(
       change.edits.map((edit) => [edit.op === "remove" ? "set" : edit.op, "path" in edit ? edit.path : null]),
     );
-  const replaces = later.edits.every(
-    (edit) => edit.op === "set" || edit.op === "remove" || edit.op === "length" || edit.op === "text",
-  );
+  const replaces = later.edits.every((edit) => ["set", "remove", "length", "text"].includes(edit.op));
   return replaces && places(earlier) === places(later);
 }

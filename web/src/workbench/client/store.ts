@@ -2,6 +2,7 @@
 
 import type { Change, Edit } from "../model/changes/edits";
 import { applyOptimistic } from "../model/changes/optimistic-edits";
+import type { Issue } from "../model/issues";
 import { type Path, samePath, type Table } from "../model/paths";
 import type { DocState } from "./api";
 
@@ -12,12 +13,7 @@ export type Connection = "ok" | "away" | "unauthorized";
 export type Run =
   | { kind: "idle" }
   | { kind: "solving"; run: number; version: number; text: string; share: number | null }
-  | {
-      kind: "refused";
-      version: number;
-      message: string;
-      issues: readonly { location: string; found: string; expected: string; hint: string }[];
-    }
+  | { kind: "refused"; version: number; message: string; issues: readonly Issue[] }
   | { kind: "cancelled" };
 
 /** The result shown. */
@@ -30,18 +26,7 @@ export interface Solved {
 }
 
 /** What listeners can be called about. */
-export const TOPICS = [
-  "doc",
-  "data",
-  "connection",
-  "run",
-  "solved",
-  "selection",
-  "waiting",
-  "autosolve",
-  "notice",
-] as const;
-export type Topic = (typeof TOPICS)[number];
+export type Topic = "doc" | "data" | "connection" | "run" | "solved" | "selection" | "waiting" | "autosolve" | "notice";
 
 /** A short message to the user, with an action. */
 export interface Notice {
@@ -77,6 +62,11 @@ export class Store {
     };
   }
 
+  /** Call all listeners once, each topic in the order in which it was first listened to. */
+  emitAll(): void {
+    for (const topic of this.listeners.keys()) this.emit(topic);
+  }
+
   /** Call all listeners of a topic. */
   emit(topic: Topic): void {
     for (const listener of [...(this.listeners.get(topic) ?? [])]) listener();
@@ -88,10 +78,7 @@ export class Store {
     this.doc = doc;
     this.waiting = [...waiting];
     this.readable = doc.data ?? this.readable;
-    if (doc.autosolve !== undefined && doc.autosolve !== this.autosolve) {
-      this.autosolve = doc.autosolve;
-      this.emit("autosolve");
-    }
+    this.set("autosolve", doc.autosolve ?? this.autosolve);
     this.applyWaiting();
     if (fewer) this.emit("waiting");
     this.emit("doc");
@@ -117,31 +104,17 @@ export class Store {
     return text?.op === "text" ? text.value : null;
   }
 
-  setConnection(connection: Connection): void {
-    if (this.connection === connection) return;
-    this.connection = connection;
-    this.emit("connection");
-  }
-
-  setRun(run: Run): void {
-    this.run = run;
-    this.emit("run");
-  }
-
-  setSolved(solved: Solved | null): void {
-    this.solved = solved;
-    this.emit("solved");
+  /** Take another value of a topic. */
+  set<K extends "connection" | "run" | "solved" | "autosolve" | "notice">(topic: K, value: Store[K]): void {
+    if (this[topic] === value) return;
+    (this as Store)[topic] = value;
+    this.emit(topic);
   }
 
   select(path: Path | null): void {
     if (samePath(this.selection, path)) return;
     this.selection = path;
     this.emit("selection");
-  }
-
-  notify(notice: Notice | null): void {
-    this.notice = notice;
-    this.emit("notice");
   }
 
   /** Whether the text is broken, so that form and drawing cannot be edited. */

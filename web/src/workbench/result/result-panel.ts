@@ -5,7 +5,7 @@ import { ResultView } from "../../viewer/panels/result-view";
 import { SectionPanel } from "../../viewer/panels/section-panel";
 import { ValuePanel } from "../../viewer/panels/value-panel";
 import { fill, h } from "../../viewer/shared/dom";
-import { type Api, Refused, type Summary, Unauthorized, Unreachable } from "../client/api";
+import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
 import { splitter } from "../shell/splitter";
 import { tabs } from "../shell/tabs";
@@ -36,7 +36,7 @@ export class ResultPanel {
     private readonly store: Store,
     private readonly api: Pick<Api, "scene" | "summary">,
     solve: () => void,
-    private readonly onLost: (error: Unreachable | Unauthorized) => void,
+    private readonly onLost: (error: Lost) => void,
   ) {
     const valueBox = h("div", { class: "lower-panel value-box" });
     const chartPlace = h("div", { class: "chart-place" });
@@ -108,9 +108,9 @@ export class ResultPanel {
       this.shownRun = solved.run;
     } catch (error) {
       if (turn !== this.fetching) return;
-      if (error instanceof Unreachable || error instanceof Unauthorized) this.onLost(error);
+      if (error instanceof Lost) this.onLost(error);
       else if (error instanceof Refused || error instanceof SceneError)
-        this.store.notify({ kind: "bad", text: `The result cannot be shown: ${error.message}` });
+        this.store.set("notice", { kind: "bad", text: `The result cannot be shown: ${error.message}` });
       else throw error;
     }
   }

@@ -1,6 +1,6 @@
 // Messages across the page: the server is away, edits wait, something was refused.
 
-import { fill, h } from "../../viewer/shared/dom";
+import { button, type Child, fill, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 
 /** The banner below the top bar; hidden while there is nothing to report. */
@@ -8,30 +8,19 @@ export function banner(store: Store, retry: () => void): HTMLElement {
   const element = h("div", { class: "banner", role: "alert", hidden: true });
   const update = () => {
     const count = store.waitingCount;
-    const kept =
-      count === 0
-        ? "Nothing is lost."
-        : count === 1
-          ? "1 edit is kept here and sent when it answers."
-          : `${count} edits are kept here and sent when it answers.`;
+    const edits = count === 1 ? "1 edit is" : `${count} edits are`;
+    const kept = count === 0 ? "Nothing is lost." : `${edits} kept here and sent when it answers.`;
+    const show = (title: string, ...text: Child[]) =>
+      fill(element, h("strong", {}, title), ...text, button("Try now", "", retry, "small"));
     element.hidden = store.connection === "ok";
     if (store.connection === "away") {
-      fill(
-        element,
-        h("strong", {}, "The server does not answer. "),
-        `${kept} If it has ended, start it again with `,
-        h("code", {}, startCommand(store)),
-        ". ",
-        h("button", { type: "button", class: "small", onclick: retry }, "Try now"),
-      );
-    } else if (store.connection === "unauthorized") {
-      fill(
-        element,
-        h("strong", {}, "Another server has been started. "),
+      const command = h("code", {}, startCommand(store));
+      show("The server does not answer. ", `${kept} If it has ended, start it again with `, command, ". ");
+    } else if (store.connection === "unauthorized")
+      show(
+        "Another server has been started. ",
         `${kept} Open the address that it has printed; this page then goes on with it. `,
-        h("button", { type: "button", class: "small", onclick: retry }, "Try now"),
       );
-    }
   };
   store.on(["connection", "waiting"], update);
   return element;
@@ -48,38 +37,25 @@ const NOTICE_TIME = 6000; // ms that a message of success stays
 /** A short message at the lower edge, with an action. */
 export function notices(store: Store): HTMLElement {
   const element = h("div", { class: "notice", role: "status", hidden: true });
-  let timer: ReturnType<typeof setTimeout> | null = null;
+  const close = () => store.set("notice", null);
+  let timer: ReturnType<typeof setTimeout> | undefined;
   store.on(["notice"], () => {
-    if (timer !== null) clearTimeout(timer);
+    clearTimeout(timer);
     const { notice } = store;
     element.hidden = notice === null;
     if (!notice) return;
     element.className = `notice ${notice.kind}`;
-    const { action } = notice;
+    const act = () => {
+      close();
+      notice.action?.run();
+    };
     fill(
       element,
       h("span", {}, notice.text),
-      action
-        ? h(
-            "button",
-            {
-              type: "button",
-              class: "small",
-              onclick: () => {
-                store.notify(null);
-                action.run();
-              },
-            },
-            action.label,
-          )
-        : null,
-      h(
-        "button",
-        { type: "button", class: "icon", "aria-label": "close this message", onclick: () => store.notify(null) },
-        "×",
-      ),
+      notice.action && button(notice.action.label, "", act, "small"),
+      h("button", { type: "button", class: "icon", "aria-label": "close this message", onclick: close }, "×"),
     );
-    timer = notice.kind === "info" ? setTimeout(() => store.notify(null), NOTICE_TIME) : null;
+    if (notice.kind === "info") timer = setTimeout(close, NOTICE_TIME);
   });
   return element;
 }

@@ -1,6 +1,6 @@
 // Commands on the document.
 
-import { type Api, type DocState, Refused, Unauthorized, Unreachable } from "../client/api";
+import { type Api, type DocState, Lost, Refused } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import { ask } from "./dialogs";
@@ -11,7 +11,7 @@ export class Commands {
     private readonly api: Api,
     private readonly store: Store,
     private readonly queue: EditQueue,
-    private readonly onLost: (error: Unreachable | Unauthorized) => void,
+    private readonly onLost: (error: Lost) => void,
     /** Send what is being typed. */
     private readonly flush: () => void,
     private readonly openIssues: () => void,
@@ -24,30 +24,23 @@ export class Commands {
 
   /** Save to the present file; under a name if there is none. */
   save = async (): Promise<boolean> => {
-    const file = this.store.doc?.file ?? null;
-    if (file === null) return this.saveAs();
-    return this.saveTo(null, false);
+    return (this.store.doc?.file ?? null) === null ? this.saveAs() : this.saveTo(null, false);
   };
 
   /** Save under a name that the user chooses. */
   saveAs = async (): Promise<boolean> => {
     const chosen = await chooseFile(this.api, "save", this.store.doc?.file ?? null);
-    if (!chosen) return false;
-    return this.saveTo(chosen.file, chosen.over);
+    return chosen !== null && this.saveTo(chosen.file, chosen.over);
   };
 
   /** Save; ask first where something else would be overwritten. */
   private async saveTo(file: string | null, over: boolean): Promise<boolean> {
-    const inTheWay = (error: Refused) => !over && (error.kind === "changed" || error.kind === "exists");
     let why = "";
-    const done = await this.change(
-      () => this.api.save(file, over),
-      "saved",
-      (error) => {
-        if (inTheWay(error)) why = error.kind;
-        return why !== "";
-      },
-    );
+    const isInTheWay = ({ kind }: Refused) => {
+      if (!over && ["changed", "exists"].includes(kind)) why = kind;
+      return why !== "";
+    };
+    const done = await this.change(() => this.api.save(file, over), "saved", isInTheWay);
     if (done || why === "") return done;
     const words =
       why === "exists"
@@ -88,14 +81,13 @@ export class Commands {
   autosolve = (on: boolean) =>
     this.run(async () => {
       await this.api.autosolve(on);
-      this.store.autosolve = on;
-      this.store.emit("autosolve");
+      this.store.set("autosolve", on);
     });
 
   /** Forget results and selection of the document before. */
   private resetResult(): void {
-    this.store.setSolved(null);
-    this.store.setRun({ kind: "idle" });
+    this.store.set("solved", null);
+    this.store.set("run", { kind: "idle" });
     this.store.select(null);
   }
 
@@ -104,16 +96,14 @@ export class Commands {
     this.flush();
     await this.queue.run();
     if (this.store.doc?.dirty !== true) return true;
-    const answer = await ask(
-      "Save the changes first?",
-      ["The present case has unsaved changes. If you leave it, they are kept and offered when it is opened again."],
-      [
-        { label: "Stay", value: "stay" },
-        { label: "Leave", value: "leave" },
-        { label: "Save", value: "save", main: true },
-      ],
-      "stay",
-    );
+    const words =
+      "The present case has unsaved changes. If you leave it, they are kept and offered when it is opened again.";
+    const answers = [
+      { label: "Stay", value: "stay" },
+      { label: "Leave", value: "leave" },
+      { label: "Save", value: "save", main: true },
+    ];
+    const answer = await ask("Save the changes first?", [words], answers, "stay");
     return answer === "leave" || (answer === "save" && (await this.save()));
   }
 
@@ -126,7 +116,7 @@ export class Commands {
     return this.run(async () => {
       const state = await make();
       this.store.setDoc(state.offer ? await this.resolveOffer(state) : state);
-      if (done) this.store.notify({ kind: "info", text: `${this.store.doc?.file ?? "The case"} is ${done}.` });
+      if (done) this.store.set("notice", { kind: "info", text: `${this.store.doc?.file ?? "The case"} is ${done}.` });
     }, known);
   }
 
@@ -137,14 +127,9 @@ export class Commands {
       await run();
       return true;
     } catch (error) {
-      if (error instanceof Unreachable || error instanceof Unauthorized) this.onLost(error);
-      else if (error instanceof Refused && known(error)) return false;
-      else
-        this.store.notify({
-          kind: "bad",
-          text: error instanceof Refused ? error.message : String(error),
-          ...(error instanceof Refused ? otherWorkbench(error) : {}),
-        });
+      if (error instanceof Lost) this.onLost(error);
+      else if (!(error instanceof Refused)) this.store.set("notice", { kind: "bad", text: String(error) });
+      else if (!known(error)) this.store.set("notice", { kind: "bad", text: error.message, ...otherWorkbench(error) });
       return false;
     }
   }

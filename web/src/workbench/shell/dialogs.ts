@@ -1,6 +1,6 @@
 // Questions to the user.
 
-import { h, newId } from "../../viewer/shared/dom";
+import { button, h, newId } from "../../viewer/shared/dom";
 
 export interface Answer<T> {
   label: string;
@@ -9,43 +9,47 @@ export interface Answer<T> {
   main?: boolean;
 }
 
+/** Show a dialog; Escape calls `cancel`. */
+export function openDialog(dialog: HTMLDialogElement, cancel: () => void): void {
+  dialog.addEventListener("cancel", (event) => {
+    event.preventDefault();
+    cancel();
+  });
+  document.body.append(dialog);
+  dialog.showModal();
+}
+
+/** Close a dialog and remove it from the page. */
+export function closeDialog(dialog: HTMLDialogElement): void {
+  dialog.close();
+  dialog.remove();
+}
+
 /** Ask a question; resolves with the answer chosen, with `otherwise` on Escape (null: Escape does not close). */
 export function ask<T>(
   title: string,
-  text: readonly (string | Node)[],
+  text: readonly string[],
   answers: readonly Answer<T>[],
   otherwise: T | null,
 ): Promise<T> {
   return new Promise((resolve) => {
     const id = newId("dialog");
-    const dialog = h("dialog", { class: "ask", "aria-labelledby": id });
     const close = (value: T) => {
-      dialog.close();
-      dialog.remove();
+      closeDialog(dialog);
       resolve(value);
     };
-    dialog.addEventListener("cancel", (event) => {
-      event.preventDefault();
-      if (otherwise !== null) close(otherwise);
+    const buttons = answers.map(({ label, value, main = false }) => {
+      const answer = button(label, "", () => close(value), main ? "main" : "");
+      answer.toggleAttribute("autofocus", main);
+      return answer;
     });
-    const buttons = answers.map((answer) =>
-      h(
-        "button",
-        {
-          type: "button",
-          class: answer.main ? "main" : "",
-          autofocus: answer.main === true,
-          onclick: () => close(answer.value),
-        },
-        answer.label,
-      ),
-    );
-    dialog.append(
+    const dialog = h(
+      "dialog",
+      { class: "ask", "aria-labelledby": id },
       h("h2", { id }, title),
-      ...text.map((each) => (typeof each === "string" ? h("p", {}, each) : each)),
+      ...text.map((each) => h("p", {}, each)),
       h("div", { class: "answers" }, ...buttons),
     );
-    document.body.append(dialog);
-    dialog.showModal();
+    openDialog(dialog, () => otherwise !== null && close(otherwise));
   });
 }

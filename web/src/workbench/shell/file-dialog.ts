@@ -1,8 +1,8 @@
 // Choosing a case file on the server's machine: to open, or to save under a name.
 
-import { fill, h, newId } from "../../viewer/shared/dom";
+import { button, fill, h, newId } from "../../viewer/shared/dom";
 import { type Api, type Folder, Refused } from "../client/api";
-import { ask } from "./dialogs";
+import { ask, closeDialog, openDialog } from "./dialogs";
 
 export interface ChosenFile {
   file: string;
@@ -46,40 +46,27 @@ class FileDialog {
   ) {
     const words = purpose === "open" ? "Open" : "Save";
     const title = purpose === "open" ? "Open a case file" : "Save the case file as";
-    const up = h(
-      "button",
-      {
-        type: "button",
-        class: "small",
-        title: "Folder above",
-        onclick: () => this.folder?.parent && void this.show(this.folder.parent),
-      },
-      "↑ Up",
-    );
+    const goUp = () => this.folder?.parent && void this.show(this.folder.parent);
+    const answers = [
+      button("Cancel", "", () => this.close(null)),
+      h("button", { type: "submit", class: "main" }, words),
+    ];
     const form = h(
       "form",
       { method: "dialog", class: "file-form" },
       h("h2", {}, title),
-      h("div", { class: "file-place" }, up, this.place),
+      h("div", { class: "file-place" }, button("↑ Up", "Folder above", goUp, "small"), this.place),
       this.list,
       h("div", { class: "file-name" }, h("label", { for: this.name.id }, "Name"), this.name),
       this.message,
-      h(
-        "div",
-        { class: "answers" },
-        h("button", { type: "button", onclick: () => this.close(null) }, "Cancel"),
-        h("button", { type: "submit", class: "main" }, words),
-      ),
+      h("div", { class: "answers" }, ...answers),
     );
     this.dialog = h("dialog", { class: "file-dialog", "aria-label": title }, form);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       void this.accept();
     });
-    this.dialog.addEventListener("cancel", (event) => {
-      event.preventDefault();
-      this.close(null);
-    });
+
     this.place.addEventListener("input", () => (this.turn += 1));
     this.place.addEventListener("keydown", (event) => {
       if (event.key !== "Enter") return;
@@ -90,19 +77,15 @@ class FileDialog {
   }
 
   start(): void {
-    document.body.append(this.dialog);
-    this.dialog.showModal();
-    const { present } = this;
-    this.name.value = present === null ? "" : (present.split(/[\\/]/).at(-1) ?? "");
-    const folder =
-      present === null ? null : present.slice(0, Math.max(present.lastIndexOf("/"), present.lastIndexOf("\\")));
+    openDialog(this.dialog, () => this.close(null));
+    const [, folder = "", name = ""] = /^(?:(.*)[\\/])?(.*)$/.exec(this.present ?? "") ?? [];
+    this.name.value = name;
     this.name.focus();
     void this.show(folder || null);
   }
 
   private close(chosen: ChosenFile | null): void {
-    this.dialog.close();
-    this.dialog.remove();
+    closeDialog(this.dialog);
     this.resolve(chosen);
   }
 
@@ -167,19 +150,12 @@ class FileDialog {
     if (this.purpose === "save" && !/\.[A-Za-z0-9]+$/.test(name)) name += ".toml";
     const file = /^([A-Za-z]:)?[\\/]/.test(name) ? name : this.path(name);
     const there = this.folder?.files.includes(name) === true;
-    if (this.purpose === "save" && there && file !== this.present) {
-      const over = await ask(
-        "Replace the file?",
-        [`${name} already exists.`],
-        [
-          { label: "Keep it", value: false, main: true },
-          { label: "Replace it", value: true },
-        ],
-        false,
-      );
-      if (!over) return;
-      return this.close({ file, over: true });
-    }
-    this.close({ file, over: false });
+    const over = this.purpose === "save" && there && file !== this.present;
+    const answers = [
+      { label: "Keep it", value: false, main: true },
+      { label: "Replace it", value: true },
+    ];
+    if (over && !(await ask("Replace the file?", [`${name} already exists.`], answers, false))) return;
+    this.close({ file, over });
   }
 }

@@ -4,7 +4,7 @@ import type { DocState, HttpApi } from "../client/api";
 import { openSections } from "../client/browser-storage";
 import type { Connection } from "../client/connection";
 import type { EditQueue } from "../client/edit-queue";
-import { type Store, TOPICS } from "../client/store";
+import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
 import type { Change } from "../model/changes/edits";
@@ -52,7 +52,7 @@ export function buildPage(
     notices(store),
   );
   document.addEventListener("keydown", (event) => handleKey(event, commands));
-  for (const topic of TOPICS) store.emit(topic);
+  store.emitAll();
 }
 
 /** The left half: plan, form and text of the model, and its issues. */

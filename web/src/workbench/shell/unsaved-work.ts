@@ -52,10 +52,10 @@ export function showWarnings(store: Store, commands: Commands): void {
     const text = unkept || (outside ? "Another program has changed the file since it was read." : "");
     if (text === shown) return;
     shown = text;
-    if (unkept) store.notify({ kind: "bad", text: `${unkept}. Save soon.` });
+    if (unkept) store.set("notice", { kind: "bad", text: `${unkept}. Save soon.` });
     else if (text && file) {
       const action = { label: "Read it again", run: () => void commands.openFile(file) };
-      store.notify({ kind: "bad", text, action });
+      store.set("notice", { kind: "bad", text, action });
     }
   });
 }
