@@ -1,4 +1,5 @@
 // Moving a plan by pointers: dragging, pinching, the wheel.
+import { distanceBetween, pointBetween } from "../data/points";
 import type { Point } from "../data/scene";
 import type { Camera } from "./camera";
 
@@ -21,7 +22,7 @@ export function zoomByWheel(camera: Camera, event: WheelEvent, pixel: Point): vo
 
 /** Whether two pixels are too far apart for a click. */
 export function isFar(a: Readonly<Point>, b: Readonly<Point>): boolean {
-  return Math.hypot(a[0] - b[0], a[1] - b[1]) >= CLICK;
+  return distanceBetween(a, b) >= CLICK;
 }
 
 /** The pointers that are down, and where. */
@@ -33,9 +34,9 @@ export class Touches extends Map<number, Point> {
     if (!before) return false;
     this.set(id, now);
     if (!other) return false;
-    const distance = (point: Point) => Math.max(Math.hypot(point[0] - other[0], point[1] - other[1]), 1);
+    const distance = (point: Point) => Math.max(distanceBetween(point, other), 1);
     camera.pan((now[0] - before[0]) / 2, (now[1] - before[1]) / 2);
-    camera.zoom(distance(now) / distance(before), [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
+    camera.zoom(distance(now) / distance(before), pointBetween(now, other));
     return true;
   }
 }

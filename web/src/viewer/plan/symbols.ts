@@ -1,7 +1,7 @@
 // Symbols of what has a place in plan: the same in the editor and over a result.
 import { boxAround } from "../data/boxes";
 import { formatShort } from "../data/numbers";
-import { offset, pointBetween } from "../data/points";
+import { distanceBetween, offset, pointBetween } from "../data/points";
 import type { Point } from "../data/scene";
 import { svg } from "../shared/dom";
 import type { Camera } from "./camera";
@@ -119,7 +119,7 @@ function middleOf(pixels: Ring): Point {
 
 /** Return the direction from one place to another, and the distance. */
 function directionOf(a: Readonly<Point>, b: Readonly<Point>): [x: number, y: number, length: number] {
-  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const length = distanceBetween(a, b);
   return [(b[0] - a[0]) / (length || 1), (b[1] - a[1]) / (length || 1), length];
 }
 

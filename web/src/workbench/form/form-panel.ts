@@ -1,12 +1,13 @@
 // The case file as a form: one section that folds for each key at the top of the file.
 
 import { h, setText } from "../../viewer/shared/dom";
-import { issueCount, issuesAt, issuesOfPart } from "../model/issues";
+import { issuesOfPart } from "../model/issues";
 import { isTable, type Json, type Path, type Table } from "../model/paths";
 import type { Field } from "../model/schema";
 import type { FormContext, Widget } from "./context";
 import { showIssues } from "./errors";
 import { heading, shortValue } from "./labels";
+import { foldedWidget } from "./lists/folded-rows";
 import "./form.css";
 import { nodeWidget } from "./section";
 
@@ -75,40 +76,18 @@ function foldedSection(
   opened: (key: string, open: boolean) => void,
 ): Widget {
   const path: Path = [field.name];
+  const title = h("span", { class: "section-title" }, HEADINGS[field.name] ?? heading(field.name));
   const digest = h("span", { class: "digest" });
-  const badge = h("span", { class: "badge" });
-  const element = h(
-    "details",
-    { class: "section", "data-section": field.name },
-    h("summary", {}, h("span", { class: "section-title" }, HEADINGS[field.name] ?? heading(field.name)), digest, badge),
+  const makeBody = () => {
+    const body = nodeWidget(ctx, path, field, true);
+    return { ...body, element: h("div", { class: "section-body" }, body.element) };
+  };
+  const attributes = { class: "section", "data-section": field.name, open };
+  const { element, update, reveal } = foldedWidget(ctx, path, attributes, [title, digest], [], makeBody, () =>
+    setText(digest, digestOf(field, ctx.data(), isOptional(ctx, field))),
   );
-  let body: Widget | null = null;
-  const build = () => {
-    if (!element.open || body) return;
-    body = nodeWidget(ctx, path, field, true);
-    element.append(h("div", { class: "section-body" }, body.element));
-    body.update();
-  };
-  element.open = open;
-  element.addEventListener("toggle", () => {
-    build();
-    opened(field.name, element.open);
-  });
-  const update = () => {
-    setText(digest, digestOf(field, ctx.data(), isOptional(ctx, field)));
-    const count = issuesAt(ctx.issues(), path).length;
-    setText(badge, count > 0 ? String(count) : "");
-    badge.title = issueCount(count);
-    build();
-    if (element.open) body?.update();
-  };
-  const reveal = (target: Path) => {
-    if (target[0] !== field.name) return false;
-    element.open = true;
-    build();
-    return body?.reveal(target) ?? false;
-  };
-  return { element, update, reveal };
+  element.addEventListener("toggle", () => opened(field.name, element.open));
+  return { element, update, reveal: (target) => target[0] === field.name && reveal(target) };
 }
 
 /** Whether a section does nothing unless it is there. */

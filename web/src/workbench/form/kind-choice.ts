@@ -1,12 +1,12 @@
 // The choice between the kinds of a table.
 import { fill, h, newId } from "../../viewer/shared/dom";
 import { switchKind } from "../model/changes/variants";
-import { issuesAt } from "../model/issues";
+
 import { titleAt } from "../model/items";
-import { type Path, pathKey, startsWith, tableAt } from "../model/paths";
+import { type Path, pathKey, tableAt } from "../model/paths";
 import type { Part } from "../model/schema";
 import type { FormContext, Widget } from "./context";
-import { showIssues } from "./errors";
+import { inputWidget } from "./inputs/inputs";
 
 /** `change` is called with the kind that is chosen; by default the table at the path becomes of that kind. */
 export function kindChoice(
@@ -39,17 +39,8 @@ export function kindChoice(
     fill(select, chosen ? null : unknown, ...options);
     select.value = chosen?.name ?? "";
     hint.textContent = chosen ? kindHint(chosen) : "";
-    const issues = issuesAt(ctx.issues(), own);
-    element.classList.toggle("faulty", issues.length > 0);
-    showIssues(messages, issues);
   };
-  const reveal = (target: Path) => {
-    if (!startsWith(target, own)) return false;
-    element.scrollIntoView({ block: "nearest" });
-    select.focus();
-    return true;
-  };
-  return { element, update, reveal };
+  return inputWidget(ctx, own, { element: select, focus: select, update }, element, messages);
 }
 
 /** Return what a kind is called in a choice. */

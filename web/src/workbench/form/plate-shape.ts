@@ -4,8 +4,8 @@ import { h, newId } from "../../viewer/shared/dom";
 import type { Edit } from "../model/changes/edits";
 import { outlineEdits } from "../model/changes/new-items";
 import { defaultPlacement } from "../model/changes/variants";
-import { readSides, ringOf } from "../model/geometry";
-import { type Path, pathKey, startsWith, type Table, tableAt } from "../model/paths";
+import { readSides } from "../model/geometry";
+import { type Path, pathKey, startsWith, tableAt } from "../model/paths";
 import { formatLength } from "../model/quantities";
 import type { FormContext, Widget } from "./context";
 import { valueField } from "./inputs/value-field";
@@ -38,7 +38,7 @@ export function plateShape(ctx: FormContext): Widget {
   );
   const element = h("div", { class: "plate-shape" }, row, ...sides.map((side) => side.element));
   select.addEventListener("change", () => {
-    const edits = select.value === SIDES ? sidesEdits(ctx.data()) : shapeEdits(ctx, select.value);
+    const edits = select.value === SIDES ? sidesEdits(ctx) : shapeEdits(ctx, select.value);
     const name = select.value === SIDES ? "rectangle centered on the origin" : select.value.toLowerCase();
     ctx.change({ edits, text: `change the slab's outline to a ${name}` });
   });
@@ -68,31 +68,21 @@ export function plateOutline(ctx: FormContext, inner: Widget): Widget {
 /** The edits that draw the slab as a shape where it lies now. */
 export function shapeEdits(ctx: Pick<FormContext, "schema" | "data">, name: string): Edit[] {
   const data = ctx.data();
-  const old = tableAt(data, ["plate", "outline"]);
-  const shape: Table = defaultPlacement(data, ["plate", "outline"], ctx.schema.part(name), old);
-  return outlineEdits(data, shape);
+  return outlineEdits(data, defaultPlacement(data, OUTLINE, ctx.schema.part(name), tableAt(data, OUTLINE)));
 }
 
 /** The edits that make the slab a rectangle about the origin, as large as it was. */
-function sidesEdits(data: Table): Edit[] {
-  const box = defaultPlacement(
-    data,
-    ["plate", "outline"],
-    { name: "Rectangle", about: "", kind: "rectangle", fields: [] },
-    tableAt(data, ["plate", "outline"]),
-  );
-  const old = readSides(data);
+function sidesEdits(ctx: FormContext): Edit[] {
+  const data = ctx.data();
+  const box = defaultPlacement(data, OUTLINE, ctx.schema.part("Rectangle"), tableAt(data, OUTLINE));
   const size = (key: "x" | "y") => {
     const [from, to] = (box[key] as string[]).map((each) => parseFloat(each));
-    return formatLength((to ?? 3) - (from ?? -3));
+    return (to ?? 3) - (from ?? -3);
   };
-  const ring = old ? ringOf(old) : null;
-  const [x, y] = ring
-    ? [formatLength(2 * Math.abs(ring[0]?.[0] ?? 3)), formatLength(2 * Math.abs(ring[0]?.[1] ?? 2))]
-    : [size("x"), size("y")];
+  const old = readSides(data) ?? { x: size("x"), y: size("y") };
   return [
-    { op: "remove", path: ["plate", "outline"] },
-    { op: "set", path: ["plate", "length_x"], value: x },
-    { op: "set", path: ["plate", "length_y"], value: y },
+    { op: "remove", path: OUTLINE },
+    { op: "set", path: ["plate", "length_x"], value: formatLength(old.x) },
+    { op: "set", path: ["plate", "length_y"], value: formatLength(old.y) },
   ];
 }

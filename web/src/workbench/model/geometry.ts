@@ -50,7 +50,7 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
 }
 
 /** The rectangle about the origin that length_x and length_y state, null if there is none. */
-export function readSides(data: Json): Geometry | null {
+export function readSides(data: Json): Extract<Geometry, { type: "sides" }> | null {
   const [x, y] = [parseLength(valueAt(data, ["plate", "length_x"])), parseLength(valueAt(data, ["plate", "length_y"]))];
   return x !== null && y !== null && x > 0 && y > 0 ? { type: "sides", at: ["plate"], x, y } : null;
 }

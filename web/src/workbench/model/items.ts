@@ -11,7 +11,7 @@ import {
   rectangleCorners,
   ringOf,
 } from "./geometry";
-import { formatPath, isTable, type Json, listAt, type Path, type Table, tableAt, valueAt } from "./paths";
+import { formatPath, isTable, type Json, listAt, type Path, samePath, type Table, tableAt, valueAt } from "./paths";
 import { parseLength } from "./quantities";
 
 export interface Item {
@@ -31,24 +31,25 @@ export interface Item {
 interface Source {
   kind: Kind;
   list: Path;
-  word: string;
+  /** What it is called, if not by its kind. */
+  word?: string;
   /** The key of the geometry. */
   below?: string;
 }
 
 const SOURCES: readonly Source[] = [
-  { kind: "soil zone", list: ["soil_zones"], word: "soil zone", below: "shape" },
-  { kind: "zone", list: ["plate", "zones"], word: "zone", below: "shape" },
-  { kind: "opening", list: ["plate", "openings"], word: "opening" },
-  { kind: "void", list: ["contact", "voids"], word: "void" },
+  { kind: "soil zone", list: ["soil_zones"], below: "shape" },
+  { kind: "zone", list: ["plate", "zones"], below: "shape" },
+  { kind: "opening", list: ["plate", "openings"] },
+  { kind: "void", list: ["contact", "voids"] },
   { kind: "gap", list: ["contact", "gaps"], word: "measured gap" },
-  { kind: "support", list: ["supports"], word: "support" },
-  { kind: "column", list: ["columns"], word: "column" },
-  { kind: "load", list: ["loads"], word: "load" },
-  { kind: "borehole", list: ["boreholes"], word: "borehole" },
-  { kind: "strip", list: ["output", "strips"], word: "strip" },
-  { kind: "section line", list: ["output", "lines"], word: "section line" },
-  { kind: "output point", list: ["output", "points"], word: "output point" },
+  { kind: "support", list: ["supports"] },
+  { kind: "column", list: ["columns"] },
+  { kind: "load", list: ["loads"] },
+  { kind: "borehole", list: ["boreholes"] },
+  { kind: "strip", list: ["output", "strips"] },
+  { kind: "section line", list: ["output", "lines"] },
+  { kind: "output point", list: ["output", "points"] },
 ];
 
 /** Kinds of loads that have no place of their own in plan. */
@@ -71,7 +72,7 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
   return listAt(data, source.list).flatMap((table, n): Item[] => {
     if (!isTable(table)) return [];
     const path = [...source.list, n];
-    const title = titleOf(source.word, table, n);
+    const title = titleOf(source.word ?? source.kind, table, n);
     const host = source.kind === "load" ? columnOf(data, table) : null;
     if (host) {
       const geometry: Geometry = { type: "point", at: path, x: host.x, y: host.y };
@@ -96,11 +97,9 @@ function titleOf(word: string, table: Table, position: number): string {
 
 /** Return the title of the item at a path, also of one without a place in plan. */
 export function titleAt(data: Table, path: Path): string {
-  const source = SOURCES.find(
-    (each) => each.list.length + 1 === path.length && each.list.every((step, n) => step === path[n]),
-  );
+  const source = SOURCES.find((each) => samePath(each.list, path.slice(0, -1)));
   const position = path.at(-1);
-  if (source && typeof position === "number") return titleOf(source.word, tableAt(data, path), position);
+  if (source && typeof position === "number") return titleOf(source.word ?? source.kind, tableAt(data, path), position);
   return path[0] === "plate" && path.length < 3 ? "slab" : formatPath(path);
 }
 

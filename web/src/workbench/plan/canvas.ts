@@ -1,5 +1,6 @@
 // The drawing on the screen: what is seen, what is drawn, which part of it is under the pointer.
 
+import { distanceBetween } from "../../viewer/data/points";
 import { Camera } from "../../viewer/plan/camera";
 import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
@@ -92,10 +93,7 @@ export class Canvas {
   handleAt(pixel: Point): Handle | null {
     const item = this.selected;
     if (!item) return null;
-    const distance = (handle: Handle) => {
-      const [x, y] = this.camera.toPixel(handle.at);
-      return Math.hypot(x - pixel[0], y - pixel[1]);
-    };
+    const distance = (handle: Handle) => distanceBetween(this.camera.toPixel([...handle.at]), pixel);
     const near = handlesOf(item.geometry).filter((handle) => distance(handle) <= REACH);
     return near.sort((a, b) => distance(a) - distance(b))[0] ?? null;
   }

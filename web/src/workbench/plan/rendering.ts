@@ -1,5 +1,6 @@
 // The drawing of the case file's items, and the marks around the selected one.
 import { withMinus } from "../../viewer/data/numbers";
+import { distanceBetween } from "../../viewer/data/points";
 import type { Camera } from "../../viewer/plan/camera";
 import { drawSymbol, drawText, type PlanSymbol } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
@@ -62,9 +63,7 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
     foot,
     holes: kind === "load" ? holesOf(item) : [],
     hidden: texts === null,
-    upward: String(table.P ?? "")
-      .trim()
-      .startsWith("-"),
+    upward: /^\s*-/.test(String(table.P ?? "")),
     elastic: table.stiffness !== undefined,
     width: parseLength(table.width) ?? 0,
   };
@@ -125,12 +124,12 @@ export function drawDimensions(camera: Camera, ring: Ring, closed: boolean): SVG
   return ring.slice(0, Math.max(count, 0)).flatMap((a, n) => {
     const b = ring[(n + 1) % ring.length] ?? a;
     const [p, q] = [camera.toPixel(a), camera.toPixel(b)];
-    if (Math.hypot(q[0] - p[0], q[1] - p[1]) < 34) return [];
+    if (distanceBetween(p, q) < 34) return [];
     const isSteep = Math.abs(q[1] - p[1]) > Math.abs(q[0] - p[0]);
     const x = (p[0] + q[0]) / 2;
     const side = x > center ? -8 : 8;
     const align = !isSteep ? "dimension middle" : x > center ? "dimension end" : "dimension";
-    const text = `${formatDecimals(Math.hypot(b[0] - a[0], b[1] - a[1]), 3)} m`;
+    const text = `${formatDecimals(distanceBetween(a, b), 3)} m`;
     return [drawText([x, (p[1] + q[1]) / 2], text, [isSteep ? side : 0, -8], align)];
   });
 }

@@ -1,9 +1,9 @@
 // The figures of a combination that a reader wants first, and the certificates of all.
 
 import { formatNumber } from "../../viewer/data/numbers";
-import { fill, h } from "../../viewer/shared/dom";
+import { button, fill, h } from "../../viewer/shared/dom";
 import { symbolElement } from "../../viewer/shared/symbols";
-import type { CombinationSummary, Summary } from "../client/api";
+import type { CombinationSummary, Summary, SummaryRow } from "../client/api";
 import type { Json } from "../model/paths";
 
 /** What can be judged of the design: what fails or needs attention comes in words. */
@@ -28,45 +28,28 @@ export function showSummary(
   if (!one) return fill(element, ...design, h("p", { class: "empty" }, "Choose a combination to see its figures."));
   if (one.refused !== null)
     return fill(element, ...design, h("p", { class: "verdict bad" }, `${one.name} has no solution: ${one.refused}`));
-  fill(
-    element,
-    ...design,
+  const sections = one.sections.map(({ title, rows, notes }) =>
     h(
-      "div",
-      { class: "summary-sections" },
-      ...one.sections.map((section) =>
-        h(
-          "section",
-          {},
-          h("h3", {}, section.title),
-          h(
-            "table",
-            { class: "figures" },
-            h(
-              "tbody",
-              {},
-              ...section.rows.map((row) =>
-                h(
-                  "tr",
-                  {},
-                  h(
-                    "th",
-                    { scope: "row" },
-                    row.label,
-                    row.symbol ? " " : "",
-                    row.symbol ? symbolElement(row.symbol) : null,
-                  ),
-                  h("td", {}, typeof row.value === "number" ? formatNumber(row.value) : (row.value ?? "")),
-                  h("td", { class: "unit" }, row.unit),
-                  h("td", { class: "note" }, row.note),
-                ),
-              ),
-            ),
-          ),
-          ...section.notes.map((note) => h("p", { class: "quiet" }, note)),
-        ),
-      ),
+      "section",
+      {},
+      h("h3", {}, title),
+      h("table", { class: "figures" }, h("tbody", {}, ...rows.map(makeSummaryRow))),
+      ...notes.map((note) => h("p", { class: "quiet" }, note)),
     ),
+  );
+  fill(element, ...design, h("div", { class: "summary-sections" }, ...sections));
+}
+
+function makeSummaryRow({ label, symbol, value, unit, note }: SummaryRow): HTMLElement {
+  const name = symbol ? [label, " ", symbolElement(symbol)] : [label];
+  const figure = typeof value === "number" ? formatNumber(value) : (value ?? "");
+  return h(
+    "tr",
+    {},
+    h("th", { scope: "row" }, ...name),
+    h("td", {}, figure),
+    h("td", { class: "unit" }, unit),
+    h("td", { class: "note" }, note),
   );
 }
 
@@ -91,67 +74,38 @@ const TEXTS: Record<Verdict, string> = { certified: "holds", "not certified": "d
 
 /** Show the certificates of all combinations; `choose` is called with the position of one that was clicked. */
 export function showCertificates(element: HTMLElement, summary: Summary | null, choose: (n: number) => void): void {
-  if (!summary)
-    return fill(
-      element,
-      h("p", { class: "empty" }, "Each solved combination is checked against the equations; the verdicts stand here."),
-    );
-  const keys = [...new Set(summary.combinations.flatMap((one) => Object.keys(one.certificate ?? {})))].filter(
-    (key) => !NO_RATIOS.has(key),
-  );
-  const bad = summary.combinations.filter((one) => verdictOf(one) !== "certified").length;
-  const total = summary.combinations.length;
-  const verdict =
-    bad === 0
-      ? h(
-          "p",
-          { class: "verdict good" },
-          `${total === 1 ? "The result is" : `The results of all ${total} combinations are`} certified: equilibrium and contact conditions are satisfied on this mesh. This is no approval of the design.`,
-        )
-      : h(
-          "p",
-          { class: "verdict bad" },
-          total === 1
-            ? "This result must not be used."
-            : `${bad} of ${total} combinations have no result that may be used.`,
-        );
-  const head = h(
-    "tr",
-    {},
-    h("th", { scope: "col" }, "combination"),
-    h("th", { scope: "col" }, "certificate"),
-    ...keys.map((key) => h("th", { scope: "col" }, key.replaceAll("_", " "))),
-  );
-  const rows = summary.combinations.map((one, n) => {
+  const hint = "Each solved combination is checked against the equations; the verdicts stand here.";
+  if (!summary) return fill(element, h("p", { class: "empty" }, hint));
+  const { combinations } = summary;
+  const all = new Set(combinations.flatMap((one) => Object.keys(one.certificate ?? {})));
+  const keys = [...all].filter((key) => !NO_RATIOS.has(key));
+  const heads = ["combination", "certificate", ...keys.map((key) => key.replaceAll("_", " "))];
+  const head = h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)));
+  const rows = combinations.map((one, n) => {
     const own = verdictOf(one);
-    const name = h(
-      "button",
-      { type: "button", class: "link", onclick: () => choose(n) },
-      one.name || `combination ${n + 1}`,
-    );
+    const name = button(one.name || `combination ${n + 1}`, "", () => choose(n), "link");
     const figures =
       own === "refused"
         ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
-        : keys.map((key) =>
-            h(
-              "td",
-              { class: isTooLarge(one, key) ? "figure too-large" : "figure" },
-              formatFigure(one.certificate?.[key]),
-            ),
-          );
-    return h(
-      "tr",
-      {},
-      h("th", { scope: "row" }, name),
-      h("td", {}, h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, TEXTS[own])),
-      ...figures,
-    );
+        : keys.map((key) => {
+            const className = isTooLarge(one, key) ? "figure too-large" : "figure";
+            return h("td", { class: className }, formatFigure(one.certificate?.[key]));
+          });
+    const mark = h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, TEXTS[own]);
+    return h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, mark), ...figures);
   });
-  fill(
-    element,
-    verdict,
-    h("div", { class: "wide" }, h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows))),
-  );
+  const table = h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows));
+  fill(element, makeVerdict(combinations), h("div", { class: "wide" }, table));
+}
+
+/** Make the verdict on all combinations together. */
+function makeVerdict(all: readonly CombinationSummary[]): HTMLElement {
+  const bad = all.filter((one) => verdictOf(one) !== "certified").length;
+  const whose = all.length === 1 ? "The result is" : `The results of all ${all.length} combinations are`;
+  const good = `${whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is no approval of the design.`;
+  if (bad === 0) return h("p", { class: "verdict good" }, good);
+  const some = `${bad} of ${all.length} combinations have no result that may be used.`;
+  return h("p", { class: "verdict bad" }, all.length === 1 ? "This result must not be used." : some);
 }
 
 /** A number with a power of ten: 2.7·10⁻¹³. */

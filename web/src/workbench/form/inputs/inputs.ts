@@ -124,13 +124,10 @@ function choicesInput(ctx: FormContext, path: Path, words: readonly string[], st
     const value = valueAt(ctx.data(), path) ?? standard;
     for (const box of boxes) box.checked = Array.isArray(value) && value.includes(box.value);
   };
-  group.addEventListener("change", () =>
-    setValue(
-      ctx,
-      path,
-      boxes.filter((box) => box.checked).map((box) => box.value),
-    ),
-  );
+  group.addEventListener("change", () => {
+    const chosen = boxes.filter((box) => box.checked).map((box) => box.value);
+    setValue(ctx, path, chosen);
+  });
   return { element: group, focus: boxes[0] ?? group, update };
 }
 
@@ -145,10 +142,8 @@ export function tupleInput(
 ): Input {
   const write = (n: number) => (value: Json | undefined, typing: boolean) => {
     const old = valueAt(ctx.data(), path);
-    const list = Array.from(
-      { length },
-      (_, k) => (Array.isArray(old) ? old[k] : undefined) ?? defaultElement(each, standard, k),
-    );
+    const elementAt = (k: number) => (Array.isArray(old) ? old[k] : undefined) ?? defaultElement(each, standard, k);
+    const list = Array.from({ length }, (_, k) => elementAt(k));
     list[n] = value ?? "";
     const empty = value === undefined && list.every((item, k) => item === "" || (!Array.isArray(old) && k !== n));
     setValue(ctx, path, empty ? undefined : list, typing);

@@ -27,24 +27,48 @@ export function foldedRows(ctx: FormContext, path: Path, of: Node, makeItem: (pa
 
 function foldedItem(ctx: FormContext, path: Path, of: Node, makeItem: (path: Path) => Widget): Widget {
   const title = h("span", { class: "item-title" });
+  const attributes = { class: "item", "data-item": pathKey(path) };
+  return foldedWidget(
+    ctx,
+    path,
+    attributes,
+    [title],
+    itemButtons(ctx, path),
+    () => makeItem(path),
+    () => {
+      const table = tableAt(ctx.data(), path);
+      setText(title, summaryOf(table, ctx.schema.partOf(of, table)) || titleAt(ctx.data(), path));
+    },
+  );
+}
+
+/** A part that folds, with a badge of its issues in its head; what is inside is made when it is first opened. */
+export function foldedWidget(
+  ctx: FormContext,
+  path: Path,
+  attributes: Record<string, string | boolean>,
+  before: readonly HTMLElement[],
+  after: readonly HTMLElement[],
+  makeBody: () => Widget,
+  updateHead: () => void,
+): Widget & { element: HTMLDetailsElement } {
   const badge = h("span", { class: "badge" });
-  const summary = h("summary", {}, title, badge, ...itemButtons(ctx, path));
-  const element = h("details", { class: "item", "data-item": pathKey(path) }, summary);
+  const element = h("details", attributes, h("summary", {}, ...before, badge, ...after));
   let body: Widget | null = null;
   const build = () => {
     if (!element.open || body) return;
-    body = makeItem(path);
+    body = makeBody();
     element.append(body.element);
     body.update();
   };
   element.addEventListener("toggle", build);
   const update = () => {
-    const table = tableAt(ctx.data(), path);
-    setText(title, summaryOf(table, ctx.schema.partOf(of, table)) || titleAt(ctx.data(), path));
+    updateHead();
     const count = issuesAt(ctx.issues(), path).length;
     setText(badge, count > 0 ? String(count) : "");
     badge.title = issueCount(count);
-    body?.update();
+    if (body) body.update();
+    else build();
   };
   const reveal = (target: Path) => {
     element.open = true;

@@ -32,14 +32,7 @@ export function renameReferences(data: Table, path: Path, to: string): Edit[] {
   const from = isTable(table) ? table.name : undefined;
   const names = namesIn(listAt(data, [path[0] as string]));
   // two with the same name cannot be distinguished
-  if (
-    typeof from !== "string" ||
-    !from ||
-    from === to ||
-    names.filter((name) => name === from).length > 1 ||
-    names.includes(to)
-  )
-    return [];
+  if (typeof from !== "string" || names.filter((name) => name === from).length !== 1 || names.includes(to)) return [];
   const edits = REFERENCES.filter((each) => each.names === path[0]).flatMap((caller) =>
     referencesTo(data, caller, from).map((n): Edit => ({ op: "set", path: [caller.list, n, caller.key], value: to })),
   );
@@ -47,10 +40,8 @@ export function renameReferences(data: Table, path: Path, to: string): Edit[] {
     listAt(data, ["combinations"]).forEach((each, n) => {
       const factors = isTable(each) && isTable(each.factors) ? each.factors : {};
       if (!(from in factors)) return;
-      const renamed = Object.fromEntries(
-        Object.entries(factors).map(([name, factor]) => [name === from ? to : name, factor]),
-      );
-      edits.push({ op: "set", path: ["combinations", n, "factors"], value: renamed });
+      const renamed = Object.entries(factors).map(([name, factor]) => [name === from ? to : name, factor]);
+      edits.push({ op: "set", path: ["combinations", n, "factors"], value: Object.fromEntries(renamed) });
     });
   }
   return edits;

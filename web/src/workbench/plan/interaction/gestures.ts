@@ -1,5 +1,6 @@
 // What pointers do between press and release: moving, reshaping and drawing.
 import { withMinus } from "../../../viewer/data/numbers";
+import { distanceBetween } from "../../../viewer/data/points";
 import type { Addition, Change } from "../../model/changes/edits";
 import { addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
 import {
@@ -137,7 +138,7 @@ export class DrawGesture {
       return { geometry, item: null, text: `${formatPoint(at)}   ${text}` };
     }
     const last = this.points.at(-1) ?? first;
-    const length = formatDecimals(Math.hypot(at[0] - last[0], at[1] - last[1]), 3);
+    const length = formatDecimals(distanceBetween(at, last), 3);
     const angle = formatDecimals((Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI, 1);
     const geometry: Geometry = { type: "line", at: [], points: [...this.points, at], bulges: [] };
     return { geometry, item: null, text: `${formatPoint(at)}   ${length} m at ${angle}°` };
@@ -176,17 +177,14 @@ function measureText(geometry: Geometry): string {
     default: {
       const ring: Ring = ringOf(geometry);
       if (isClosed(geometry)) return `${ring.length} corners`;
-      const lengths = ring.slice(1).map(([x, y], n) => Math.hypot(x - ring[n]![0], y - ring[n]![1]));
-      return `${formatDecimals(
-        lengths.reduce((sum, length) => sum + length, 0),
-        3,
-      )} m long`;
+      const length = ring.slice(1).reduce((sum, point, n) => sum + distanceBetween(point, ring[n]!), 0);
+      return `${formatDecimals(length, 3)} m long`;
     }
   }
 }
 
 function isNear(a: Point, b: Point, reach: number): boolean {
-  return Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
+  return distanceBetween(a, b) <= reach;
 }
 
 /** Return x and y to a millimeter as text. */
@@ -198,6 +196,7 @@ function formatSigned(value: number): string {
   return `${value < 0 ? "−" : "+"}${formatDecimals(Math.abs(value), 3)}`;
 }
 
-function roundOff(value: number): number {
+/** Remove the noise of a length [m]. */
+export function roundOff(value: number): number {
   return Number(value.toFixed(6)) + 0;
 }

@@ -1,5 +1,7 @@
 // Snapping of the pointer: to corners that exist, in line with them, on round lengths.
 
+import { roundMultiple } from "../../../viewer/data/numbers";
+import { distanceBetween } from "../../../viewer/data/points";
 import type { Point } from "../../model/geometry";
 
 export interface SnapInput {
@@ -29,7 +31,7 @@ export function snap({ at, points, step, reach }: SnapInput): Snapped {
   let [fromX, fromY]: [Point | null, Point | null] = [null, null];
   for (const point of points) {
     const [dx, dy] = [Math.abs(point[0] - at[0]), Math.abs(point[1] - at[1])];
-    const distance = Math.hypot(dx, dy);
+    const distance = distanceBetween(point, at);
     if (distance <= least) [onPoint, least] = [point, distance];
     if (dx < leastX || (dx === leastX && isNearer(point, fromX, at))) [fromX, leastX] = [point, dx];
     if (dy < leastY || (dy === leastY && isNearer(point, fromY, at))) [fromY, leastY] = [point, dy];
@@ -44,11 +46,10 @@ export function snap({ at, points, step, reach }: SnapInput): Snapped {
 }
 
 function isNearer(a: Point, b: Point | null, at: Point): boolean {
-  return !b || Math.hypot(a[0] - at[0], a[1] - at[1]) < Math.hypot(b[0] - at[0], b[1] - at[1]);
+  return !b || distanceBetween(a, at) < distanceBetween(b, at);
 }
 
 /** A length rounded to a step, without noise in its digits. */
 export function roundTo(value: number, step: number): number {
-  const rounded = Math.round(value / step) * step;
-  return Number(rounded.toFixed(Math.max(0, 3 - Math.floor(Math.log10(step))))) + 0;
+  return roundMultiple(Math.round(value / step), step);
 }
