@@ -12,7 +12,7 @@ import {
 } from "../data/fields";
 import { formatNumber, withMinus } from "../data/numbers";
 import { Locator } from "../data/point-location";
-import type { Point, Scene } from "../data/scene";
+import type { Combination, Point, Scene } from "../data/scene";
 import type { ScaleRange, ShownField } from "../data/shown-field";
 import { PlanView, type Tool } from "../plan/plan-view";
 import { button, fill, h, press, setText } from "../shared/dom";
@@ -105,19 +105,11 @@ export class ResultView {
     this.space?.setScene(scene);
     fillFields(this.fields, scene);
     fillCombinations(this.combinations, scene, this.offerRefused);
-    const firstField = fieldsOf(scene)[0]?.name ?? "";
-    const firstChoice = [...this.combinations.options].find(
-      (each) => each.dataset.empty === undefined && /^\d+$/.test(each.value),
-    );
-    const wanted =
-      choice === undefined
-        ? undefined
-        : [...this.combinations.options].find((each) => each.value === String(choice) && !each.disabled);
-    const found = wanted ?? firstChoice;
-    this.show(
-      found ? parseChoice(found.value) : 0,
-      fieldsOf(scene).some((each) => each.name === field) ? field : firstField,
-    );
+    const options = [...this.combinations.options];
+    const wanted = options.find((each) => each.value === String(choice) && !each.disabled);
+    const found = wanted ?? options.find((each) => each.dataset.empty === undefined && /^\d+$/.test(each.value));
+    const fields = fieldsOf(scene).map((each) => each.name);
+    this.show(found ? parseChoice(found.value) : 0, fields.includes(field) ? field : (fields[0] ?? ""));
   }
 
   /** Show nothing. */
@@ -226,18 +218,8 @@ function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused:
   const envelopes = envelopesOf(scene).map((each: Envelope) => h("option", { value: each }, choiceName(scene, each)));
   const options = combinations.map((each, i) => {
     const empty = each.values === null;
-    const state =
-      each.refused !== null
-        ? " (no equilibrium)"
-        : empty
-          ? leftOut.includes(each.name)
-            ? " (left out)"
-            : " (no values)"
-          : each.certified
-            ? ""
-            : " (not certified)";
     const attributes = { value: i, disabled: empty && !offerRefused, "data-empty": empty, title: each.refused ?? "" };
-    return h("option", attributes, choiceName(scene, i) + state);
+    return h("option", attributes, choiceName(scene, i) + remarkOn(each, leftOut));
   });
   if (!envelopes.length) return fill(select, ...options);
   fill(
@@ -245,4 +227,11 @@ function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused:
     h("optgroup", { label: "Envelopes" }, ...envelopes),
     h("optgroup", { label: "Combinations" }, ...options),
   );
+}
+
+/** Return what is to be said of a combination beside its name. */
+function remarkOn({ name, refused, values, certified }: Combination, leftOut: readonly string[]): string {
+  if (refused !== null) return " (no equilibrium)";
+  if (values === null) return leftOut.includes(name) ? " (left out)" : " (no values)";
+  return certified ? "" : " (not certified)";
 }

@@ -56,10 +56,9 @@ export class SectionChart {
   show(section: Section | null): void {
     this.section = section;
     this.samples = section && sampleLine(section.locator, section.start, section.end);
-    this.curves =
-      section?.choices.map((choice) =>
-        sampleField(section.scene, section.locator, choice, section.field, this.samples!),
-      ) ?? [];
+    const sample = ({ scene, locator, field, choices }: Section) =>
+      choices.map((choice) => sampleField(scene, locator, choice, field, this.samples!));
+    this.curves = section ? sample(section) : [];
     this.draw();
   }
 

@@ -61,13 +61,9 @@ export class Viewer {
       h("div", { class: "gs-chart-bar" }, this.section.title, this.section.combinations, close),
       chartPlace,
     );
+    const choices = [makeLabel("Field", view.fields), makeLabel("Combination", view.combinations)];
     this.element.append(
-      h(
-        "div",
-        { class: "gs-bar gs-choices" },
-        makeLabel("Field", view.fields),
-        makeLabel("Combination", view.combinations),
-      ),
+      h("div", { class: "gs-bar gs-choices" }, ...choices),
       this.makeToolbar(),
       h("div", { class: "gs-main" }, view.element, view.scaleBox, side),
       chartBox,
@@ -116,20 +112,14 @@ export class Viewer {
       const box = h("input", { type: "checkbox", checked, onchange: () => change(box.checked) });
       return h("label", {}, box, text);
     };
-    const menu = h(
-      "details",
-      { class: "gs-menu" },
-      h("summary", {}, "Show"),
-      h(
-        "div",
-        {},
-        ...LAYERS.map(([name, text]) => makeBox(text, true, (on) => plan.setLayers({ [name]: on }))),
-        makeBox("lines between colors", true, (lines) => plan.setOptions({ lines })),
-        makeBox("contact boundary", true, (contact) => plan.setOptions({ contact })),
-        makeBox("elements", false, (mesh) => plan.setOptions({ mesh })),
-        makeBox("one scale for all combinations", false, (common) => this.view.setRange(common ? "common" : "auto")),
-      ),
-    );
+    const boxes = [
+      ...LAYERS.map(([name, text]) => makeBox(text, true, (on) => plan.setLayers({ [name]: on }))),
+      makeBox("lines between colors", true, (lines) => plan.setOptions({ lines })),
+      makeBox("contact boundary", true, (contact) => plan.setOptions({ contact })),
+      makeBox("elements", false, (mesh) => plan.setOptions({ mesh })),
+      makeBox("one scale for all combinations", false, (common) => this.view.setRange(common ? "common" : "auto")),
+    ];
+    const menu = h("details", { class: "gs-menu" }, h("summary", {}, "Show"), h("div", {}, ...boxes));
     document.addEventListener("pointerdown", (event) => {
       if (!(event.target instanceof Node && menu.contains(event.target))) menu.open = false;
     });

@@ -91,10 +91,8 @@ function foldedSection(
 }
 
 /** Whether a section does nothing unless it is there. */
-function isOptional(ctx: FormContext, field: Field): boolean {
-  return (
-    !field.needed && field.node.is === "part" && ctx.schema.part(field.node.part).fields.some((each) => each.needed)
-  );
+function isOptional(ctx: FormContext, { needed, node }: Field): boolean {
+  return !needed && node.is === "part" && ctx.schema.part(node.part).fields.some((each) => each.needed);
 }
 
 /** What a section holds, in a few words; `optional` is one that does nothing unless it is there. */

@@ -55,12 +55,8 @@ export function summaryOf(table: Table, part: Part | null): string {
       pieces.push(`${field.symbol && field.name.length > 2 ? "" : `${field.name} `}${shortValue(value)}`.trim());
   }
   if (isTable(table.shape)) pieces.push(String(table.shape.kind ?? ""));
-  if (isTable(table.factors))
-    pieces.push(
-      Object.entries(table.factors)
-        .map(([name, factor]) => `${shortValue(factor)} ${name}`)
-        .join(" + "),
-    );
+  const factors = isTable(table.factors) ? Object.entries(table.factors) : [];
+  pieces.push(factors.map(([name, factor]) => `${shortValue(factor)} ${name}`).join(" + "));
   if (typeof table.column === "string" && table.column) pieces.push(`on ${table.column}`);
   if (typeof table.case === "string" && table.case) pieces.push(`(${table.case})`);
   return pieces.filter(Boolean).join("  ·  ");

@@ -56,14 +56,11 @@ export function propertyPanel(
     widget = found && partWidget(ctx, at, found.node, isSlab ? INSIDE_PLATE : []);
     fill(title);
     fill(body, widget?.element ?? h("p", { class: "empty" }, "Nothing is selected."));
-    if (!found) fill(buttons);
-    else if (isSlab) fill(buttons, toPolygon);
-    else
-      fill(
-        buttons,
-        button("Duplicate", "Make a copy beside it (Ctrl+D)", () => duplicate(at), "small"),
-        button("Remove", "Remove it (Delete)", () => remove(at), "small"),
-      );
+    const itemButtons = [
+      button("Duplicate", "Make a copy beside it (Ctrl+D)", () => duplicate(at), "small"),
+      button("Remove", "Remove it (Delete)", () => remove(at), "small"),
+    ];
+    fill(buttons, ...(found ? (isSlab ? [toPolygon] : itemButtons) : []));
     update();
     element.scrollTop = 0;
   };

@@ -74,11 +74,8 @@ export function emptyResult(store: Store, solve: () => void): { element: HTMLEle
     if (run.kind === "solving") return show("Solving …", "The first result appears here.");
     if (run.kind === "refused")
       return show("Not solved", run.message, ...run.issues.map((each) => h("p", { class: "quiet" }, issueLine(each))));
-    if (count > 0)
-      return show(
-        "No result yet",
-        `Fix the ${count === 1 ? "error" : `${count} errors`} listed below the model first.`,
-      );
+    const errors = count === 1 ? "error" : `${count} errors`;
+    if (count > 0) return show("No result yet", `Fix the ${errors} listed below the model first.`);
     const how = "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve.";
     show("No result yet", how, h("button", { type: "button", class: "main", onclick: solve }, "Solve"));
   };

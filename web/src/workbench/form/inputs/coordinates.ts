@@ -35,14 +35,8 @@ export function pointsInput(ctx: FormContext, path: Path, each: Node): Input {
     const makeRow = (input: Input, n: number) => {
       const add = iconButton("add", "insert after", `insert a point after ${n + 1}`, () => insert(n + 1));
       const drop = iconButton("remove", "remove", `remove point ${n + 1}`, () => remove(n));
-      return h(
-        "div",
-        { class: "place-row" },
-        h("span", { class: "number-of" }, String(n + 1)),
-        input.element,
-        add,
-        drop,
-      );
+      const number = h("span", { class: "number-of" }, String(n + 1));
+      return h("div", { class: "place-row" }, number, input.element, add, drop);
     };
     fill(rows, ...inputs.map(makeRow));
   };

@@ -1,13 +1,14 @@
 // Moving the selected item by keys: one edit for a series of steps.
 import type { Change } from "../../model/changes/edits";
-import { moveGeometry } from "../../model/geometry";
+import { moveGeometry, type Point } from "../../model/geometry";
 import type { Item } from "../../model/items";
 import type { Canvas } from "../canvas";
+import { roundOff } from "./gestures";
 
 const QUIET = 350; // ms without a key until the edit is sent
 
 export class Nudge {
-  private by: [number, number] = [0, 0];
+  private by: Point = [0, 0];
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -25,7 +26,7 @@ export class Nudge {
   }
 
   private finish(item: Item): void {
-    const by = this.by.map((each) => Number(each.toFixed(6))) as [number, number];
+    const by: Point = [roundOff(this.by[0]), roundOff(this.by[1])];
     this.by = [0, 0];
     this.canvas.preview = null;
     if (by[0] !== 0 || by[1] !== 0)
