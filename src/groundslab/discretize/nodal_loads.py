@@ -84,8 +84,7 @@ def _spread(
     """Return the nodal forces (mp, 9) [N] of a distributed load on the meshed part of the plate."""
     mesh, elements = plan.mesh, plan.plate_elements
     if isinstance(load, SelfWeight):
-        weight: Array = load.unit_weight * thickness[:, None] * load_vectors.integrate_over_elements(mesh, elements)
-        return weight
+        return load.unit_weight * thickness[:, None] * load_vectors.integrate_over_elements(mesh, elements)
     if isinstance(load, LineLoad):
         return _along(load, model, plan)
     pressure = pressure_function(load)
@@ -139,5 +138,4 @@ def _on_meshed_side(load: PointLoad, plan: Layout) -> Array:
     given = np.array([load.x, load.y])
     place = np.where(plan.symmetry, np.abs(given), given)
     nodes = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements]]
-    on_plate: Array = np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))
-    return on_plate
+    return np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))

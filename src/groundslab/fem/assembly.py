@@ -59,8 +59,7 @@ def number_unknowns(rank: Integers, present: Flags) -> Integers:
     ordered = np.empty_like(present, dtype=bool)
     ordered[rank] = present
     numbers = np.where(ordered, np.cumsum(ordered.ravel()).reshape(ordered.shape) - 1, -1)
-    result: Integers = numbers[rank]
-    return result
+    return numbers[rank]
 
 
 def build_pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:

@@ -34,8 +34,7 @@ class Bearings:
 
     def penetration(self, u: Array) -> Array:
         """Return the penetration d (c,) for the unknowns u (size,)."""
-        d: Array = self.sign * (self.offset - u[self.unknown])
-        return d
+        return self.sign * (self.offset - u[self.unknown])
 
     def admissible(self, state: Integers) -> Integers:
         """Return states (c,) with bilateral bearings closed and those without a limit force above zero open."""

@@ -29,8 +29,7 @@ class Parts:
     def mean(self, values: Array) -> Array:
         """Return the mean (m, ...) over each element of what the columns have (c, ...)."""
         weighted = self.area_fraction.reshape(-1, *(1,) * (values.ndim - 1)) * values[self.column]
-        means: Array = np.add.reduceat(weighted, np.flatnonzero(np.diff(self.element, prepend=-1)), axis=0)
-        return means
+        return np.add.reduceat(weighted, np.flatnonzero(np.diff(self.element, prepend=-1)), axis=0)
 
 
 @dataclass(frozen=True, slots=True)

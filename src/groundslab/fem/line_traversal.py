@@ -148,5 +148,4 @@ def _crossings(xy: Array, a: Array, b: Array) -> Array:
     found = np.unique(np.concatenate([on, s_of_t[crossed]]))
     inside = found[(found > ON_LINE * length) & (found < (1 - ON_LINE) * length)]
     apart = np.diff(inside, prepend=-np.inf) > ON_LINE * length
-    cuts: Array = np.concatenate([[0.0], inside[apart], [length]])
-    return cuts
+    return np.concatenate([[0.0], inside[apart], [length]])

@@ -62,8 +62,7 @@ def integrate_over_elements(mesh: Mesh, elements: Integers, pressure: Pressure =
     N, dN = q9(points)
     xy = mesh.nodes[mesh.elements[elements]]
     q = pressure(np.einsum("pa,eax->epx", N, xy))
-    shares: Array = (q * jacobian(dN, xy)[2] * weights) @ N
-    return shares
+    return (q * jacobian(dN, xy)[2] * weights) @ N
 
 
 def nodal_area(mesh: Mesh, elements: Integers) -> Array:
@@ -176,8 +175,7 @@ def _outlines(xy: Array) -> Array:
         # between a chord over 2/n of t and the side lies |b x c| (2/n)^3 / 6; n of these are made up for by moving
         # n - 1 corners, each of which takes |b x c| (2/n) times its way against c
         sides[:, :, 1:] -= bend * (4 / n**2) * n / (6 * (n - 1))
-    outlines: Array = sides.reshape(len(xy), 4 * n, 2)
-    return outlines
+    return sides.reshape(len(xy), 4 * n, 2)
 
 
 def _curved(xy: Array) -> bool:

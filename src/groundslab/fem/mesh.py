@@ -41,8 +41,7 @@ class Mesh:
     @property
     def xy(self) -> Array:
         """Return the nodes of each element, (m, 9, 2)."""
-        xy: Array = self.nodes[self.elements]
-        return xy
+        return self.nodes[self.elements]
 
 
 def grid(x: Array, y: Array) -> Mesh:

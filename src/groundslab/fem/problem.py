@@ -91,8 +91,7 @@ class Depths:
 
     def at_shallowest(self, values: Array, nodes: Integers) -> Array:
         """Return the values (n, d) for the least depth at some nodes (k,)."""
-        own: Array = values[nodes, self.shallowest[nodes]]
-        return own
+        return values[nodes, self.shallowest[nodes]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,8 +35,7 @@ def on_plate_edge(problem: Problem) -> Flags:
         return np.zeros(len(problem.bearing.law), dtype=bool)
     on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)
     on_edge[problem.plate_edges] = True
-    found: Flags = (problem.bearing.support < 0) & on_edge[problem.bearing.node]
-    return found
+    return (problem.bearing.support < 0) & on_edge[problem.bearing.node]
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,8 +46,7 @@ def _mode_terms(gamma: Values) -> tuple[Array, Array, Array]:
 
 def sinh_mode(s: Array, gamma: float) -> Array:
     """Return psi = sinh(gamma(1 - s)) / sinh gamma at relative depths s = z/h, without overflow; gamma >= 0."""
-    psi: Array = 1 - s if gamma == 0 else np.exp(-gamma * s) * np.expm1(-2 * gamma * (1 - s)) / np.expm1(-2 * gamma)
-    return psi
+    return 1 - s if gamma == 0 else np.exp(-gamma * s) * np.expm1(-2 * gamma * (1 - s)) / np.expm1(-2 * gamma)
 
 
 def _csch2(g: Values) -> Array:

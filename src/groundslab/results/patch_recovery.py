@@ -141,8 +141,7 @@ def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
                 at_nodes[those[:, None], near] += (_SHARE / count[those, None])[..., None] * at
         sums += np.column_stack([scatter(elements, at_nodes[..., i], n) for i in range(k)])
     meeting = np.bincount(p.elements.ravel(), minlength=n)
-    mean: Array = sums / np.maximum(meeting, 1)[:, None]
-    return mean
+    return sums / np.maximum(meeting, 1)[:, None]
 
 
 def _rectangles(xy: Array) -> Flags:

@@ -96,8 +96,7 @@ class ResultMesh:
         for axis, copied in self.images:
             sign = np.array([-1.0 if name in ANTISYMMETRIC[axis] else 1.0 for name in names])
             values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
-        at_nodes: Array = patch_recovery.nodal(self.patches, values, sizes)[self.smooth]
-        return at_nodes
+        return patch_recovery.nodal(self.patches, values, sizes)[self.smooth]
 
 
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
