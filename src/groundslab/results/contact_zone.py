@@ -23,13 +23,6 @@ EDGE_NOTE = (
 )
 
 
-#: What a reader must know where the ground acts by a line force along the plate's edge.
-EDGE_NOTE = (
-    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
-    "grows slowly as the mesh is refined."
-)
-
-
 def require_finite(results: CombinationResult) -> None:
     """Raise GroundslabError if any number of the results is infinite or not a number."""
     parts: dict[str, PlateResult | ElementResult | GroundResult | Constants | Certificate] = {

@@ -7,21 +7,16 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from groundslab.arrays import Memo
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolated, locate
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
     from pyvista import UnstructuredGrid
     from shapely import STRtree
-
-    Array = NDArray[np.float64]
-    Integers = NDArray[np.int64]
-    Flags = NDArray[np.bool_]
-
 
 #: An error names at most so many points outside, and counts the others.
 MOST_NAMED = 100
