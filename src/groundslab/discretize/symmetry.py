@@ -5,16 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, replace
 
-from groundslab.model.loads.load_types import (
-    NO_BEND,
-    NO_SLOPE,
-    AnyLoad,
-    PatchLoad,
-    PointLoad,
-    SelfWeight,
-    TemperatureLoad,
-    UniformLoad,
-)
+from groundslab.model.loads import load_types as loads
 from groundslab.model.model import Model
 
 
@@ -67,11 +58,11 @@ class _Placed:
         return (*self.what, *(round(value / size, 9) + 0.0 for value in (*self.x, *self.y)))
 
 
-def _placed(load: AnyLoad, model: Model) -> _Placed | None:
+def _placed(load: loads.AnyLoad, model: Model) -> _Placed | None:
     """Return a load as something that has a mirror image; None if symmetry is not to be expected of it."""
-    if isinstance(load, SelfWeight | TemperatureLoad):
+    if isinstance(load, loads.SelfWeight | loads.TemperatureLoad):
         return _Placed(())
-    if isinstance(load, PointLoad):
+    if isinstance(load, loads.PointLoad):
         own = load.on(model.columns)
         if own.M_x or own.M_y:
             return None
@@ -79,6 +70,11 @@ def _placed(load: AnyLoad, model: Model) -> _Placed | None:
         assert own.y is not None
         what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
         return _Placed(what, (own.x, own.x), (own.y, own.y))
-    if isinstance(load, UniformLoad | PatchLoad) and (load.slope, load.bend) == (NO_SLOPE, NO_BEND):
-        return _Placed(("patch", load.case, load.q), load.x, load.y) if isinstance(load, PatchLoad) else _Placed(())
+    if isinstance(load, loads.UniformLoad | loads.PatchLoad) and (load.slope, load.bend) == (
+        loads.NO_SLOPE,
+        loads.NO_BEND,
+    ):
+        return (
+            _Placed(("patch", load.case, load.q), load.x, load.y) if isinstance(load, loads.PatchLoad) else _Placed(())
+        )
     return None

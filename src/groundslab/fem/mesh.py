@@ -65,13 +65,7 @@ def graded_size(edges: Array, size: float) -> Callable[[Array], Array]:
 
     At the edges they have the given size [m]; without edges there is no limit.
     """
-
-    def limit(x: Array) -> Array:
-        distance = np.abs(x[:, None] - edges).min(axis=1, initial=np.inf)
-        sizes: Array = size + GRADING * distance
-        return sizes
-
-    return limit
+    return lambda x: size + GRADING * np.abs(x[:, None] - edges).min(axis=1, initial=np.inf)
 
 
 def divide_graded(size: Callable[[Array], Array], low: float, high: float) -> Array:
