@@ -80,19 +80,14 @@ def _spread(
     if isinstance(load, loads.SelfWeight):
         return load.unit_weight * thickness[:, None] * load_vectors.integrate_over_elements(mesh, elements)
     if isinstance(load, loads.LineLoad):
-        return _along(load, model, plan)
+        total = np.zeros((len(elements), 9))
+        for piece in clip_line_load(model.plate, load):
+            total += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
+        return total
     pressure = loads.pressure_function(load)
     if isinstance(load, loads.UniformLoad):
         return load_vectors.integrate_over_elements(mesh, elements, pressure)
     return load_vectors.integrate_over_polygon(mesh, elements, load.drawn(math.inf), pressure)
-
-
-def _along(load: loads.LineLoad, model: Model, plan: Layout) -> Array:
-    """Return the nodal forces (mp, 9) [N] of a line load on the plate."""
-    total = np.zeros((len(plan.plate_elements), 9))
-    for piece in clip_line_load(model.plate, load):
-        total += load_vectors.integrate_along_line(plan.mesh, plan.plate_elements, piece.edge, piece.q)
-    return total
 
 
 def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
@@ -104,7 +99,7 @@ def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array,
     place = load.drawn(FLAT * max(model.plate.sides))
     none = np.zeros((2, len(elements), 9))
     if place.geom_type == "Point":
-        N = _share(load, plan) * load_vectors.at_point(mesh, elements, _on_meshed_side(load, plan))
+        N = _share(load, plan) * load_vectors.integrate_at_point(mesh, elements, _on_meshed_side(load, plan))
         return load.P * N, np.array([load.M_x * N, load.M_y * N])
     centre, inertia = load_vectors.inertia(place)
     slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)

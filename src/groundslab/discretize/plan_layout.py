@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.discretize.borders import on_lines, void_rings, with_borders, zone_rings
+from groundslab.discretize.borders import add_borders, on_lines, void_rings, zone_rings
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.mesh import (
@@ -73,7 +73,7 @@ class Layout:
     symmetry: tuple[bool, bool]
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
-    followed: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
+    followed_borders: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
 
     @property
     def plate_edges(self) -> Integers:
@@ -113,7 +113,8 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     mesh, section, rank = found
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
-    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, followed(model, width))
+    borders = find_followed_borders(model, width)
+    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, borders)
 
 
 def uniform(model: Model, width: float) -> bool:
@@ -135,7 +136,7 @@ def uniform(model: Model, width: float) -> bool:
     return all(on_lines(ring, lines, ((x0, x1), (y0, y1))) for ring in borders)
 
 
-def followed(model: Model, width: float) -> tuple[Ring, ...]:
+def find_followed_borders(model: Model, width: float) -> tuple[Ring, ...]:
     """Return the borders that a mesh which is no uniform grid follows; width [m] is that of the ground beyond."""
     return () if uniform(model, width) else plan_of(model, width).borders
 
@@ -283,7 +284,7 @@ def plan_of(model: Model, width: float) -> Plan:
     plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None)
     if any(symmetries(model)):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
-    return with_borders(plan, void_rings(model) + zone_rings(model))
+    return add_borders(plan, void_rings(model) + zone_rings(model))
 
 
 def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:

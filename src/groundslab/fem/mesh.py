@@ -216,7 +216,7 @@ def locate_nearest(mesh: Mesh, points: Array, elements: Integers | None = None) 
     return (element if elements is None else elements[element]), place
 
 
-def interpolated(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
+def interpolate(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
     """Return nodal values (n,) or (n, k) at places in elements, by the shape functions, (p,) or (p, k)."""
     element, place = where
     result: Array = np.einsum("pa,pa...->p...", q9(place)[0], values[mesh.elements[element]])

@@ -11,8 +11,6 @@ from groundslab.errors import GroundslabError
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
-    from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.record import Certificate, Constants
     from groundslab.results.results import CombinationResult
 
 
@@ -25,14 +23,8 @@ EDGE_NOTE = (
 
 def require_finite(results: CombinationResult) -> None:
     """Raise GroundslabError if any number of the results is infinite or not a number."""
-    parts: dict[str, PlateResult | ElementResult | GroundResult | Constants | Certificate] = {
-        "plate": results.plate,
-        "elements": results.elements,
-        "ground": results.ground,
-        "constants": results.constants,
-        "certificate": results.certificate,
-    }
-    for part, values in parts.items():
+    for part in ("plate", "elements", "ground", "constants", "certificate"):
+        values = getattr(results, part)
         for item in fields(values):
             value = getattr(values, item.name)
             if value is not None and not np.all(np.isfinite(value)):

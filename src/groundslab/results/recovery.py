@@ -118,11 +118,7 @@ def _plate_fields(solution: Solution, frame: ResultMesh) -> dict[str, Array]:
     Without those of contact, see `contact_fields`.
     """
     s, U = solution.system, solution.U
-    fields = {
-        "settlement": plate_settlement(s, U),
-        "rotation_x": U[:, BETA_X],
-        "rotation_y": U[:, BETA_Y],
-    }
+    fields = {"settlement": plate_settlement(s, U), "rotation_x": U[:, BETA_X], "rotation_y": U[:, BETA_Y]}
     at_nodes = {name: field[frame.node] for name, field in fields.items()}
     shares = {"area": frame.area, "edge_length": frame.edge_length}
     return {**at_nodes, **shares, **section_forces(s.problem, U, frame)}
