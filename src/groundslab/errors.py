@@ -44,12 +44,7 @@ class InputError(GroundslabError):
     Parameters
     ----------
     issues : sequence of Issue
-        Everything that is wrong with it.
-
-    Attributes
-    ----------
-    issues : tuple of Issue
-        Everything that is wrong with it.
+        Everything that is wrong with it; kept as a tuple under this name.
     """
 
     def __init__(self, issues: Sequence[Issue]) -> None:
@@ -83,12 +78,7 @@ class NotCertified(GroundslabError):
     Parameters
     ----------
     results : CombinationResult
-        The results all the same, to be inspected, not to be used.
-
-    Attributes
-    ----------
-    results : CombinationResult
-        The results all the same, to be inspected, not to be used.
+        The results all the same, to be inspected, not to be used; kept under this name.
     """
 
     ROUNDING = (

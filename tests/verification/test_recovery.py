@@ -97,8 +97,8 @@ def errors(name: str, solve_it: bool, n: int, amount: float = 0.0, split: int = 
 
     points = gauss(2)[0]
     at_gauss = own(points)
-    at_nodes = patch_recovery.nodal(
-        patch_recovery.around(nodes, elements, q9(points)[0] @ xy), at_gauss, recovery.SIZES
+    at_nodes = patch_recovery.recover_nodes(
+        patch_recovery.make_patches(nodes, elements, q9(points)[0] @ xy), at_gauss, recovery.SIZES
     )
     edge, corner = np.zeros(len(nodes), dtype=bool), np.zeros(len(nodes), dtype=bool)
     edge[sides_on_boundary(elements)] = True

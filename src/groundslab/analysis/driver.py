@@ -17,14 +17,7 @@ from groundslab.arrays import Array
 from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import coarsest
-from groundslab.errors import (
-    GroundslabError,
-    IllConditioned,
-    NoEquilibrium,
-    NotCertified,
-    NotConverged,
-    SingularMatrix,
-)
+from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.fem.foundation import Column
 from groundslab.model.combinations import list_combinations
 from groundslab.model.consistency import estimate_elements

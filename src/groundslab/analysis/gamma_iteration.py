@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -84,31 +84,13 @@ class _ContactIteration:
         self.near, self.state = found.u, found.state
         return found
 
-    def solution(
-        self,
-        found: Contact,
-        column: Column,
-        gamma: float | None,
-        gamma_change: float = 0.0,
-        gamma_slope: float = 0.0,
-        gamma_iterations: int = 0,
-    ) -> Solution:
+    def solution(self, found: Contact, column: Column, gamma: float | None) -> Solution:
         """Return the solution of the load step; on the finest mesh raises NeutralEquilibrium if nothing holds it."""
-        step = self.step
+        step, problem = self.step, self.step.system.problem
         if step.finest:
-            require_hold(step.system.problem, found)
-        return Solution(
-            system=step.system,
-            U=nodal_table(step.system.problem, found.u),
-            contact=found,
-            column=column,
-            gamma=gamma,
-            gamma_change=gamma_change,
-            gamma_slope=gamma_slope,
-            gamma_iterations=gamma_iterations,
-            law=self.law,
-            slip=step.slip + plastic_slip(self.law, found),
-        )
+            require_hold(problem, found)
+        slip = step.slip + plastic_slip(self.law, found)
+        return Solution(step.system, nodal_table(problem, found.u), found, column, gamma, self.law, slip)
 
 
 def solve_load_step(step: LoadStep, start: Solution | None) -> Solution:
@@ -142,7 +124,9 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
         history.append((gamma, after))
         change = abs(after - gamma) / max(after, GAMMA_SMALL)
         if change <= tolerance:
-            return iteration.solution(found, column, gamma, change, _slope(history, slope), len(history))
+            solution = iteration.solution(found, column, gamma)
+            slope = _slope(history, slope)
+            return replace(solution, gamma_change=change, gamma_slope=slope, gamma_iterations=len(history))
         gamma = next_gamma(history, slope)
     raise NotConverged("gamma", [{"gamma": a, "next": b} for a, b in history], {"U": U, "gamma": gamma})
 

@@ -119,9 +119,8 @@ class MeshHierarchy:
         if like is not None and s.pattern is like.system.pattern:
             level = Level(self.model, s, self.solver, like.factorization, locations=like.locations, cached=like.cached)
         else:
-            level = Level(
-                self.model, s, self.solver, CachedFactorization(self.solver(s.pattern.indptr, s.pattern.indices))
-            )
+            factorization = CachedFactorization(self.solver(s.pattern.indptr, s.pattern.indices))
+            level = Level(self.model, s, self.solver, factorization)
         if self.keep:
             self.levels[coarsening] = level
         if self.reference is not None and not self.reference.closed:

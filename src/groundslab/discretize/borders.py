@@ -37,7 +37,7 @@ def void_rings(model: Model) -> tuple[Ring, ...]:
 
 
 @functools.lru_cache(maxsize=64)
-def with_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
+def add_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
     """Return a plan with those borders that a mesh can follow.
 
     Borders are cut off where nothing is meshed. Those along x and y are moved onto lines of the plan, or of earlier
@@ -51,8 +51,8 @@ def with_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
     lines = _coordinates(plan)
     curved = not plan.rectilinear or meshing.available()
     domain = plan.domain.polygon(FLAT * plan.extent)
-    for ring in (part for each in rings[:MOST_BORDERS] for part in _clipped(each, plan, domain)):
-        own = _moved(ring, lines, TOO_CLOSE * plan.extent) if ring.rectilinear else ring
+    for ring in (part for each in rings[:MOST_BORDERS] for part in _clip(each, plan, domain)):
+        own = _move(ring, lines, TOO_CLOSE * plan.extent) if ring.rectilinear else ring
         if _coarse_enough(own, plan) and (curved or own.rectilinear):
             kept.append(own)
     while kept:
@@ -72,7 +72,7 @@ def _coordinates(plan: Plan) -> tuple[list[float], list[float]]:
     return sorted(x for x, _ in places), sorted(y for _, y in places)
 
 
-def _clipped(ring: Ring, plan: Plan, domain: Polygon) -> list[Ring]:
+def _clip(ring: Ring, plan: Plan, domain: Polygon) -> list[Ring]:
     """Return the curves around what of a ring is meshed; one with arcs, or on a curved domain, as it is."""
     import shapely
 
@@ -97,7 +97,7 @@ def _ring_around(part: object) -> Ring:
     return Ring(tuple((float(x), float(y)) for x, y in places[corner]))
 
 
-def _moved(ring: Ring, lines: tuple[list[float], list[float]], near: float) -> Ring:
+def _move(ring: Ring, lines: tuple[list[float], list[float]], near: float) -> Ring:
     """Return a ring along x and y, moved onto lines (ascending) nearer than `near` [m]; what is not becomes a line."""
     moved = []
     for place in ring.points:
@@ -122,7 +122,7 @@ def _coarse_enough(ring: Ring, plan: Plan) -> bool:
     return bool(polygon.is_valid and not polygon.buffer(-least / 2).is_empty)
 
 
-def shares(xy: Array, rings: Sequence[Ring], followed: Sequence[Ring], extent: float) -> Array:
+def shares(xy: Array, rings: Sequence[Ring], followed_borders: Sequence[Ring], extent: float) -> Array:
     """Return the share (m, 1 + r) of the area of each element (m, 9, 2) in no ring, and in each of r rings.
 
     Where rings overlap, the last one counts. A ring that the mesh follows along arcs is judged by the centers of the
@@ -138,7 +138,7 @@ def shares(xy: Array, rings: Sequence[Ring], followed: Sequence[Ring], extent: f
     tree = shapely.STRtree(cells)
     for number, (ring, polygon) in enumerate(zip(rings, polygons, strict=True), start=1):
         holder[shapely.intersects_xy(polygon, x, y)] = number
-        if ring.straight or ring not in followed:
+        if ring.straight or ring not in followed_borders:
             crossed[tree.query(polygon.boundary, predicate="intersects")] = True
     found[np.arange(len(xy)), holder] = 1.0
     cut = np.flatnonzero(crossed)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import replace
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.discretize.voids import bottoms
 from groundslab.errors import InputError, Issue
 from groundslab.fem import bearings
-from groundslab.fem.bearings import Bearings, gap_bearings
+from groundslab.fem.bearings import Bearings, make_bearings
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import sides_along
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
@@ -44,24 +43,16 @@ def ground_bearing(
     depth, area = found.shallowest[under], found.at_shallowest(found.area, under)
     bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]
     limit_force = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
-    law = replace(gap_bearings(unknown[under, TOP], gap[under] + bottom), limit_force=limit_force)
-    gaps = Bearing(law, under, np.full(len(under), TOP), np.full(len(under), -1), np.zeros(len(under)), depth)
+    law = make_bearings(unknown[under, TOP], 1.0, -(gap[under] + bottom), limit_force=limit_force)
+    gaps = _place(law, under, TOP, depth=depth)
     if not (found.stepped and len(under)):
         return gaps
     assert isinstance(ground, Column)
     node, depth, stiffness, area = bottoms(plan, found, ground)
     there = unknown[node, W] >= 0
     node, depth, stiffness, area = (each[there] for each in (node, depth, stiffness, area))
-    one = np.ones(len(node))
-    law = Bearings(
-        unknown=unknown[node, W],
-        sign=-one,
-        offset=gap[node] + found.depth[depth],
-        stiffness=stiffness,
-        limit_force=limit * area,
-        bilateral=np.zeros(len(node), dtype=bool),
-    )
-    return concatenate(gaps, Bearing(law, node, np.full(len(node), W), np.full(len(node), -1), 0 * one, depth))
+    law = make_bearings(unknown[node, W], -1.0, gap[node] + found.depth[depth], stiffness, limit * area)
+    return concatenate(gaps, _place(law, node, W, depth=depth))
 
 
 def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
@@ -81,37 +72,41 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
             nodes, share = nodes_along(plan, support)
         there = unknown[nodes, W] >= 0
         nodes, share = nodes[there], share[there]
-        one, pulls = np.ones(len(nodes)), support.acts == "in tension"
-        law = Bearings(
-            unknown=unknown[nodes, W],
-            sign=one if pulls else -one,
-            offset=-support.gap * one if pulls else support.gap * one,
-            stiffness=np.full(len(nodes), np.inf) if support.stiffness is None else support.stiffness * share,
-            limit_force=np.full(len(nodes), np.inf) if support.limit is None else support.limit * share,
-            bilateral=np.full(len(nodes), support.acts == "both ways"),
+        sign = 1.0 if support.acts == "in tension" else -1.0
+        law = make_bearings(
+            unknown[nodes, W],
+            sign,
+            -sign * support.gap,
+            np.inf if support.stiffness is None else support.stiffness * share,
+            np.inf if support.limit is None else support.limit * share,
+            support.acts == "both ways",
         )
-        length = np.zeros(len(nodes)) if isinstance(support, PointSupport) else share
-        field, own = np.full(len(nodes), W), np.full(len(nodes), number)
-        parts.append(Bearing(law, nodes, field, own, length, 0 * nodes))
+        parts.append(_place(law, nodes, W, number, 0.0 if isinstance(support, PointSupport) else share))
     return _without_doubles(model, concatenate(*parts)) if parts else concatenate()
 
 
 def concatenate(*parts: Bearing) -> Bearing:
     """Return several lists of bearings as one."""
     none = np.zeros(0, dtype=np.int64)
-    parts = (Bearing(gap_bearings(none, np.zeros(0)), none, none, none, np.zeros(0), none), *parts)
+    parts = (_place(make_bearings(none, 1.0, 0.0), none, W), *parts)
     return Bearing(
         bearings.concatenate(*(part.law for part in parts)),
         *(np.concatenate([getattr(part, name) for part in parts]) for name in LOCATION),
     )
 
 
+def _place(
+    law: Bearings, node: Integers, field: int, support: int = -1, length: Array | float = 0.0, depth: Integers | int = 0
+) -> Bearing:
+    """Return bearings on a field of nodes (c,): of the ground, or of the support with a number."""
+    n = len(node)
+    return Bearing(law, node, np.full(n, field), np.full(n, support), np.full(n, length), np.full(n, depth))
+
+
 def _elastic_turn(number: int, nodes: Integers, unknown: Integers, field: int, stiffness: float) -> Bearing:
     """Return the elastic restraint of a rotation at a support's node."""
     nodes = nodes[unknown[nodes, field] >= 0]
-    one, endless = np.ones(len(nodes)), np.full(len(nodes), np.inf)
-    law = Bearings(unknown[nodes, field], -one, 0 * one, stiffness * one, endless, np.ones(len(nodes), dtype=bool))
-    return Bearing(law, nodes, np.full(len(nodes), field), np.full(len(nodes), number), 0 * one, 0 * nodes)
+    return _place(make_bearings(unknown[nodes, field], -1.0, 0.0, stiffness, bilateral=True), nodes, field, number)
 
 
 def _without_doubles(model: Model, b: Bearing) -> Bearing:

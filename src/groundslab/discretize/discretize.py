@@ -9,7 +9,7 @@ from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_b
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
-from groundslab.discretize.voids import depths, initial_gap
+from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
@@ -38,15 +38,16 @@ def discretize(
     """
     profiles = grounds_of(model)
     plan = layout(model, profiles, coarsening, margin, meshes or Meshes())
-    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed)
+    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed_borders)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
     fields = present.shape[1]
-    cases = _known_cases(model, plan, element, fields, like) or (
-        loadings(model, plan, element, fields) if loaded else (_nothing(model, plan, fields),)
-    )
+    cases = _known_cases(model, plan, element, fields, like)
+    if not cases:
+        acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
+        cases = loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
-    below = depths(model, plan, ground, coarsening == 0)
+    below = find_depths(model, plan, ground, coarsening == 0)
     gap = initial_gap(model, plan)
     edges, corners = _infinite_edges(model, plan)
     return Problem(
@@ -77,13 +78,6 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
-    )
-
-
-def _nothing(model: Model, plan: Layout, fields: int) -> Loading:
-    """Return the loading of no load; fields is F."""
-    return Loading(
-        np.zeros((len(plan.mesh.nodes), fields)), np.zeros(len(plan.plate_elements)), np.zeros(len(model.supports)), 0.0
     )
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.borders import shares, zone_rings
-from groundslab.discretize.interpolation import interpolated
+from groundslab.discretize.interpolation import interpolate_linearly
 from groundslab.errors import InputError, Issue
 from groundslab.fem.foundation import Column, Layer, Parts, consistent_stack, interface_stack
 from groundslab.fem.mesh import Mesh
@@ -44,12 +44,12 @@ def layer_of(layer: SoilLayer) -> Layer:
 
 def ground_of(model: Model) -> Soil | Column:
     """Return the ground as [ground] says it, the same everywhere."""
-    return _made(model.ground, _table(model.ground, model))
+    return _make_ground(model.ground, _table(model.ground, model))
 
 
 def grounds_of(model: Model) -> list[Soil | Column]:
     """Return every ground that is described for some place, each as if it were the same everywhere."""
-    return [_made(model.ground, table) for table in _tables(model)]
+    return [_make_ground(model.ground, table) for table in _tables(model)]
 
 
 def varies(model: Model) -> bool:
@@ -58,11 +58,11 @@ def varies(model: Model) -> bool:
 
 
 def ground_under(
-    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors, followed: Sequence[Ring] = ()
+    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors, followed_borders: Sequence[Ring] = ()
 ) -> tuple[Soil | Column, tuple[Array, Array]]:
     """Return the ground under a mesh, by element where it varies, and k0 [Pa/m] and k1 [Pa m] of its layers, (L,) each.
 
-    followed are borders of zones that the mesh follows along arcs, see `borders.shares`.
+    followed_borders are borders of zones that the mesh follows along arcs, see `borders.shares`.
     The latter are means over the plate's area; of soil, whose constants hang on gamma, there are none. Of a consistent
     stack they are Ec / h and G h of each sublayer, for the mean of its E.
     """
@@ -70,15 +70,15 @@ def ground_under(
     if not varies(model) and not factors:
         tables, parts = _table(model.ground, model)[None], None
     else:
-        tables, parts = _columns_under(model, mesh, factors, followed)
+        tables, parts = _columns_under(model, mesh, factors, followed_borders)
     if parts is None or len(tables) == 1:
-        only = _made(model.ground, tables[0])
+        only = _make_ground(model.ground, tables[0])
         return only, none if isinstance(only, Soil) else _constants(model.ground, tables[0])
-    found, share = _made(model.ground, tables), _share(parts, mesh, plate_elements)
+    found, share = _make_ground(model.ground, tables), _share(parts, mesh, plate_elements)
     if isinstance(found, Soil):
         return Soil(found.layers, found.way, found.as_printed, found.gamma, parts, share), none
     k0, k1 = _constants(model.ground, tables)
-    return found.mixed(parts), (share @ k0, share @ k1)
+    return found.mix(parts), (share @ k0, share @ k1)
 
 
 def winkler_modulus(ground: Winkler, model: Model) -> float:
@@ -124,7 +124,7 @@ def _tables(model: Model) -> list[Array]:
     return [_table(ground, model) for ground in (model.ground, *(zone.ground for zone in model.soil_zones))]
 
 
-def _made(ground: AnyGround, table: Array) -> Soil | Column:
+def _make_ground(ground: AnyGround, table: Array) -> Soil | Column:
     """Return the ground of a table, or of those of many columns, by the rules of the described one."""
     if table.shape[-1] == 2:
         return interface_stack(table[..., 0], table[..., 1])
@@ -160,7 +160,7 @@ def _constants(ground: AnyGround, table: Array) -> tuple[Array, Array]:
     return np.stack(k0, axis=-1), np.stack(k1, axis=-1)
 
 
-def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed: Sequence[Ring]) -> tuple[Array, Parts]:
+def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders: Sequence[Ring]) -> tuple[Array, Parts]:
     """Return the tables (c, L, ...) that differ under a mesh, and which part of each element's area has which."""
     tables = np.stack(_tables(model))
     centres = mesh.nodes[mesh.elements[:, 8]]
@@ -168,7 +168,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed: Sequenc
         element, part = np.arange(len(centres)), np.ones(len(centres))
         listed = _between_boreholes(model.boreholes, tables, centres)
     else:
-        share = shares(mesh.xy, zone_rings(model), followed, max(model.plate.sides))
+        share = shares(mesh.xy, zone_rings(model), followed_borders, max(model.plate.sides))
         element, zone = np.nonzero(share)
         part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():
@@ -210,7 +210,7 @@ def _between_boreholes(holes: tuple[Borehole, ...], tables: Array, places: Array
     curved = (tables[..., 3] != 0).any(axis=0)
     ends = tables.copy()
     ends[..., 2], ends[..., 3] = tables[..., 1:4].sum(axis=-1), 0.0
-    found = interpolated(known, ends.reshape(len(holes), -1), places).reshape(len(places), *tables.shape[1:])
+    found = interpolate_linearly(known, ends.reshape(len(holes), -1), places).reshape(len(places), *tables.shape[1:])
     change = found[..., 2] - found[..., 1]
     found[..., 2], found[..., 3] = np.where(curved, 0.0, change), np.where(curved, change, 0.0)
     found[..., 4] = np.where(np.abs(found[..., 4]) < ROUNDING, 0.0, found[..., 4])

@@ -12,7 +12,7 @@ ON_A_LINE = 1e-6
 APART = 6
 
 
-def interpolated(places: Array, values: Array, wanted: Array) -> Array:
+def interpolate_linearly(places: Array, values: Array, wanted: Array) -> Array:
     """Return values (m, v) at the places wanted (m, 2), from values (h, v) known at h places (h, 2), all different.
 
     A constant plus a cone over each known place, that is kriging with a linear variogram (Matheron 1963): exact at the
@@ -39,7 +39,7 @@ def interpolate_smoothly(places: Array, values: Array, wanted: Array) -> Array:
     from scipy.interpolate import RBFInterpolator
 
     size = np.ptp(places, axis=0).max() or 1.0
-    known, given = _merged((places - places[0]) / size, values - values[0])
+    known, given = _merge_close((places - places[0]) / size, values - values[0])
     middle = known.mean(axis=0)
     _, spread, axes = np.linalg.svd(known - middle)
     rank = int((spread > ON_A_LINE * spread[0]).sum()) if len(known) > 1 else 0
@@ -58,7 +58,7 @@ def interpolate_smoothly(places: Array, values: Array, wanted: Array) -> Array:
     return np.maximum(result, 0.0) if values.min() >= 0 else result
 
 
-def _merged(places: Array, values: Array) -> tuple[Array, Array]:
+def _merge_close(places: Array, values: Array) -> tuple[Array, Array]:
     """Return places (u, 2) and values (u,), with those too close to distinguish replaced by their means."""
     group = np.unique(np.round(places, APART), axis=0, return_inverse=True)[1].ravel()
     count = np.bincount(group)

@@ -12,19 +12,8 @@ from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.problem import BETA_X, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
+from groundslab.model.loads import load_types as loads
 from groundslab.model.loads.clipping import clip_line_load
-from groundslab.model.loads.load_types import (
-    AnyLoad,
-    AreaLoad,
-    LineLoad,
-    PatchLoad,
-    PointLoad,
-    SelfWeight,
-    SettlementLoad,
-    TemperatureLoad,
-    UniformLoad,
-    pressure_function,
-)
 from groundslab.model.model import Model
 
 
@@ -43,7 +32,9 @@ def materials(model: Model) -> list[tuple[float, float, float]]:
     return [own, *differing]  # type: ignore[list-item]
 
 
-def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> Loading:
+def _loading(
+    acting: list[loads.AnyLoad], model: Model, plan: Layout, element: plate.PlateElement, fields: int
+) -> Loading:
     """Return the loading of some loads; distributed ones are integrated exactly over the meshed part of the plate."""
     mesh, elements = plan.mesh, plan.plate_elements
     n = len(mesh.nodes)
@@ -52,12 +43,12 @@ def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.P
     warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
     thickness = np.array([t for _, _, t in materials(model)])[plan.section]
     for load in acting:
-        if isinstance(load, TemperatureLoad):
+        if isinstance(load, loads.TemperatureLoad):
             # u = -z beta_x, and the bottom, z = t/2, is warmer by the difference
             warp -= model.plate.thermal_expansion * load.difference / thickness
-        elif isinstance(load, SettlementLoad):
+        elif isinstance(load, loads.SettlementLoad):
             settlement[[support.name for support in model.supports].index(load.support)] += load.w
-        elif isinstance(load, PointLoad):
+        elif isinstance(load, loads.PointLoad):
             force, couple = _at_point(load.on(model.columns), model, plan)
             forces, couples = forces + force, couples + couple
             size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
@@ -79,30 +70,27 @@ def _loading(acting: list[AnyLoad], model: Model, plan: Layout, element: plate.P
 
 
 def _spread(
-    load: UniformLoad | PatchLoad | AreaLoad | LineLoad | SelfWeight, model: Model, plan: Layout, thickness: Array
+    load: loads.UniformLoad | loads.PatchLoad | loads.AreaLoad | loads.LineLoad | loads.SelfWeight,
+    model: Model,
+    plan: Layout,
+    thickness: Array,
 ) -> Array:
     """Return the nodal forces (mp, 9) [N] of a distributed load on the meshed part of the plate."""
     mesh, elements = plan.mesh, plan.plate_elements
-    if isinstance(load, SelfWeight):
-        weight: Array = load.unit_weight * thickness[:, None] * load_vectors.integrate_over_elements(mesh, elements)
-        return weight
-    if isinstance(load, LineLoad):
-        return _along(load, model, plan)
-    pressure = pressure_function(load)
-    if isinstance(load, UniformLoad):
+    if isinstance(load, loads.SelfWeight):
+        return load.unit_weight * thickness[:, None] * load_vectors.integrate_over_elements(mesh, elements)
+    if isinstance(load, loads.LineLoad):
+        total = np.zeros((len(elements), 9))
+        for piece in clip_line_load(model.plate, load):
+            total += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
+        return total
+    pressure = loads.pressure_function(load)
+    if isinstance(load, loads.UniformLoad):
         return load_vectors.integrate_over_elements(mesh, elements, pressure)
     return load_vectors.integrate_over_polygon(mesh, elements, load.drawn(math.inf), pressure)
 
 
-def _along(load: LineLoad, model: Model, plan: Layout) -> Array:
-    """Return the nodal forces (mp, 9) [N] of a line load on the plate."""
-    total = np.zeros((len(plan.plate_elements), 9))
-    for piece in clip_line_load(model.plate, load):
-        total += load_vectors.integrate_along_line(plan.mesh, plan.plate_elements, piece.edge, piece.q)
-    return total
-
-
-def _at_point(load: PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
+def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
     """Return nodal forces (mp, 9) [N] and couples (2, mp, 9) [N m] of a load at a point or on its footprint.
 
     On a footprint a force is a uniform pressure, a moment one that grows linearly from the middle.
@@ -111,7 +99,7 @@ def _at_point(load: PointLoad, model: Model, plan: Layout) -> tuple[Array, Array
     place = load.drawn(FLAT * max(model.plate.sides))
     none = np.zeros((2, len(elements), 9))
     if place.geom_type == "Point":
-        N = _share(load, plan) * load_vectors.at_point(mesh, elements, _on_meshed_side(load, plan))
+        N = _share(load, plan) * load_vectors.integrate_at_point(mesh, elements, _on_meshed_side(load, plan))
         return load.P * N, np.array([load.M_x * N, load.M_y * N])
     centre, inertia = load_vectors.inertia(place)
     slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
@@ -123,7 +111,7 @@ def _at_point(load: PointLoad, model: Model, plan: Layout) -> tuple[Array, Array
     return load_vectors.integrate_over_polygon(mesh, elements, place, pressure), none
 
 
-def _share(load: PointLoad, plan: Layout) -> float:
+def _share(load: loads.PointLoad, plan: Layout) -> float:
     """Return the share of a point load that the meshed part takes: none beyond a mirror, half on it, else all."""
     near = SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max()
     share = 1.0
@@ -134,10 +122,9 @@ def _share(load: PointLoad, plan: Layout) -> float:
     return share
 
 
-def _on_meshed_side(load: PointLoad, plan: Layout) -> Array:
+def _on_meshed_side(load: loads.PointLoad, plan: Layout) -> Array:
     """Return the place (2,) of a point load or of its meshed mirror image, on the plate to the last digit."""
     given = np.array([load.x, load.y])
     place = np.where(plan.symmetry, np.abs(given), given)
     nodes = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements]]
-    on_plate: Array = np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))
-    return on_plate
+    return np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.discretize.borders import on_lines, void_rings, with_borders, zone_rings
+from groundslab.discretize.borders import add_borders, on_lines, void_rings, zone_rings
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.mesh import (
@@ -73,7 +73,7 @@ class Layout:
     symmetry: tuple[bool, bool]
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
-    followed: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
+    followed_borders: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
 
     @property
     def plate_edges(self) -> Integers:
@@ -99,38 +99,22 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     symmetry = symmetries(model)
     width, size = _width_beyond(model, grounds), _edge_size(model, grounds, coarsening)
     wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
-    source: Hashable
-    make: Callable[[], tuple[Mesh, Integers]]
+    source: tuple[Hashable, ...]
     if uniform(model, width):
-        counts = _counts(model, symmetry, coarsening)
-        source = (
-            model.plate.sides,
-            symmetry,
-            counts,
-            model.mesh.counts,
-            model.beyond.sides if width else (),
-            width,
-            size,
-        )
-
-        def make() -> tuple[Mesh, Integers]:
-            return _plain_mesh(model, symmetry, counts, width, size)
-
+        counts, sides = _counts(model, symmetry, coarsening), model.beyond.sides if width else ()
+        source = model.plate.sides, symmetry, counts, model.mesh.counts, sides, width, size
+        found = meshes.of(source, lambda: _make_grid(model, symmetry, counts, width, size))
     else:
-        plan, largest = plan_of(model, width), _size(model) * 2**coarsening
-        source = plan, largest, size
-
-        def make() -> tuple[Mesh, Integers]:
-            return _drawn_mesh(plan, largest, size)
-
-    found = meshes.of(source, make)
+        source = plan, largest, _ = plan_of(model, width), _size(model) * 2**coarsening, size
+        found = meshes.of(source, lambda: _make_plan_mesh(plan, largest, size))
     if wider:
         narrow = found
-        found = meshes.of((source, wider), lambda: _widened(model, symmetry, narrow, wider))
+        found = meshes.of((source, wider), lambda: _widen(model, symmetry, narrow, wider))
     mesh, section, rank = found
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
-    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, followed(model, width))
+    borders = find_followed_borders(model, width)
+    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, borders)
 
 
 def uniform(model: Model, width: float) -> bool:
@@ -152,7 +136,7 @@ def uniform(model: Model, width: float) -> bool:
     return all(on_lines(ring, lines, ((x0, x1), (y0, y1))) for ring in borders)
 
 
-def followed(model: Model, width: float) -> tuple[Ring, ...]:
+def find_followed_borders(model: Model, width: float) -> tuple[Ring, ...]:
     """Return the borders that a mesh which is no uniform grid follows; width [m] is that of the ground beyond."""
     return () if uniform(model, width) else plan_of(model, width).borders
 
@@ -218,7 +202,7 @@ def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> f
     return largest * 2.0**coarsening
 
 
-def _plain_mesh(
+def _make_grid(
     model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], width: float, edge_size: float
 ) -> tuple[Mesh, Integers]:
     """Return the grid of a plain rectangle and its ground beyond, and each element's section, -1 beyond."""
@@ -242,11 +226,7 @@ def _plain_mesh(
 def _towards_edges(low: float, high: float, size: float, edges: Array, edge_size: float) -> Array:
     """Return lines from low to high [m], at most `size` apart, which come as close as `edge_size` at the edges (e,)."""
     limit = graded_size(edges, edge_size)
-
-    def wanted(x: Array) -> Array:
-        return np.minimum(size, limit(x))
-
-    return np.append(low, divide_graded(wanted, low, high))
+    return np.append(low, divide_graded(lambda x: np.minimum(size, limit(x)), low, high))
 
 
 def _distances_beyond(width: float, first: float, size: float, scale: float) -> Array:
@@ -255,15 +235,12 @@ def _distances_beyond(width: float, first: float, size: float, scale: float) -> 
     Intervals are at most `first` long at the edge and grow as fast as elements may, but at the distance d they are at
     most size * (1 + d / scale). There are two at least.
     """
-
-    def limit(d: Array) -> Array:
-        most: Array = np.minimum(first + GRADING * d, size * (1 + d / scale))
-        return np.minimum(most, width / 2)
-
-    return divide_graded(limit, 0.0, width)
+    return divide_graded(
+        lambda d: np.minimum(np.minimum(first + GRADING * d, size * (1 + d / scale)), width / 2), 0.0, width
+    )
 
 
-def _widened(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: float) -> tuple[Mesh, Integers]:
+def _widen(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: float) -> tuple[Mesh, Integers]:
     """Return a mesh whose ground beyond the plate is so much wider [m], by further rows of elements, and its sections.
 
     The rows continue the growth of the elements that the mesh ends with.
@@ -285,7 +262,7 @@ def _size(model: Model) -> float:
     return model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
 
 
-def _drawn_mesh(plan: Plan, size: float, edge_size: float) -> tuple[Mesh, Integers]:
+def _make_plan_mesh(plan: Plan, size: float, edge_size: float) -> tuple[Mesh, Integers]:
     """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
     from groundslab import meshing
 
@@ -307,16 +284,13 @@ def plan_of(model: Model, width: float) -> Plan:
     plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None)
     if any(symmetries(model)):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
-    return with_borders(plan, void_rings(model) + zone_rings(model))
+    return add_borders(plan, void_rings(model) + zone_rings(model))
 
 
 def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:
     """Return the sides (s, 3) of the mesh beyond which there was ground to mesh, and the axis across each (s,)."""
-    sides, found, axes = (
-        sides_on_boundary(mesh.elements),
-        [np.zeros((0, 3), dtype=np.int64)],
-        [np.zeros(0, dtype=np.int64)],
-    )
+    sides = sides_on_boundary(mesh.elements)
+    found, axes = [np.zeros((0, 3), dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
     for side in model.beyond.sides if model.ground_reaches else ():
         axis = AXIS[side]
         if symmetry[axis] and OUTWARD[side] < 0:

@@ -3,19 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, replace
 
-from groundslab.model.loads.load_types import (
-    NO_BEND,
-    NO_SLOPE,
-    AnyLoad,
-    PatchLoad,
-    PointLoad,
-    SelfWeight,
-    TemperatureLoad,
-    UniformLoad,
-)
+from groundslab.model.loads import load_types as loads
 from groundslab.model.model import Model
+
+Interval = tuple[float, float]
 
 
 def symmetries(model: Model) -> tuple[bool, bool]:
@@ -33,52 +25,40 @@ def _symmetric(model: Model, axis: int) -> bool:
         return False
     if model.mesh.counts is not None and model.mesh.counts[axis] % 2:
         return False
-    placed = [_placed(load, model) for load in model.loads]
-    voids = [_Placed(("void", void.depth), void.x, void.y) for void in model.contact.voids if void.shape is None]
-    if None in placed or len(voids) < len(model.contact.voids):
-        return False
-    here, there = Counter[tuple[object, ...]](), Counter[tuple[object, ...]]()
-    for item in (*placed, *voids):
-        if item is not None and item.x is not None and item.y is not None:
-            here[item.key(max(model.plate.sides))] += 1
-            there[item.mirrored(axis).key(max(model.plate.sides))] += 1
+    items = [_locate(load, model) for load in model.loads if not _is_everywhere(load)]
+    items += [(("void", each.depth), (each.x, each.y)) if each.x and each.y else None for each in model.contact.voids]
+    here, there = Counter[object](), Counter[object]()
+    for item in items:
+        if item is None:
+            return False
+        what, place = item
+        here[what, _round(place, model)] += 1
+        start, end = place[axis]
+        there[what, _round((*place[:axis], (-end, -start), *place[axis + 1 :]), model)] += 1
     return here == there
 
 
-@dataclass(frozen=True)
-class _Placed:
-    """Something on a rectangle or at a point of the plan; x and y are None if it is everywhere."""
-
-    what: tuple[object, ...]
-    x: tuple[float, float] | None = None
-    y: tuple[float, float] | None = None
-
-    def mirrored(self, axis: int) -> _Placed:
-        """Return its image in the mirror across an axis."""
-        assert self.x is not None
-        assert self.y is not None
-        low, high = (self.x, self.y)[axis]
-        return replace(self, **{"xy"[axis]: (-high, -low)})
-
-    def key(self, size: float) -> tuple[object, ...]:
-        """Return what equals that of the same thing at the same place, relative to a size."""
-        assert self.x is not None
-        assert self.y is not None
-        return (*self.what, *(round(value / size, 9) + 0.0 for value in (*self.x, *self.y)))
+def _round(place: tuple[Interval, ...], model: Model) -> tuple[float, ...]:
+    """Return what is the same for equal places, whatever the rounding of their coordinates."""
+    return tuple(round(value / max(model.plate.sides), 9) + 0.0 for interval in place for value in interval)
 
 
-def _placed(load: AnyLoad, model: Model) -> _Placed | None:
-    """Return a load as something that has a mirror image; None if symmetry is not to be expected of it."""
-    if isinstance(load, SelfWeight | TemperatureLoad):
-        return _Placed(())
-    if isinstance(load, PointLoad):
+def _is_everywhere(load: loads.AnyLoad) -> bool:
+    """Return whether a load is the same at every place of the plate."""
+    if isinstance(load, loads.UniformLoad):
+        return (load.slope, load.bend) == (loads.NO_SLOPE, loads.NO_BEND)
+    return isinstance(load, loads.SelfWeight | loads.TemperatureLoad)
+
+
+def _locate(load: loads.AnyLoad, model: Model) -> tuple[tuple[object, ...], tuple[Interval, ...]] | None:
+    """Return what a load is and its place along x and y; None if symmetry is not to be expected of it."""
+    if isinstance(load, loads.PointLoad):
         own = load.on(model.columns)
-        if own.M_x or own.M_y:
-            return None
-        assert own.x is not None
-        assert own.y is not None
-        what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
-        return _Placed(what, (own.x, own.x), (own.y, own.y))
-    if isinstance(load, UniformLoad | PatchLoad) and (load.slope, load.bend) == (NO_SLOPE, NO_BEND):
-        return _Placed(("patch", load.case, load.q), load.x, load.y) if isinstance(load, PatchLoad) else _Placed(())
+        if not own.M_x and not own.M_y:
+            assert own.x is not None
+            assert own.y is not None
+            what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
+            return what, ((own.x, own.x), (own.y, own.y))
+    if isinstance(load, loads.PatchLoad) and (load.slope, load.bend) == (loads.NO_SLOPE, loads.NO_BEND):
+        return ("patch", load.case, load.q), (load.x, load.y)
     return None

@@ -25,7 +25,7 @@ LEAST_SHARE = 0.01
 
 
 @dataclass(frozen=True, slots=True)
-class Taken:
+class VoidShares:
     """What voids take of the elements of a plate."""
 
     drawn: Array  # (mp, v): share of each element in each void, where a deeper one does not lie over it
@@ -34,7 +34,7 @@ class Taken:
     share: Array  # (mp, d): share of each element that counts as lying at each depth
 
 
-def taken(model: Model, xy: Array, followed: Sequence[Ring], steps: bool) -> Taken:
+def share_voids(model: Model, xy: Array, followed_borders: Sequence[Ring], steps: bool) -> VoidShares:
     """Return what voids take of the elements (mp, 9, 2) of a plate, their share or, unless ground steps, all or none.
 
     Ground without shear may step along the border of a void, so that an element can lie in a void in part. The surface
@@ -44,7 +44,7 @@ def taken(model: Model, xy: Array, followed: Sequence[Ring], steps: bool) -> Tak
     order = np.argsort(own, kind="stable")  # where voids overlap the deepest counts
     rings = [void_rings(model)[k] for k in order]
     depth, of = np.unique([0.0, *own], return_inverse=True)
-    by_ring = shares(xy, rings, followed, max(model.plate.sides))
+    by_ring = shares(xy, rings, followed_borders, max(model.plate.sides))
     drawn = np.zeros((len(xy), len(own)))
     drawn[:, order] = by_ring[:, 1:]
     parts = np.column_stack([by_ring[:, 0], drawn])
@@ -54,16 +54,16 @@ def taken(model: Model, xy: Array, followed: Sequence[Ring], steps: bool) -> Tak
         share /= share.sum(axis=1, keepdims=True)
     else:
         share = np.eye(len(depth))[largest_share(share)]
-    return Taken(drawn, depth, of[1:], share)
+    return VoidShares(drawn, depth, of[1:], share)
 
 
-def depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> Depths:
+def find_depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> Depths:
     """Return how deep the ground lies under each plate element and node.
 
     Raises InputError for a void that is lost on the finest mesh.
     """
     steps = isinstance(ground, Column) and ground.surfaces == 1 and not ground.A1.any()
-    found = taken(model, plan.mesh.xy[plan.plate_elements], plan.followed, steps)
+    found = share_voids(model, plan.mesh.xy[plan.plate_elements], plan.followed_borders, steps)
     there = found.drawn > 0
     lost = there.any(axis=0) & ~(there & (found.share[:, found.of] > 0)).any(axis=0)
     if finest and lost.any():

@@ -59,8 +59,7 @@ def number_unknowns(rank: Integers, present: Flags) -> Integers:
     ordered = np.empty_like(present, dtype=bool)
     ordered[rank] = present
     numbers = np.where(ordered, np.cumsum(ordered.ravel()).reshape(ordered.shape) - 1, -1)
-    result: Integers = numbers[rank]
-    return result
+    return numbers[rank]
 
 
 def build_pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:
@@ -83,7 +82,10 @@ def build_pattern(elements: Integers, rank: Integers, unknown: Integers) -> Patt
     low, high = low[new].astype(np.int64), high[new].astype(np.int64)
     first, second, keys = at_rank[low], at_rank[high], low * n + high
     rows = np.concatenate([[0], np.flatnonzero(np.diff(low)) + 1, [len(low)]])
-    return Pattern(unknown, rank, first, second, keys, starts, element, place, *_entries(rows, first, second, unknown))
+    indptr, base = _index_rows(rows, first, second, unknown >= 0)
+    cuts, entries = _cut_rows(rows, first, unknown >= 0, indptr)
+    indices, taken = _place_entries(first, second, unknown, indptr, base, cuts)
+    return Pattern(unknown, rank, first, second, keys, starts, element, place, indptr, indices, cuts, entries, taken)
 
 
 def _counting_sort(key: Indices, size: int) -> Indices:
@@ -96,31 +98,43 @@ def _counting_sort(key: Indices, size: int) -> Indices:
     return order
 
 
-def _entries(
-    rows: Integers, first: Integers, second: Integers, unknown: Integers
-) -> tuple[Indices, Indices, Integers, Integers, Indices]:
-    """Return indptr, indices, cuts, entries and taken of a pattern.
+def _index_rows(rows: Integers, first: Integers, second: Integers, present: Flags) -> tuple[Indices, Integers]:
+    """Return indptr of a pattern, and how many columns a row has before those of each pair (pairs,).
 
     Pairs (pairs,) of nodes stand row by row, the second ones in order of elimination; rows (n + 1,) is where each row
     begins.
     """
-    F, present = unknown.shape[1], unknown >= 0
-    earlier: Integers = np.cumsum(present, axis=1) - present  # unknowns of the node before this one
     ends = np.concatenate([[0], np.cumsum(present.sum(axis=1)[second])])  # of each pair's columns
-    node, row_width = first[rows[:-1]], np.diff(ends[rows])
-    counts = (row_width[:, None] - earlier[node])[present[node]]
+    node = first[rows[:-1]]
+    counts = (np.diff(ends[rows])[:, None] - _earlier(present)[node])[present[node]]
     indptr = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
-    indices, taken = (np.empty(indptr[-1], np.int32) for _ in range(2))
+    return indptr, ends[:-1] - np.repeat(ends[rows[:-1]], np.diff(rows))
 
-    step = max(1, _CHUNK // (F * F))
+
+def _earlier(present: Flags) -> Integers:
+    """Return how many unknowns of its node stand before each field, (n, F)."""
+    earlier: Integers = np.cumsum(present, axis=1) - present
+    return earlier
+
+
+def _cut_rows(rows: Integers, first: Integers, present: Flags, indptr: Indices) -> tuple[Integers, Integers]:
+    """Return the pairs at which rows are cut into chunks of about _CHUNK entries, and the entries there."""
+    step = max(1, _CHUNK // present.shape[1] ** 2)
     cut_rows = np.unique(np.searchsorted(rows, np.append(np.arange(0, rows[-1], step), rows[-1])))
-    cuts = rows[cut_rows]
-    entries = indptr[np.concatenate([[0], np.cumsum(present[node].sum(axis=1))])[cut_rows]]
+    before = np.concatenate([[0], np.cumsum(present[first[rows[:-1]]].sum(axis=1))])
+    return rows[cut_rows], indptr[before[cut_rows]]
+
+
+def _place_entries(
+    first: Integers, second: Integers, unknown: Integers, indptr: Indices, base: Integers, cuts: Integers
+) -> tuple[Indices, Indices]:
+    """Return indices and taken of a pattern, chunk by chunk; base (pairs,) is as from `_index_rows`."""
+    F, present, begin = unknown.shape[1], unknown >= 0, 0
+    earlier, upper = _earlier(present), np.triu(np.ones((F, F), dtype=bool))
+    indices, taken = (np.empty(indptr[-1], np.int32) for _ in range(2))
     # where the entry of a pair's fields (i, j) goes is a part that the row knows and one that the column does
-    base = ends[:-1] - np.repeat(ends[rows[:-1]], np.diff(rows))
     of_row = indptr[np.maximum(unknown, 0)] - earlier
-    upper = np.triu(np.ones((F, F), dtype=bool))
-    for (start, stop), begin in zip(pairwise(cuts), entries[:-1], strict=True):
+    for start, stop in pairwise(cuts):
         one, other = first[start:stop], second[start:stop]
         exists = present[one][:, :, None] & present[other][:, None, :]
         exists[one == other] &= upper
@@ -132,7 +146,8 @@ def _entries(
         here = slice(begin, begin + len(where))
         taken[here] = order
         indices[here] = unknown[other].astype(np.int32).ravel()[order // (F * F) * F + order % F]
-    return indptr, indices, cuts, entries, taken
+        begin += len(where)
+    return indices, taken
 
 
 def assemble(

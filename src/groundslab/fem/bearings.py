@@ -34,8 +34,7 @@ class Bearings:
 
     def penetration(self, u: Array) -> Array:
         """Return the penetration d (c,) for the unknowns u (size,)."""
-        d: Array = self.sign * (self.offset - u[self.unknown])
-        return d
+        return self.sign * (self.offset - u[self.unknown])
 
     def admissible(self, state: Integers) -> Integers:
         """Return states (c,) with bilateral bearings closed and those without a limit force above zero open."""
@@ -69,10 +68,19 @@ def plastic_slip(b: Bearings, c: Contact) -> Array:
     return np.where(c.state == YIELDING, np.maximum(slip, 0.0), 0.0)
 
 
-def gap_bearings(unknown: Integers, initial_gap: Array) -> Bearings:
-    """Return rigid bearings without limits on unknowns (c,) that open gaps of some initial width (c,)."""
-    one, infinite = np.ones(len(unknown)), np.full(len(unknown), np.inf)
-    return Bearings(unknown, one, -initial_gap, infinite, infinite, np.zeros(len(unknown), dtype=bool))
+def make_bearings(
+    unknown: Integers,
+    sign: float,
+    offset: Array | float,
+    stiffness: Array | float = np.inf,
+    limit_force: Array | float = np.inf,
+    bilateral: bool = False,
+) -> Bearings:
+    """Return bearings on unknowns (c,) from what each has (c,) or all have; rigid and without limits by default."""
+    s, start, k, F = (
+        np.broadcast_to(each, unknown.shape).astype(float) for each in (sign, offset, stiffness, limit_force)
+    )
+    return Bearings(unknown, s, start, k, F, np.full(len(unknown), bilateral))
 
 
 def concatenate(*parts: Bearings) -> Bearings:

@@ -29,8 +29,7 @@ class Parts:
     def mean(self, values: Array) -> Array:
         """Return the mean (m, ...) over each element of what the columns have (c, ...)."""
         weighted = self.area_fraction.reshape(-1, *(1,) * (values.ndim - 1)) * values[self.column]
-        means: Array = np.add.reduceat(weighted, np.flatnonzero(np.diff(self.element, prepend=-1)), axis=0)
-        return means
+        return np.add.reduceat(weighted, np.flatnonzero(np.diff(self.element, prepend=-1)), axis=0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +53,7 @@ class Column:
         """Return the columns (e, S, S) of some elements (e,), or the one column that all have."""
         return Column(self.A0[elements], self.A1[elements]) if self.varies else self
 
-    def mixed(self, parts: Parts) -> Column:
+    def mix(self, parts: Parts) -> Column:
         """Return the mean column under each element of a mesh, of columns (c, S, S) under parts of them."""
         return Column(parts.mean(self.A0), parts.mean(self.A1))
 
@@ -95,6 +94,11 @@ class Layer:
     def stiffnesses(self) -> tuple[Values, Values]:
         """Return Ec / h [Pa/m] and G h [Pa m] for the mean of E."""
         return self.oedometric_ratio * self.mean / self.thickness, self.shear * self.mean * self.thickness
+
+    def at(self, columns: slice) -> Layer:
+        """Return the layer of some of the columns."""
+        thickness, c0, c1, c2, nu = (np.asarray(each)[columns] for each in (self.thickness, *self.moduli, self.nu))
+        return Layer(thickness, (c0, c1, c2), nu)
 
     def split(self, n: int) -> list[Layer]:
         """Return n equal parts of the layer, each with the moduli of its own depths."""

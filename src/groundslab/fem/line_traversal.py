@@ -61,13 +61,16 @@ def pieces(mesh: Mesh, ends: Array) -> Pieces:
 
     A piece along the common side of two elements belongs to one of them.
     """
+    import shapely
+
     length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     start = np.concatenate([[0.0], np.cumsum(length)[:-1]])
     middle, radius = _circles(mesh)
+    centers = shapely.points(middle)
     near = np.zeros(len(mesh.elements), dtype=bool)
     leg, low, high = [], [], []
     for i, (a, b) in enumerate(ends):
-        close = _distance(middle, a, b) <= radius + ON_LINE * length[i]
+        close = shapely.distance(centers, shapely.LineString([a, b])) <= radius + ON_LINE * length[i]
         near |= close
         s = _crossings(mesh.xy[close], a, b)
         leg.append(np.full(len(s) - 1, i))
@@ -116,14 +119,6 @@ def _circles(mesh: Mesh) -> tuple[Array, Array]:
     return (low + high) / 2, 0.75 * np.linalg.norm(high - low, axis=1)
 
 
-def _distance(points: Array, a: Array, b: Array) -> Array:
-    """Return the distance (p,) [m] of points (p, 2) from the straight line between a and b."""
-    along = b - a
-    t = np.clip((points - a) @ along / (along @ along), 0, 1)
-    distance: Array = np.linalg.norm(points - a - t[:, None] * along, axis=1)
-    return distance
-
-
 def _crossings(xy: Array, a: Array, b: Array) -> Array:
     """Return ascending s (k,) [m] from 0 to the length, where a leg meets sides or corners of elements xy (m, 9, 2).
 
@@ -148,5 +143,4 @@ def _crossings(xy: Array, a: Array, b: Array) -> Array:
     found = np.unique(np.concatenate([on, s_of_t[crossed]]))
     inside = found[(found > ON_LINE * length) & (found < (1 - ON_LINE) * length)]
     apart = np.diff(inside, prepend=-np.inf) > ON_LINE * length
-    cuts: Array = np.concatenate([[0.0], inside[apart], [length]])
-    return cuts
+    return np.concatenate([[0.0], inside[apart], [length]])

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh, local_coordinates, locate
 from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, q9
@@ -62,8 +62,7 @@ def integrate_over_elements(mesh: Mesh, elements: Integers, pressure: Pressure =
     N, dN = q9(points)
     xy = mesh.nodes[mesh.elements[elements]]
     q = pressure(np.einsum("pa,eax->epx", N, xy))
-    shares: Array = (q * jacobian(dN, xy)[2] * weights) @ N
-    return shares
+    return (q * jacobian(dN, xy)[2] * weights) @ N
 
 
 def nodal_area(mesh: Mesh, elements: Integers) -> Array:
@@ -71,15 +70,20 @@ def nodal_area(mesh: Mesh, elements: Integers) -> Array:
     return scatter(mesh.elements[elements], integrate_over_elements(mesh, elements), len(mesh.nodes))
 
 
-def near(mesh: Mesh, part: Polygon) -> Integers:
+def find_elements_near(mesh: Mesh, part: Polygon) -> Integers:
     """Return the elements that may meet a polygon, by the boxes around both.
 
     A curved side leaves the box of its three nodes by 1/8 of its size at most.
     """
-    x0, y0, x1, y1 = part.bounds
-    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
+    return np.flatnonzero(_meets_box(mesh.xy, part.bounds))
+
+
+def _meets_box(xy: Array, bounds: tuple[float, float, float, float]) -> Flags:
+    """Return which elements (m, 9, 2) may meet a box x0, y0, x1, y1."""
+    low, high = xy.min(axis=1), xy.max(axis=1)
     reach = (high - low) / 8
-    return np.flatnonzero(((low - reach <= (x1, y1)) & (high + reach >= (x0, y0))).all(axis=1))
+    meets: Flags = ((low - reach <= bounds[2:]) & (high + reach >= bounds[:2])).all(axis=1)
+    return meets
 
 
 def integrate_over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one) -> Array:
@@ -113,23 +117,20 @@ def integrate_along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple
     sides goes to one element each. Along a curved edge of the plate it may lie a little outside the elements.
     """
     n = 1 if edge.straight else max(ARC_PIECES, math.ceil(abs(edge.sweep) / ARC_PIECE))
-    at = np.unique(np.concatenate([np.arange(n + 1) / n, _crossed(mesh.xy[elements], edge, n)]))
+    at = np.unique(np.concatenate([np.arange(n + 1) / n, _find_crossings(mesh.xy[elements], edge, n)]))
     x, weights = gauss_line(4)
     low, high = at[:-1, None], at[1:, None]
     s = ((low + high) / 2 + (high - low) / 2 * x).ravel()
     ds = ((high - low) / 2 * weights * edge.length).ravel()
-    return _at_points(mesh, elements, edge.at(s), ds * (q[0] + (q[1] - q[0]) * s), ALONG_EDGE)
+    return _integrate_at_points(mesh, elements, edge.at(s), ds * (q[0] + (q[1] - q[0]) * s), ALONG_EDGE)
 
 
-def _crossed(xy: Array, edge: Segment, chords: int) -> Array:
+def _find_crossings(xy: Array, edge: Segment, chords: int) -> Array:
     """Return the parts (k,) of an edge after which its chords enter another one of the elements (m, 9, 2)."""
     from shapely import LineString, get_coordinates, intersection, polygons
 
-    flat = edge.at(np.arange(chords + 1) / chords)
-    low, high = xy.min(axis=1), xy.max(axis=1)
-    reach = (high - low) / 8
-    near = ((low - reach <= flat.max(axis=0)) & (high + reach >= flat.min(axis=0))).all(axis=1)
-    places = get_coordinates(intersection(polygons(_outlines(xy[near])), LineString(flat)))
+    flat = LineString(edge.at(np.arange(chords + 1) / chords))
+    places = get_coordinates(intersection(polygons(_outlines(xy[_meets_box(xy, flat.bounds)])), flat))
     if edge.straight:
         along = np.array(edge.end) - np.array(edge.start)
         parts = (places - edge.start) @ along / (along @ along)
@@ -143,12 +144,12 @@ def _crossed(xy: Array, edge: Segment, chords: int) -> Array:
     return found
 
 
-def at_point(mesh: Mesh, elements: Integers, point: Array) -> Array:
+def integrate_at_point(mesh: Mesh, elements: Integers, point: Array) -> Array:
     """Return N (m, 9) at a point (2,) of the plate, in the one element that holds it."""
-    return _at_points(mesh, elements, point[None], np.ones(1))
+    return _integrate_at_points(mesh, elements, point[None], np.ones(1))
 
 
-def _at_points(mesh: Mesh, elements: Integers, points: Array, weights: Array, reach: float = 0.0) -> Array:
+def _integrate_at_points(mesh: Mesh, elements: Integers, points: Array, weights: Array, reach: float = 0.0) -> Array:
     """Return the sum of weighted N (m, 9) at points (p, 2), each in one element that holds it.
 
     Points outside all elements by at most `reach` times an element's size count as in the nearest one.
@@ -167,7 +168,7 @@ def _at_points(mesh: Mesh, elements: Integers, points: Array, weights: Array, re
 
 def _outlines(xy: Array) -> Array:
     """Return the elements' outlines (m, 4 c, 2): their sides, curved ones as chords that enclose the same area."""
-    n = CHORDS if _curved(xy) else 1
+    n = CHORDS if _is_curved(xy) else 1
     t = np.linspace(-1, 1, n, endpoint=False)
     a, b, middle = xy[:, [0, 1, 2, 3], None], xy[:, [1, 2, 3, 0], None], xy[:, 4:8, None]
     bend = (a + b) / 2 - middle  # c of the side's a + b t + c t^2
@@ -176,11 +177,10 @@ def _outlines(xy: Array) -> Array:
         # between a chord over 2/n of t and the side lies |b x c| (2/n)^3 / 6; n of these are made up for by moving
         # n - 1 corners, each of which takes |b x c| (2/n) times its way against c
         sides[:, :, 1:] -= bend * (4 / n**2) * n / (6 * (n - 1))
-    outlines: Array = sides.reshape(len(xy), 4 * n, 2)
-    return outlines
+    return sides.reshape(len(xy), 4 * n, 2)
 
 
-def _curved(xy: Array) -> bool:
+def _is_curved(xy: Array) -> bool:
     """Return whether any side of the elements is curved."""
     middle = (xy[:, [0, 1, 2, 3]] + xy[:, [1, 2, 3, 0]]) / 2
     size = np.ptp(xy, axis=1).max(initial=0)

@@ -41,8 +41,7 @@ class Mesh:
     @property
     def xy(self) -> Array:
         """Return the nodes of each element, (m, 9, 2)."""
-        xy: Array = self.nodes[self.elements]
-        return xy
+        return self.nodes[self.elements]
 
 
 def grid(x: Array, y: Array) -> Mesh:
@@ -66,13 +65,7 @@ def graded_size(edges: Array, size: float) -> Callable[[Array], Array]:
 
     At the edges they have the given size [m]; without edges there is no limit.
     """
-
-    def limit(x: Array) -> Array:
-        distance = np.abs(x[:, None] - edges).min(axis=1, initial=np.inf)
-        sizes: Array = size + GRADING * distance
-        return sizes
-
-    return limit
+    return lambda x: size + GRADING * np.abs(x[:, None] - edges).min(axis=1, initial=np.inf)
 
 
 def divide_graded(size: Callable[[Array], Array], low: float, high: float) -> Array:
@@ -173,16 +166,6 @@ def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None
     return element, place
 
 
-def _nearest(mesh: Mesh, points: Array) -> Integers:
-    """Return the element whose bounding box is nearest to each point (p,)."""
-    import shapely
-
-    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
-    tree = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
-    nearest: Integers = tree.nearest(shapely.points(points))
-    return nearest
-
-
 def local_coordinates(xy: Array, points: Array) -> Array:
     """Return where points (c, 2) lie in elements with nodes xy (c, 9, 2), on the reference square, by Newton's method.
 
@@ -214,16 +197,20 @@ def locate_nearest(mesh: Mesh, points: Array, elements: Integers | None = None) 
     Of some elements only, if they are given. Where a boundary is curved, a finer mesh has points a little outside a
     coarser one.
     """
+    import shapely
+
     part = mesh if elements is None else Mesh(mesh.nodes, mesh.elements[elements])
     element, place = locate(part, points)
     outside = element < 0
     if outside.any():
-        element[outside] = _nearest(part, points[outside])
+        low, high = part.xy.min(axis=1), part.xy.max(axis=1)
+        boxes = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
+        element[outside] = boxes.nearest(shapely.points(points[outside]))
         place[outside] = local_coordinates(part.xy[element[outside]], points[outside])
     return (element if elements is None else elements[element]), place
 
 
-def interpolated(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
+def interpolate(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
     """Return nodal values (n,) or (n, k) at places in elements, by the shape functions, (p,) or (p, k)."""
     element, place = where
     result: Array = np.einsum("pa,pa...->p...", q9(place)[0], values[mesh.elements[element]])

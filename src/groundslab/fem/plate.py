@@ -62,8 +62,7 @@ def _covariant_shear(points: Array, xy: Array, T: Array) -> Array:
 def displacement_shear(points: Array, xy: Array, T: Array) -> Array:
     """Return B_s (m, p, 2, 27) with (w,x - beta_x ; w,y - beta_y) = B_s u, straight from the displacements."""
     _, inverse, _ = jacobian(q9(points)[1], xy)
-    B: Array = inverse @ _covariant_shear(points, xy, T)
-    return B
+    return inverse @ _covariant_shear(points, xy, T)
 
 
 def tied_shear(points: Array, xy: Array, T: Array) -> Array:
@@ -167,8 +166,7 @@ def _quadratic_form(B: Array, C: Array) -> Array:
     """Return sum over p of B^T C B, (m, u, u), for B (m, p, c, u) and C (m, p, c, c)."""
     m, _, _, u = B.shape
     CB = (C @ B).reshape(m, -1, u)
-    K: Array = np.swapaxes(B.reshape(m, -1, u), 1, 2) @ CB
-    return K
+    return np.swapaxes(B.reshape(m, -1, u), 1, 2) @ CB
 
 
 def section_matrices(element: PlateElement, points: Array, xy: Array, D: Array, S: Array) -> Array:

@@ -7,7 +7,7 @@ What bears on single unknowns (the ground where the plate may lift off, supports
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -36,12 +36,7 @@ class Loading:
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
-        return Loading(
-            self.load + other.load,
-            self.thermal_curvature + other.thermal_curvature,
-            self.settlement + other.settlement,
-            self.size + other.size,
-        )
+        return Loading(*(getattr(self, each.name) + getattr(other, each.name) for each in fields(self)))
 
     def scale(self, factor: float) -> Loading:
         """Return the loading multiplied by a factor."""
@@ -91,8 +86,7 @@ class Depths:
 
     def at_shallowest(self, values: Array, nodes: Integers) -> Array:
         """Return the values (n, d) for the least depth at some nodes (k,)."""
-        own: Array = values[nodes, self.shallowest[nodes]]
-        return own
+        return values[nodes, self.shallowest[nodes]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,8 +65,7 @@ def jacobian(dN: Array, xy: Array) -> tuple[Array, Array, Array]:
 def areas(xy: Array) -> Array:
     """Return the areas (m,) [m2] of elements with nodes xy (m, 9, 2)."""
     points, weights = gauss(3)
-    total: Array = jacobian(q9(points)[1], xy)[2] @ weights
-    return total
+    return jacobian(q9(points)[1], xy)[2] @ weights
 
 
 def parallelograms(xy: Array) -> Flags:

@@ -29,8 +29,7 @@ class Symmetric:
     @property
     def diagonal(self) -> Array:
         """Return the diagonal (size,)."""
-        d: Array = self.data[self.indptr[:-1]]
-        return d
+        return self.data[self.indptr[:-1]]
 
     def __matmul__(self, u: Array) -> Array:
         """Return the product with u (size,)."""

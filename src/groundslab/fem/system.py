@@ -35,8 +35,7 @@ def on_plate_edge(problem: Problem) -> Flags:
         return np.zeros(len(problem.bearing.law), dtype=bool)
     on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)
     on_edge[problem.plate_edges] = True
-    found: Flags = (problem.bearing.support < 0) & on_edge[problem.bearing.node]
-    return found
+    return (problem.bearing.support < 0) & on_edge[problem.bearing.node]
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,10 +98,11 @@ class System:
 
 def build_system(problem: Problem, like: System | None = None) -> System:
     """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
-    if like is None or like.problem.mesh is not problem.mesh:
-        return System(problem, _pattern(problem), blocks(problem))
+    mesh, rank, unknown = problem.mesh, problem.rank, problem.unknown
+    if like is None or like.problem.mesh is not mesh:
+        return System(problem, assembly.build_pattern(mesh.elements, rank, unknown), blocks(problem))
     known = like.problem
-    same_unknowns = np.array_equal(known.unknown, problem.unknown)
+    same_unknowns = np.array_equal(known.unknown, unknown)
     same_plate = known.element is problem.element and all(
         np.array_equal(a, b)
         for a, b in (
@@ -110,15 +110,8 @@ def build_system(problem: Problem, like: System | None = None) -> System:
             (known.depths.mass_kind, problem.depths.mass_kind), (known.depths.mass_kinds, problem.depths.mass_kinds),
         )
     )  # fmt: skip
-    return System(
-        problem,
-        like.pattern if same_unknowns else _pattern(problem),
-        like.blocks if same_plate else blocks(problem),
-    )
-
-
-def _pattern(problem: Problem) -> Pattern:
-    return assembly.build_pattern(problem.mesh.elements, problem.rank, problem.unknown)
+    pattern = like.pattern if same_unknowns else assembly.build_pattern(mesh.elements, rank, unknown)
+    return System(problem, pattern, like.blocks if same_plate else blocks(problem))
 
 
 def surface_fields(surface: int) -> tuple[int, ...]:

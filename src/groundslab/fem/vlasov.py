@@ -46,8 +46,7 @@ def _mode_terms(gamma: Values) -> tuple[Array, Array, Array]:
 
 def sinh_mode(s: Array, gamma: float) -> Array:
     """Return psi = sinh(gamma(1 - s)) / sinh gamma at relative depths s = z/h, without overflow; gamma >= 0."""
-    psi: Array = 1 - s if gamma == 0 else np.exp(-gamma * s) * np.expm1(-2 * gamma * (1 - s)) / np.expm1(-2 * gamma)
-    return psi
+    return 1 - s if gamma == 0 else np.exp(-gamma * s) * np.expm1(-2 * gamma * (1 - s)) / np.expm1(-2 * gamma)
 
 
 def _csch2(g: Values) -> Array:
@@ -122,14 +121,7 @@ def profiles(layers: tuple[Layer, ...], decay2: Array, points: int = 20) -> tupl
     k0, k1 = np.empty(len(decay2)), np.empty(len(decay2))
     for start in range(0, len(decay2), _CHUNK):
         part = slice(start, start + _CHUNK)
-        some = tuple(
-            Layer(
-                np.asarray(each.thickness)[part],
-                (np.asarray(each.moduli[0])[part], np.asarray(each.moduli[1])[part], np.asarray(each.moduli[2])[part]),
-                np.asarray(each.nu)[part],
-            )
-            for each in layers
-        )
+        some = tuple(layer.at(part) for layer in layers)
         _, first, stretch, shear = _over_the_depth(some, decay2[part], points)
         column = np.cumsum(first) - 1
         psi = _two_point_minimum(stretch + decay2[part][column, None, None] * shear, first)
@@ -150,10 +142,8 @@ def _over_the_depth(layers: tuple[Layer, ...], decay2: Array, points: int) -> tu
         return np.column_stack([np.broadcast_to(each, len(decay2)) for each in values])
 
     thickness = table([layer.thickness for layer in layers])  # (c, L), as all tables
-    constrained, shearing = (
-        table([layer.oedometric_ratio for layer in layers]),
-        table([layer.shear for layer in layers]),
-    )
+    constrained = table([layer.oedometric_ratio for layer in layers])
+    shearing = table([layer.shear for layer in layers])
     local = np.sqrt(decay2[:, None] * shearing / constrained) * thickness
     count = (points * (1 + local)).astype(np.int64)
     owner = np.repeat(np.arange(count.size), count.ravel())
@@ -276,4 +266,4 @@ class Soil:
         """Return the column of the ground for a gamma, by element where the soil varies."""
         k0, k1 = self.layer_parameters(gamma)
         found = interface_stack(k0, k1) if self.way == "interface" else single(k0[..., 0], k1[..., 0])
-        return found if self.parts is None else found.mixed(self.parts)
+        return found if self.parts is None else found.mix(self.parts)

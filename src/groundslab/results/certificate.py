@@ -158,7 +158,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     (inner, ground), load = resistance(solution), problem.load
     rest = inner - load
 
-    held = problem.unknown < 0
+    fixed = problem.unknown < 0
     borne = np.zeros_like(U)
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
     # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
@@ -166,11 +166,11 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     way = np.abs(solution.law.offset[c.state == CLOSED]).max(initial=0.0)
     rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
     residual = float(
-        np.abs((rest - borne)[~held]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
+        np.abs((rest - borne)[~fixed]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
     )
 
     # what the supports push on the plate, moments about the origin
-    support = np.where(held[:, :TOP], rest[:, :TOP], 0.0)
+    support = np.where(fixed[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
     own = bearing.field != TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
@@ -197,7 +197,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         reaction=float(reaction[0] * share),
         force_balance=float(missing[0] / size),
         moment_balance=float(moments.max() / (size * length)),
-        ground_balance=float(abs(_carried(s, U, column, inner) - pushed) / size),
+        ground_balance=float(abs(_sum_lost_forces(s, U, column, inner) - pushed) / size),
         worst_gap=float(gap / settlement),
         worst_pressure=force,
         worst_product=float(product / settlement),
@@ -253,7 +253,7 @@ def _resultant(nodes: Array, forces: Array) -> Array:
     return np.array([F.sum(), F @ nodes[:, 0] + forces[:, BETA_X].sum(), F @ nodes[:, 1] + forces[:, BETA_Y].sum()])
 
 
-def _carried(s: System, U: Array, column: Column, inner: Array) -> float:
+def _sum_lost_forces(s: System, U: Array, column: Column, inner: Array) -> float:
     """Return the force that leaves the ground: into the rigid base, into fixed outer edges and into infinite ground."""
     problem = s.problem
     w = surface_settlement(s, U)

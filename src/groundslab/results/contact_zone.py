@@ -11,16 +11,7 @@ from groundslab.errors import GroundslabError
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
-    from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.record import Certificate, Constants
     from groundslab.results.results import CombinationResult
-
-
-#: What a reader must know where the ground acts by a line force along the plate's edge.
-EDGE_NOTE = (
-    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
-    "grows slowly as the mesh is refined."
-)
 
 
 #: What a reader must know where the ground acts by a line force along the plate's edge.
@@ -32,14 +23,8 @@ EDGE_NOTE = (
 
 def require_finite(results: CombinationResult) -> None:
     """Raise GroundslabError if any number of the results is infinite or not a number."""
-    parts: dict[str, PlateResult | ElementResult | GroundResult | Constants | Certificate] = {
-        "plate": results.plate,
-        "elements": results.elements,
-        "ground": results.ground,
-        "constants": results.constants,
-        "certificate": results.certificate,
-    }
-    for part, values in parts.items():
+    for part in ("plate", "elements", "ground", "constants", "certificate"):
+        values = getattr(results, part)
         for item in fields(values):
             value = getattr(values, item.name)
             if value is not None and not np.all(np.isfinite(value)):

@@ -84,8 +84,7 @@ def pressure_forces(s: System, U: Array, column: Column, sides: EdgeSides, shear
     at_sides = shear[sides.element[:, None], sides.local]
     across = np.einsum("bacx,bcx->ba", sides.flux, at_sides)
     inner = scatter(elements, forces, n)
-    found: Array = inner - scatter(elements[sides.element[:, None], sides.local], across, n)
-    return found
+    return inner - scatter(elements[sides.element[:, None], sides.local], across, n)
 
 
 def split_contact_force(

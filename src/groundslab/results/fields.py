@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.units import UNITS, Unit
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
-    Integers = NDArray[np.int64]
-    Flags = NDArray[np.bool_]
 
 #: Which values a quantity takes: any; usually positive, with negative ones an exception (uplift, tension); or one sign.
 Sign = Literal["any", "usually positive", "not negative", "not positive"]

@@ -7,21 +7,16 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from groundslab.arrays import Memo
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.errors import InputError, Issue
-from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolated, locate
+from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolate, locate
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
     from pyvista import UnstructuredGrid
     from shapely import STRtree
-
-    Array = NDArray[np.float64]
-    Integers = NDArray[np.int64]
-    Flags = NDArray[np.bool_]
-
 
 #: An error names at most so many points outside, and counts the others.
 MOST_NAMED = 100
@@ -209,7 +204,7 @@ class PlateResult:
         300 mm
         """
         points = _points(x, y)
-        found: Integers = _located(Mesh(self.nodes, self.elements), points, "the plate")[0]
+        found: Integers = _locate(Mesh(self.nodes, self.elements), points, "the plate")[0]
         return int(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
 
 
@@ -323,7 +318,7 @@ def in_space(nodes: Array) -> Array:
 def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: str) -> float | Array:
     """Return nodal values (n,) at points: a float for two numbers, else an array of their shape."""
     points = _points(x, y)
-    found = interpolated(mesh, values, _located(mesh, points, region))
+    found = interpolate(mesh, values, _locate(mesh, points, region))
     return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
 
 
@@ -337,7 +332,7 @@ def _points(x: ArrayLike, y: ArrayLike) -> Array:
     return points
 
 
-def _located(mesh: Mesh, points: Array, region: str) -> MeshLocations:
+def _locate(mesh: Mesh, points: Array, region: str) -> MeshLocations:
     """Return the elements that hold points (..., 2) and where in them; InputError names points outside."""
     boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
     where = locate(mesh, points.reshape(-1, 2), boxes=boxes)

@@ -64,7 +64,7 @@ def extrapolation() -> Array:
     return bilinear
 
 
-def around(nodes: Array, elements: Integers, points: Array) -> Patches:
+def make_patches(nodes: Array, elements: Integers, points: Array) -> Patches:
     """Return the patches of a mesh, nodes (n, 2) [m], elements (m, 9), with 2 x 2 Gauss points (m, 4, 2) [m].
 
     A corner node inside has the patch of the elements that meet there; one on the edge, where points lie on one side
@@ -101,7 +101,7 @@ def around(nodes: Array, elements: Integers, points: Array) -> Patches:
     return Patches(nodes, elements, corner, center, L, tuple(found), *_sources(corner, known))
 
 
-def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
+def recover_nodes(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
     """Return values (n, k) at the nodes from values (m, 4, k) at the elements' 2 x 2 Gauss points.
 
     Each of sizes (k,) weighs the squares of values that belong together, such as the components of a tensor, 0 for the
@@ -141,8 +141,7 @@ def nodal(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
                 at_nodes[those[:, None], near] += (_SHARE / count[those, None])[..., None] * at
         sums += np.column_stack([scatter(elements, at_nodes[..., i], n) for i in range(k)])
     meeting = np.bincount(p.elements.ravel(), minlength=n)
-    mean: Array = sums / np.maximum(meeting, 1)[:, None]
-    return mean
+    return sums / np.maximum(meeting, 1)[:, None]
 
 
 def _rectangles(xy: Array) -> Flags:

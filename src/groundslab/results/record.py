@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,8 +148,5 @@ class Certificate:
         dict of str to float
             The figures by name.
         """
-        names = (
-            "residual", "force_balance", "moment_balance", "ground_balance",
-            "worst_gap", "worst_pressure", "worst_product", "gamma_change",
-        )  # fmt: skip
-        return {name: getattr(self, name) for name in names}
+        others = ("load", "reaction", "margin_effect")
+        return {each.name: getattr(self, each.name) for each in fields(self) if each.name not in others}

@@ -65,13 +65,17 @@ def _parts(solution: Solution, frame: ResultMesh) -> tuple[PlateResult, ElementR
     """Return the full plate, its elements and the ground with their fields."""
     problem, plate, ground = solution.system.problem, frame.plate, frame.ground
     contact, pressure = contact_fields(solution, frame)
-    fields = _plate_fields(solution, frame) | contact
-    at_centres = _element_fields(problem, solution.U, frame) | {"pressure": pressure}
+    s, U = solution.system, solution.U
+    fields = {"settlement": plate_settlement(s, U), "rotation_x": U[:, BETA_X], "rotation_y": U[:, BETA_Y]}
+    fields = {name: field[frame.node] for name, field in fields.items()}
+    fields |= {"area": frame.area, "edge_length": frame.edge_length}
+    fields |= section_forces(problem, U, frame) | contact
+    at_centres = _element_fields(problem, U, frame) | {"pressure": pressure}
     nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
     elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
     section = elements.pop("section").astype(np.int64)
     in_contact = nodal.pop("in_contact") > 0
-    surfaces = surface_settlement(solution.system, solution.U)
+    surfaces = surface_settlement(s, U)
     return (
         PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, **nodal),
         ElementResult(section=section, **elements),
@@ -112,27 +116,8 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     return tuple(found)
 
 
-def _plate_fields(solution: Solution, frame: ResultMesh) -> dict[str, Array]:
-    """Return the fields of the meshed part of the plate at the nodes of its frame (k,), flags as 0 and 1.
-
-    Without those of contact, see `contact_fields`.
-    """
-    s, U = solution.system, solution.U
-    fields = {
-        "settlement": plate_settlement(s, U),
-        "rotation_x": U[:, BETA_X],
-        "rotation_y": U[:, BETA_Y],
-    }
-    at_nodes = {name: field[frame.node] for name, field in fields.items()}
-    shares = {"area": frame.area, "edge_length": frame.edge_length}
-    return {**at_nodes, **shares, **section_forces(s.problem, U, frame)}
-
-
 def _element_fields(problem: Problem, U: Array, frame: ResultMesh) -> dict[str, Array]:
-    """Return the fields at the centers of the plate's elements (mp,), the number of the section as a float among them.
-
-    Without the pressure.
-    """
+    """Return the fields at the centers of the plate's elements (mp,) but the pressure, the section's number a float."""
     forces = dict(zip(FORCES, centre_forces(problem, U, frame).T, strict=True))
     return {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
 

@@ -25,10 +25,7 @@ from groundslab.results.edge_forces import EdgeSides, edge_lengths, edge_sides
 from groundslab.results.patch_recovery import Patches
 
 #: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
-ANTISYMMETRIC = (
-    {"rotation_x", "shear_x", "moment_xy"},
-    {"rotation_y", "shear_y", "moment_xy"},
-)
+ANTISYMMETRIC = ({"rotation_x", "shear_x", "moment_xy"}, {"rotation_y", "shear_y", "moment_xy"})
 #: Fields that are shares, of which each side of a mirror has a part.
 SHARED = {"area", "contact_area", "edge_length"}
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
@@ -48,19 +45,20 @@ class MirroredMesh:
 
     def nodal(self, name: str, field: Array) -> Array:
         """Return a nodal field of the full mesh (n,) from that of the meshed part."""
-        found: Array = field[self.node]
-        for axis in (0, 1):
-            if name in ANTISYMMETRIC[axis]:
-                found = found * self.odd[axis]
+        found = _mirror(name, field[self.node], self.odd)
         return found * self.shares if name in SHARED else found
 
     def by_element(self, name: str, field: Array) -> Array:
         """Return a field of elements of the full mesh (m,) from that of the meshed part."""
-        found: Array = field[self.element]
-        for axis in (0, 1):
-            if name in ANTISYMMETRIC[axis]:
-                found = found * self.odd_elements[axis]
-        return found
+        return _mirror(name, field[self.element], self.odd_elements)
+
+
+def _mirror(name: str, field: Array, odd: tuple[Array, Array]) -> Array:
+    """Return a field with the signs that its values have on the mirrored sides."""
+    for axis in (0, 1):
+        if name in ANTISYMMETRIC[axis]:
+            field = field * odd[axis]
+    return field
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,21 +89,22 @@ class ResultMesh:
         """Return values at the nodes of the plate's elements (mp, 9, k) from those at their 2 x 2 Gauss points.
 
         The values (mp, 4, k) are called by names (k,), which tell which of them change sign in a mirror; sizes are
-        as in patches.nodal.
+        as in patch_recovery.recover_nodes.
         """
         for axis, copied in self.images:
             sign = np.array([-1.0 if name in ANTISYMMETRIC[axis] else 1.0 for name in names])
             values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
-        at_nodes: Array = patch_recovery.nodal(self.patches, values, sizes)[self.smooth]
-        return at_nodes
+        return patch_recovery.recover_nodes(self.patches, values, sizes)[self.smooth]
 
 
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
-    supported = support_lines(model, problem)
-    depth = problem.depths.dominant
-    mesh, node = split_by_section(problem, supported, depth)
-    smooth, _ = split_by_section(problem, np.concatenate([supported, load_edges(model, problem)]))
+    elements, depth = problem.mesh.elements[problem.plate_elements], problem.depths.dominant
+    supports = [piece for each in model.supports if isinstance(each, LineSupport) for piece in pairwise(each.points)]
+    at_supports = sides_along(problem.mesh, elements, supports)
+    at_loads = sides_along(problem.mesh, elements, [line for load in model.loads for line in _lines(load, model)])
+    mesh, node = split_by_section(problem, at_supports, depth)
+    smooth, _ = split_by_section(problem, np.concatenate([at_supports, at_loads]))
     matrices, kind = section_matrices(problem)
     edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
@@ -122,13 +121,13 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
         depth=at_nodes,
         edges=edges,
         edge_length=edge_lengths(edges, mesh.elements, len(mesh.nodes)),
-        nodal_edge_length=edge_lengths(edges, problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)),
+        nodal_edge_length=edge_lengths(edges, elements, len(problem.mesh.nodes)),
         mean=_means(mesh),
         matrices=matrices,
         kind=kind,
         smooth=smooth.elements,
         images=tuple(images),
-        patches=patch_recovery.around(parts.nodes, parts.elements, points),
+        patches=patch_recovery.make_patches(parts.nodes, parts.elements, points),
         plate=mirror_to_full(mesh, problem.symmetry),
         ground=mirror_to_full(problem.mesh, problem.symmetry),
     )
@@ -209,18 +208,6 @@ def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array,
     return Mesh(doubled.nodes, doubled.elements[images]), more, copied
 
 
-def support_lines(model: Model, problem: Problem) -> Integers:
-    """Return the sides (k, 3: end, end, middle node) of plate elements along line supports."""
-    lines = [piece for each in model.supports if isinstance(each, LineSupport) for piece in pairwise(each.points)]
-    return sides_along(problem.mesh, problem.mesh.elements[problem.plate_elements], lines)
-
-
-def load_edges(model: Model, problem: Problem) -> Integers:
-    """Return the sides (k, 3) of plate elements along line loads and straight edges of loaded areas."""
-    lines = [line for load in model.loads for line in _lines(load, model)]
-    return sides_along(problem.mesh, problem.mesh.elements[problem.plate_elements], lines)
-
-
 def _lines(load: object, model: Model) -> Iterator[tuple[Place, Place]]:
     """Yield the straight lines along which a load begins, ends or stands."""
     rings: list[Ring] = []
@@ -245,6 +232,9 @@ def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
     Elements round such a node belong together if one comes from one to the other without crossing a crease; elsewhere
     the number is 0. n is the number of nodes.
     """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     on_crease = np.zeros(n, dtype=bool)
     on_crease[creases] = True
     meets = on_crease[elements]
@@ -257,21 +247,15 @@ def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
     owner, which = owner[order], which[order]
     one = np.flatnonzero(np.diff(sides[owner, which, 2]) == 0)
     other = one + 1
-    links = [np.zeros((2, 0), dtype=np.int64)]
+    pairs = [np.zeros((2, 0), dtype=np.int64)]
     # two neighbors run along their common side in opposite directions
     for here, there in ((0, 1), (1, 0), (2, 2)):
         pair = np.vstack(
             [number[owner[one], SIDES[which[one], here]], number[owner[other], SIDES[which[other], there]]]
         )
-        links.append(pair[:, pair[0] >= 0])
-    row, column = np.concatenate(links, axis=1)
-    # linked ones take the smallest of their numbers, until none changes; at a node there are but a few
-    label, before = np.arange(count), np.full(count, -1)
-    while (label != before).any():
-        before = label.copy()
-        least = np.minimum(label[row], label[column])
-        np.minimum.at(label, row, least)
-        np.minimum.at(label, column, least)
+        pairs.append(pair[:, pair[0] >= 0])
+    row, column = np.concatenate(pairs, axis=1)
+    links = coo_array((np.ones(len(row)), (row, column)), shape=(count, count))
     result = np.zeros(elements.shape, dtype=np.int64)
-    result[meets] = label
+    result[meets] = connected_components(links, directed=False)[1]
     return result

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
 from groundslab.results.fields import PLATE_FIELDS
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
+
+Part = TypeVar("Part")
 
 #: A printed summary lists at most so many combinations.
 MOST_LISTED = 12
@@ -81,6 +83,39 @@ class Increment:
     ground: GroundResult
 
 
+def plot_results(self: CombinationResult | Results, *fields: str, **options: Any) -> Figure:  # noqa: D417
+    """Draw the results, see `groundslab.plot`.
+
+    Parameters
+    ----------
+    *fields : str
+        Names or symbols of fields, such as "settlement".
+    **options
+        Options of `groundslab.plot`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    from groundslab.views.plots import plot
+
+    return plot(self, *fields, **options)
+
+
+class OnlyPart(Generic[Part]):
+    """A part of the results of the only combination, as `CombinationResult` documents it."""
+
+    def __set_name__(self, owner: type[Results], name: str) -> None:
+        """Keep the part's name."""
+        self.name = name
+
+    def __get__(self, results: Results, owner: type[Results]) -> Part:
+        """Return the part, raising as `Results.only` does; of the class, which has no results, this object."""
+        part: Part = self if results is None else getattr(results.only, self.name)
+        return part
+
+
 @dataclass(frozen=True, slots=True, repr=False)
 class CombinationResult:
     """Results of one combination of loads, with the model that they belong to.
@@ -132,37 +167,21 @@ class CombinationResult:
     factors: tuple[tuple[str, float], ...]
     supports: tuple[SupportResult, ...]
     increments: tuple[Increment, ...] = ()
+    plot = plot_results
 
     def __repr__(self) -> str:
         """Return the first figures on one line."""
         settlement, contact, verdict = _figures(self)
         return f"{self.combination} ({self.limit_state}): w <= {settlement} mm, {contact} % in contact, {verdict}"
 
-    def plot(self, *fields: str, **options: Any) -> Figure:
-        """Draw these results, see `groundslab.plot`.
-
-        Parameters
-        ----------
-        *fields : str
-            Names or symbols of fields, such as "settlement".
-        **options
-            Options of `groundslab.plot`.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-            The figure.
-        """
-        from groundslab.views.plots import plot
-
-        return plot(self, *fields, **options)
-
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Results(Mapping[str, CombinationResult]):
     """Results of all combinations of a model, perhaps one: a mapping from the names of those that were solved.
 
-    The results of a model with one combination are at hand as `plate`, `elements`, `ground` and so on.
+    Of a model with one combination the parts that `CombinationResult` documents are at hand, too: `plate`, `elements`,
+    `ground`, `constants`, `certificate`, `supports`, `increments` and `steps`. With several, asking for one of them
+    raises InputError, which names the combinations.
 
     Attributes
     ----------
@@ -213,52 +232,22 @@ class Results(Mapping[str, CombinationResult]):
 
     @property
     def only(self) -> CombinationResult:
-        """The results of the only combination; InputError, which names them, if there are several."""
+        """The results of the only combination; InputError if there are several."""
         if len(self.combinations) != 1:
             names = listed([quote(each.name) for each in self.combinations])
             hint = f"choose one by its name, such as results[{quote(self.combinations[0].name)}]"
             raise InputError([Issue("results", f"combinations {names}", "a model with one combination", hint)])
         return self[self.combinations[0].name]
 
-    @property
-    def plate(self) -> PlateResult:
-        """The plate in the only combination."""
-        return self.only.plate
-
-    @property
-    def elements(self) -> ElementResult:
-        """The plate's elements in the only combination."""
-        return self.only.elements
-
-    @property
-    def ground(self) -> GroundResult:
-        """The ground in the only combination."""
-        return self.only.ground
-
-    @property
-    def constants(self) -> Constants:
-        """The ground's constants in the only combination."""
-        return self.only.constants
-
-    @property
-    def certificate(self) -> Certificate:
-        """The certificate of the only combination."""
-        return self.only.certificate
-
-    @property
-    def supports(self) -> tuple[SupportResult, ...]:
-        """What the supports carry in the only combination."""
-        return self.only.supports
-
-    @property
-    def increments(self) -> tuple[Increment, ...]:
-        """The states under smaller shares of the load in the only combination."""
-        return self.only.increments
-
-    @property
-    def steps(self) -> tuple[Step, ...]:
-        """The convergence history of the only combination."""
-        return self.only.steps
+    plate = OnlyPart[PlateResult]()
+    elements = OnlyPart[ElementResult]()
+    ground = OnlyPart[GroundResult]()
+    constants = OnlyPart[Constants]()
+    certificate = OnlyPart[Certificate]()
+    supports = OnlyPart[tuple[SupportResult, ...]]()
+    increments = OnlyPart[tuple[Increment, ...]]()
+    steps = OnlyPart[tuple[Step, ...]]()
+    plot = plot_results
 
     def __repr__(self) -> str:
         """Return the title and the first figures of each combination, one a line."""
@@ -285,25 +274,6 @@ class Results(Mapping[str, CombinationResult]):
     def _reason(self, combination: str) -> str:
         """Return why a combination has no certified results, on one line."""
         return f"refused: {' '.join(str(self.refused[combination]).split())}"
-
-    def plot(self, *fields: str, **options: Any) -> Figure:
-        """Draw the results, see `groundslab.plot`.
-
-        Parameters
-        ----------
-        *fields : str
-            Names or symbols of fields, such as "settlement".
-        **options
-            Options of `groundslab.plot`.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-            The figure.
-        """
-        from groundslab.views.plots import plot
-
-        return plot(self, *fields, **options)
 
 
 def _figures(results: CombinationResult) -> tuple[str, str, str]:

@@ -9,8 +9,8 @@ import numpy as np
 
 from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.ground import ground_under, grounds_of
-from groundslab.discretize.plan_layout import followed
-from groundslab.discretize.voids import Taken, taken
+from groundslab.discretize.plan_layout import find_followed_borders
+from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
@@ -55,20 +55,14 @@ class Profile:
 def strata_of(layers: tuple[SoilLayer, ...]) -> tuple[Stratum, ...]:
     """Return described layers with their depths."""
     ends = np.cumsum([0.0, *(layer.thickness for layer in layers)])
+    below = [layer.E if layer.E_bottom is None else layer.E_bottom for layer in layers]
     return tuple(
-        Stratum(
-            float(top),
-            float(bottom),
-            layer.E,
-            layer.E if layer.E_bottom is None else layer.E_bottom,
-            layer.variation,
-            layer.nu,
-        )
-        for top, bottom, layer in zip(ends, ends[1:], layers, strict=False)
+        Stratum(float(top), float(bottom), layer.E, E_bottom, layer.variation, layer.nu)
+        for top, bottom, E_bottom, layer in zip(ends[:-1], ends[1:], below, layers, strict=True)
     )
 
 
-def described(model: Model) -> list[tuple[str, tuple[SoilLayer, ...]]]:
+def list_columns(model: Model) -> list[tuple[str, tuple[SoilLayer, ...]]]:
     """Return name and layers of each described column: the boreholes, or the ground and then its zones.
 
     Ground that is not given by E, nu and thickness has no layers.
@@ -87,13 +81,14 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     a given gamma is that of every column (docs/theory.md, ground that varies over the plan).
     """
     model, plate = results.model, results.plate
-    columns = described(model)
+    columns = list_columns(model)
     gamma = results.constants.gamma
     mean, _ = ground_under(model, Mesh(plate.nodes, plate.elements), np.arange(len(plate.elements)), {})
     if gamma is None or not isinstance(mean, Soil):
         known = len(columns) == 1
         k0, k1 = (results.constants.k0, results.constants.k1) if known else ((), ())
-        return tuple(_without_mode(name, layers, k0, k1) for name, layers in columns)
+        none = np.zeros(0)
+        return tuple(Profile(name, strata_of(layers), None, k0, k1, none, none) for name, layers in columns)
     decay2 = (gamma / mean.gamma_of(1.0)) ** 2
     found = []
     for (name, layers), soil in zip(columns, grounds_of(model), strict=True):
@@ -104,10 +99,6 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
         z, psi = (np.zeros(0), np.zeros(0)) if mode is None else (mode.z, mode.psi)
         found.append(Profile(name, strata_of(layers), own, k0, k1, z, psi))
     return tuple(found)
-
-
-def _without_mode(name: str, layers: tuple[SoilLayer, ...], k0: tuple[float, ...], k1: tuple[float, ...]) -> Profile:
-    return Profile(name, strata_of(layers), None, k0, k1, np.zeros(0), np.zeros(0))
 
 
 def _layers(ground: AnyGround) -> tuple[SoilLayer, ...]:
@@ -140,21 +131,21 @@ def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     (low_x, low_y), (high_x, high_y) = ground.nodes.min(axis=0), ground.nodes.max(axis=0)
     width = float(max(x0 - low_x, high_x - x1, y0 - low_y, high_y - y1))
     size = max(model.plate.sides)
-    met = followed(model, width if width > 1e-9 * size else 0.0)
+    met = find_followed_borders(model, width if width > 1e-9 * size else 0.0)
     xy = ground.nodes[ground.elements]
     by_zone = shares(xy, zone_rings(model), met, size)
     found = [_coverage("soil_zones", k, part, part, areas(xy)) for k, part in enumerate(by_zone.T[1:])]
     xy = plate.nodes[plate.elements]
     k1 = results.constants.k1
-    voids = taken(model, xy, met, steps=len(k1) == 1 and k1[0] == 0)
+    voids = share_voids(model, xy, met, steps=len(k1) == 1 and k1[0] == 0)
     found += [
         _coverage("contact.voids", k, drawn, meshed, areas(xy))
-        for k, (drawn, meshed) in enumerate(zip(voids.drawn.T, _meshed(voids).T, strict=True))
+        for k, (drawn, meshed) in enumerate(zip(voids.drawn.T, _mesh_voids(voids).T, strict=True))
     ]
     return tuple(each for each in found if each.crossed > 0)
 
 
-def _meshed(voids: Taken) -> Array:
+def _mesh_voids(voids: VoidShares) -> Array:
     """Return the share (mp, v) of each element that it takes for each void, those of one depth by their areas."""
     together = np.stack([voids.drawn[:, voids.of == k].sum(axis=1) for k in range(len(voids.depth))], axis=1)
     part = np.divide(voids.share, together, out=np.zeros_like(together), where=together > 0)

@@ -10,16 +10,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
 
-from groundslab.arrays import Indices
 from groundslab.errors import InputError, Issue
+from groundslab.solvers.mumps import Mumps
 from groundslab.solvers.pardiso import Pardiso, import_pardiso, pardiso_import_error
-from groundslab.solvers.protocols import Solver, Symbolic
+from groundslab.solvers.protocols import Solver
 from groundslab.solvers.superlu import SuperLU
 
 
 def threads(solver: Solver) -> int:
     """Return the number of threads of a solver's factorizations."""
-    if solver is not pardiso:
+    if solver is not Pardiso:
         return 1
     library = import_pardiso().PyPardisoSolver().libmkl
     return int(library.MKL_Get_Max_Threads())
@@ -27,7 +27,7 @@ def threads(solver: Solver) -> int:
 
 def use_threads(solver: Solver, count: int) -> None:
     """Set the number of threads (0: all) for the factorizations that the calling thread starts."""
-    if solver is pardiso:
+    if solver is Pardiso:
         import_pardiso().PyPardisoSolver().libmkl.MKL_Set_Num_Threads_Local(count)
 
 
@@ -42,26 +42,9 @@ def one_thread() -> Iterator[None]:
         use_threads(solver, 0)
 
 
-def pardiso(indptr: Indices, indices: Indices) -> Symbolic:
-    """Analyze a pattern with MKL PARDISO; raises ImportError where it is not installed."""
-    return Pardiso(indptr, indices)
-
-
-def superlu(indptr: Indices, indices: Indices) -> Symbolic:
-    """Prepare a pattern for SciPy's SuperLU."""
-    return SuperLU(indptr, indices)
-
-
-def mumps(indptr: Indices, indices: Indices) -> Symbolic:
-    """Distribute a pattern over the processes of an MPI run; raises ImportError without petsc4py."""
-    from groundslab.solvers.mumps import Mumps
-
-    return Mumps(indptr, indices)
-
-
 def choose(name: str) -> tuple[str, Solver]:
     """Return name and solver for "pardiso", "superlu" or "mumps"; for "auto" PARDISO where it can be imported."""
-    solvers: dict[str, Solver] = {"pardiso": pardiso, "superlu": superlu, "mumps": mumps}
+    solvers: dict[str, Solver] = {"pardiso": Pardiso, "superlu": SuperLU, "mumps": Mumps}
     if name != "auto":
         if name == "pardiso" and pardiso_import_error():
             hint = 'solver = "auto" takes it where it is there'
@@ -73,5 +56,5 @@ def choose(name: str) -> tuple[str, Solver]:
             raise InputError([Issue("analysis.solver", found, '"auto"', hint)])
         return name, solvers[name]
     if platform.machine().lower() in ("x86_64", "amd64") and not pardiso_import_error():
-        return "pardiso", pardiso
-    return "superlu", superlu
+        return "pardiso", Pardiso
+    return "superlu", SuperLU

@@ -22,11 +22,11 @@ class Solution:
     contact: Contact
     column: Column
     gamma: float | None
-    gamma_change: float  # relative, of one more step
-    gamma_slope: float  # of the step's outcome over gamma
-    gamma_iterations: int
     law: Bearings  # what the bearings followed, settlements and earlier slip included
     slip: Array  # (c,) [m]: how far each bearing has slipped at its capacity, all increments together
+    gamma_change: float = 0.0  # relative, of one more step
+    gamma_slope: float = 0.0  # of the step's outcome over gamma
+    gamma_iterations: int = 0
 
     def nodes_in(self, *states: int) -> Array:
         """Return -1.0 at the nodes where the ground is in one of some states (see contact), else 1.0, (n,)."""

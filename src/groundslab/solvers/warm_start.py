@@ -13,7 +13,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings
-from groundslab.fem.mesh import MeshLocations, interpolate_bilinear, interpolated, locate_nearest
+from groundslab.fem.mesh import MeshLocations, interpolate, interpolate_bilinear, locate_nearest
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, on_plate_edge, plate_settlement, surface_settlement
@@ -77,8 +77,8 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     U = np.zeros((len(nodes), problem.unknown.shape[1]))
     plate = (plate_settlement(start.system, start.U), start.U[:, BETA_X], start.U[:, BETA_Y])
     surfaces = surface_settlement(start.system, start.U)
-    U[under, :TOP] = interpolated(coarse, np.column_stack(plate), at.on_plate)
-    U[:, TOP:] = interpolated(coarse, surfaces.T, at.everywhere)
+    U[under, :TOP] = interpolate(coarse, np.column_stack(plate), at.on_plate)
+    U[:, TOP:] = interpolate(coarse, surfaces.T, at.everywhere)
     U[under, TOP] -= U[under, W]
     U[problem.unknown < 0] = 0.0
     return state, U

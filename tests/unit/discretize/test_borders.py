@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab import Model, meshing
-from groundslab.discretize.borders import shares, with_borders
+from groundslab.discretize.borders import add_borders, shares
 from groundslab.discretize.discretize import discretize
 from groundslab.fem.mesh import grid
 from groundslab.fem.problem import Problem
@@ -92,10 +92,10 @@ def test_arcs_and_oblique_borders_are_followed(mesh: str, monkeypatch: pytest.Mo
 def test_without_a_mesh_maker_borders_that_no_grid_follows_are_left_to_areas(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where neither Gmsh nor Netgen is there a circle does not keep a plain plate from being solved."""
     monkeypatch.setattr(meshing, "available", lambda: False)
-    with_borders.cache_clear()
+    add_borders.cache_clear()
     void = {"shape": {"kind": "circle", "centre": (-1.5, 0.0), "radius": 0.7}}
     found = discretize(model({"size": 0.5}, ground={"kind": "winkler", "k": 2e7}, contact={"voids": [void]}))
-    with_borders.cache_clear()
+    add_borders.cache_clear()
     assert len(found.mesh.elements) == 96
     assert found.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=5e-3)
 
@@ -113,14 +113,14 @@ def test_without_a_mesh_maker_borders_that_no_grid_follows_are_left_to_areas(mon
 )
 def test_what_becomes_of_a_border(ring: Ring, kept: Ring | None) -> None:
     """Borders are clipped, moved onto lines too close to them, or left out where no mesh could follow them."""
-    found = with_borders(Plan(PLATE), (ring,)).borders
+    found = add_borders(Plan(PLATE), (ring,)).borders
     assert [sorted(each.points) for each in found] == ([] if kept is None else [sorted(kept.points)])
 
 
 def test_two_zones_with_a_sliver_between_them_share_a_line() -> None:
     """A slip of the drawing between two zones makes no strip in the mesh, and one that crosses keeps its place."""
     rings = (rectangle(-1.0, 1.0, -1.0, 1.0), rectangle(1.00001, 2.0, -1.0, 1.0), rectangle(0.3, 1.6, 0.2, 3.0))
-    found = with_borders(Plan(PLATE), rings).borders
+    found = add_borders(Plan(PLATE), rings).borders
     assert sorted(found[1].points) == [(1.0, -1.0), (1.0, 1.0), (2.0, -1.0), (2.0, 1.0)]
     assert len(found) == 3
 
@@ -128,8 +128,8 @@ def test_two_zones_with_a_sliver_between_them_share_a_line() -> None:
 def test_a_border_counts_on_the_ground_beyond() -> None:
     """What lies off the plate is a border as far as ground is meshed there."""
     ring = rectangle(4.0, 9.0, 0.0, 1.0)
-    assert not with_borders(Plan(PLATE), (ring,)).borders
-    (found,) = with_borders(Plan(PLATE, beyond=BEYOND), (ring,)).borders
+    assert not add_borders(Plan(PLATE), (ring,)).borders
+    (found,) = add_borders(Plan(PLATE, beyond=BEYOND), (ring,)).borders
     assert sorted(found.points) == [(4.0, 0.0), (4.0, 1.0), (5.0, 0.0), (5.0, 1.0)]
 
 

@@ -142,17 +142,16 @@ def test_a_force_on_a_node_goes_to_the_node() -> None:
     """At a node all of the force is that node's; anywhere its shares sum to one about the point."""
     mesh, elements = crooked(), np.arange(6)
     node = mesh.elements[2, 5]
-    shares = load_vectors.at_point(mesh, elements, mesh.nodes[node])
+    shares = load_vectors.integrate_at_point(mesh, elements, mesh.nodes[node])
     np.testing.assert_allclose(np.bincount(mesh.elements.ravel(), shares.ravel())[node], 1, atol=1e-12)
-    np.testing.assert_allclose(
-        moments(mesh, load_vectors.at_point(mesh, elements, np.array([0.33, 1.2]))), [1, 0.33, 1.2], atol=1e-12
-    )
+    shares = load_vectors.integrate_at_point(mesh, elements, np.array([0.33, 1.2]))
+    np.testing.assert_allclose(moments(mesh, shares), [1, 0.33, 1.2], atol=1e-12)
 
 
 def test_a_point_off_the_plate_is_refused() -> None:
     """A force beside the plate is an error, not lost."""
     with pytest.raises(ValueError, match="does not lie on the plate"):
-        load_vectors.at_point(SQUARE, np.arange(6), np.array([2.1, 1.0]))
+        load_vectors.integrate_at_point(SQUARE, np.arange(6), np.array([2.1, 1.0]))
 
 
 def test_curved_elements_keep_their_area() -> None:
@@ -172,7 +171,7 @@ def test_curved_elements_keep_their_area() -> None:
 @pytest.mark.parametrize("mesh", [SQUARE, crooked()], ids=["rectangles", "crooked"])
 def test_elements_that_are_not_near_carry_nothing(polygon: Polygon, mesh: Mesh) -> None:
     """Over the elements near a polygon the integrals are those over all, and all others have none."""
-    near = load_vectors.near(mesh, polygon)
+    near = load_vectors.find_elements_near(mesh, polygon)
     whole = load_vectors.integrate_over_polygon(mesh, np.arange(len(mesh.elements)), polygon)
     assert np.array_equal(load_vectors.integrate_over_polygon(mesh, near, polygon), whole[near])
     assert not np.delete(whole, near, axis=0).any()
@@ -184,5 +183,5 @@ def test_a_curved_side_reaches_beyond_its_nodes() -> None:
     mesh = Mesh(np.array(xy, dtype=float), np.arange(9)[None])
     bulge = box(1.305, 0, 2, 1)
     assert load_vectors.integrate_over_polygon(mesh, np.array([0]), bulge).sum() > 0
-    assert load_vectors.near(mesh, bulge).tolist() == [0]
-    assert load_vectors.near(mesh, box(2, 0, 3, 1)).tolist() == []
+    assert load_vectors.find_elements_near(mesh, bulge).tolist() == [0]
+    assert load_vectors.find_elements_near(mesh, box(2, 0, 3, 1)).tolist() == []

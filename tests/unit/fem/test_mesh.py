@@ -16,8 +16,8 @@ from groundslab.fem.mesh import (
     extrude,
     graded_size,
     grid,
+    interpolate,
     interpolate_bilinear,
-    interpolated,
     local_coordinates,
     locate,
     locate_nearest,
@@ -180,7 +180,7 @@ def test_values_at_points_are_those_of_the_shape_functions() -> None:
     def f(p: np.ndarray) -> np.ndarray:
         return 3 - p[:, 0] + p[:, 0] ** 2 * p[:, 1] - 0.4 * p[:, 1] ** 2 * p[:, 0] ** 2
 
-    values = interpolated(mesh, f(mesh.nodes), locate(mesh, points))
+    values = interpolate(mesh, f(mesh.nodes), locate(mesh, points))
     np.testing.assert_allclose(values, f(points), atol=1e-12)
 
 

@@ -27,8 +27,8 @@ def gauss_points(nodes: np.ndarray, elements: np.ndarray) -> np.ndarray:
 def recovered(nodes: np.ndarray, elements: np.ndarray, f: Any) -> np.ndarray:
     """Return what comes back at the nodes from f(x, y), sampled at the Gauss points."""
     points = gauss_points(nodes, elements)
-    return patch_recovery.nodal(
-        patch_recovery.around(nodes, elements, points), f(points[..., 0], points[..., 1])[..., None], ONE
+    return patch_recovery.recover_nodes(
+        patch_recovery.make_patches(nodes, elements, points), f(points[..., 0], points[..., 1])[..., None], ONE
     )[:, 0]
 
 
@@ -109,7 +109,7 @@ def test_points_that_determine_nothing_are_left() -> None:
     points = gauss_points(nodes, elements)
     points[..., 1] = 1.0
     values = np.ones((4, 4, 1))
-    found = patch_recovery.nodal(patch_recovery.around(nodes, elements, points), values, ONE)
+    found = patch_recovery.recover_nodes(patch_recovery.make_patches(nodes, elements, points), values, ONE)
     np.testing.assert_allclose(found, np.ones((len(nodes), 1)), rtol=1e-14)
 
 
@@ -123,7 +123,7 @@ def test_nothing_passes_between_parts_that_share_no_nodes() -> None:
     values[len(elements) :] *= -7
     wanted = quadratic(*nodes.T) * np.repeat([1, -7], len(left))
     np.testing.assert_allclose(
-        patch_recovery.nodal(patch_recovery.around(nodes, both, points), values[..., None], ONE)[:, 0],
+        patch_recovery.recover_nodes(patch_recovery.make_patches(nodes, both, points), values[..., None], ONE)[:, 0],
         wanted,
         atol=1e-10,
     )

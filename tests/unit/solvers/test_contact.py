@@ -14,7 +14,7 @@ from scipy.optimize import nnls
 
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.assembly import Pattern
-from groundslab.fem.bearings import OPEN, YIELDING, Bearings, Contact, gap_bearings
+from groundslab.fem.bearings import OPEN, YIELDING, Bearings, Contact, make_bearings
 from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.protocols import Factor
@@ -58,7 +58,7 @@ def full(p: Pattern, data: np.ndarray) -> np.ndarray:
 
 def closed_gaps(at: np.ndarray) -> Bearings:
     """Return bearings on gaps that are closed at first."""
-    return gap_bearings(at, np.zeros(len(at)))
+    return make_bearings(at, 1.0, 0.0)
 
 
 def solve(

@@ -163,7 +163,7 @@ def asked_anew() -> Iterator[None]:
 def test_without_pypardiso_superlu_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where pypardiso cannot be imported "auto" is SuperLU, and asking for it by name is an input error."""
     monkeypatch.setitem(sys.modules, "pypardiso", None)
-    assert factorization.choose("auto") == ("superlu", factorization.superlu)
+    assert factorization.choose("auto") == ("superlu", factorization.SuperLU)
     with pytest.raises(InputError, match=r"pardiso.*cannot be loaded"):
         factorization.choose("pardiso")
 
@@ -229,7 +229,7 @@ def test_too_few_steps_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(factor_reuse, "MIN_PRECONDITIONED_SIZE", 0)
     A = random_positive(60, 3)
     own = _constrained(A, np.ones(60, dtype=bool), np.zeros(60))
-    cache = factor_reuse.CachedFactorization(factorization.superlu(own.A.indptr, own.A.indices))
+    cache = factor_reuse.CachedFactorization(factorization.SuperLU(own.A.indptr, own.A.indices))
     cache.factorize(own)
     system = _constrained(A, np.zeros(60, dtype=bool), np.zeros(60), own)
     assert not cache.preconditions(system)
@@ -245,7 +245,7 @@ def test_a_refused_matrix_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> N
     A = random_positive(20, 3)
     none = np.zeros(20, dtype=bool)
     own = _constrained(A, none, np.zeros(20))
-    cache = factor_reuse.CachedFactorization(factorization.superlu(own.A.indptr, own.A.indices))
+    cache = factor_reuse.CachedFactorization(factorization.SuperLU(own.A.indptr, own.A.indices))
     cache.factorize(own)
     with pytest.raises(SingularMatrix):
         cache.factorize(_constrained(-A, none, np.zeros(20)))

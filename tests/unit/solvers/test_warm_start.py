@@ -89,7 +89,7 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     f = right_hand_side(s, 1.0)
     law = current_bearings(fine, 1.0, np.zeros(len(state)))
     with patch.object(warm_start, "CachedFactorization", side_effect=AssertionError("a strip was laid")):
-        after = warm_start.solve_contact_border(s, A, f, law, state, U, factorization.superlu)
+        after = warm_start.solve_contact_border(s, A, f, law, state, U, factorization.SuperLU)
     np.testing.assert_array_equal(after, state)
 
 
@@ -103,7 +103,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     A = stiffness(s, fine.ground)
     f = right_hand_side(s, 1.0)
     law = current_bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
-    latest = factor_reuse.CachedFactorization(factorization.superlu(A.indptr, A.indices))
+    latest = factor_reuse.CachedFactorization(factorization.SuperLU(A.indptr, A.indices))
     start = np.full(len(law), CLOSED)
     right = contact.solve(A, f, latest, law, start, 100, lambda *_: None)
     U = np.zeros(fine.unknown.shape)
@@ -115,7 +115,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     distance = np.array([np.linalg.norm(opened - place, axis=1).min() for place in places])
     wrong = np.where(distance < 0.31, OPEN, CLOSED)
     assert (wrong != right.state).sum() > 10
-    found = warm_start.solve_contact_border(s, A, f, law, wrong, U, factorization.superlu)
+    found = warm_start.solve_contact_border(s, A, f, law, wrong, U, factorization.SuperLU)
     np.testing.assert_array_equal(found, right.state)
 
 

@@ -43,7 +43,7 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
     model, plate = results.model, results.plate
     mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.plate.sides)
-    elements = load_vectors.near(mesh, part)
+    elements = load_vectors.find_elements_near(mesh, part)
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
         if isinstance(load, UniformLoad):

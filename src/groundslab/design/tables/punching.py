@@ -133,7 +133,7 @@ def _shape(column: Column) -> RectangularColumn | RoundColumn:
 def _depth(results: CombinationResult, shape: RectangularColumn | RoundColumn, steel: Reinforcement) -> float:
     """Return the least thickness under a column less the mean distance of the bottom bars' axes [m]."""
     mesh = Mesh(results.plate.nodes, results.plate.elements)
-    elements = load_vectors.near(mesh, shape.footprint())
+    elements = load_vectors.find_elements_near(mesh, shape.footprint())
     covered = load_vectors.integrate_over_polygon(mesh, elements, shape.footprint()).sum(axis=1)
     under = elements[covered > 1e-9 * covered.max()]
     return float(results.elements.thickness[under].min()) - sum(steel.bottom) / 2
@@ -144,7 +144,7 @@ def _around(results: CombinationResult, column: Column, part: Polygon, u: float)
     from shapely import LineString, Point
 
     mesh = Mesh(results.plate.nodes, results.plate.elements)
-    elements = load_vectors.near(mesh, part)
+    elements = load_vectors.find_elements_near(mesh, part)
     area = scatter(mesh.elements[elements], load_vectors.integrate_over_polygon(mesh, elements, part), len(mesh.nodes))
     supports = (
         LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.fem.mesh import Mesh, interpolated, locate_nearest
+from groundslab.fem.mesh import Mesh, interpolate, locate_nearest
 from groundslab.fem.shape_functions import q9
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.views.plots.annotations import draw_title, panel_title, title_height
@@ -200,7 +200,7 @@ def _draw_contact_border(axes: Any, surface: Surface, factor: float) -> dict[str
     found = Figure().add_subplot().tricontour(triangles, contact, levels=[0.0])
     for path in found.get_paths():
         for places in path.to_polygons(closed_only=False):
-            w = interpolated(mesh, surface.settlement, locate_nearest(mesh, np.asarray(places)))
+            w = interpolate(mesh, surface.settlement, locate_nearest(mesh, np.asarray(places)))
             (line,) = axes.plot(*np.asarray(places).T, -factor * w, color=INK, linewidth=1.2, zorder=5, clip_on=False)
             entries["contact boundary"] = line
     return entries

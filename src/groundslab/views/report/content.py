@@ -11,7 +11,7 @@ from groundslab.case import casefile
 from groundslab.design.tables import tables_of
 from groundslab.design.tables.design_checks import Design, design_of
 from groundslab.results.record import Certificate
-from groundslab.results.soil_profile import described
+from groundslab.results.soil_profile import list_columns
 from groundslab.units import format_number
 from groundslab.views.report.drawings import (
     MOST_COLUMNS,
@@ -276,7 +276,7 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
         )
     if combined.model.boreholes or combined.model.soil_zones:
         notes.append("The table's constants are means over the plate's area.")
-    count = len(described(combined.model))
+    count = len(list_columns(combined.model))
     if count > MOST_COLUMNS:
         notes.append(f"The first {MOST_COLUMNS} of {count} columns are drawn.")
     yield replace(soil, caption=" ".join(notes))
