@@ -17,7 +17,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import FLAT, Place, Plan, Segment
 from groundslab.meshing.arrangement import Piece, pieces
-from groundslab.meshing.cells import Cells, FixedSides, keys_of, project_onto, sides_of
+from groundslab.meshing.cells import Cells, FixedSides, find_sides, project_onto, sides_of, sort_by_corners
 from groundslab.meshing.sizing import Sources, cell_sizes
 
 #: Extent of plans in Netgen's coordinates: it merges places less than 1e-6 of the extent apart.
@@ -87,8 +87,10 @@ def _cells(plan: Plan, parts: list[Piece], chords: Chords, made: Made) -> Cells:
         raise _rejection("a corner is not met by the mesh")
     nodes[number] = chords.nodes
     drawn = _fixed_sides(parts, chords, nodes, number, made.sides)
-    keys = np.concatenate([sides_of(kind, len(nodes)).ravel() for kind in (made.triangles, made.quadrilaterals)])
-    if not np.isin(keys_of(drawn.ends, len(nodes)), keys).all():
+    keys = np.unique(
+        np.concatenate([sides_of(kind, len(nodes)).ravel() for kind in (made.triangles, made.quadrilaterals)])
+    )
+    if not find_sides(keys, drawn.ends, len(nodes))[1].all():
         raise _rejection("an edge is not followed by the mesh")
     return Cells(nodes, made.triangles, made.quadrilaterals, drawn)
 
@@ -208,11 +210,8 @@ def _generate(
         raise _rejection(refused) from None
     nodes = np.array([point.p[:2] for point in mesh.Points()]) / scale + middle
     cells = [[vertex.nr - 1 for vertex in cell.vertices] for cell in mesh.Elements2D()]
-    three, four = (
-        np.array([corners for corners in cells if len(corners) == n], dtype=np.int64).reshape(-1, n) for n in (3, 4)
-    )
     sides = np.array([[vertex.nr - 1 for vertex in side.vertices] for side in mesh.Elements1D()], dtype=np.int64)
-    return Made(nodes, three, four, sides)
+    return Made(nodes, *sort_by_corners(cells), sides)
 
 
 def _sample_sizes(bounds: tuple[float, float, float, float], wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
