@@ -11,7 +11,7 @@ from typing import Any
 
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
-from groundslab.workbench.checking.bounded_process import Caller
+from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.checking.thread import Checker
 from groundslab.workbench.editing.document import Document, Edit
@@ -43,7 +43,7 @@ class Session:
     _case_file: CaseFile
     _autosave: Autosave
 
-    def __init__(self, hub: Hub, solver: Solver, state: Path, url: str, caller: Caller | None = None) -> None:
+    def __init__(self, hub: Hub, solver: Solver, state: Path, url: str, caller: BoundedProcess | None = None) -> None:
         """Begin with a new document; state is the user's folder for unsaved work and locks; caller checks texts."""
         self.hub = hub
         self.solver = solver
