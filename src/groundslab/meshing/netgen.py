@@ -57,17 +57,16 @@ def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterato
     wanted = cell_sizes(plan, size, smaller, scale)
     parts, points = pieces(plan)
     chords = _chords(parts, points, wanted)
-    refused, made = _rejection("no mesh"), False
+    refused = []
     for quadrilaterals, grading in SETTINGS:
         try:
             cells = _cells(plan, parts, chords, *_generate(plan, parts, chords, wanted, quadrilaterals, grading))
         except InputError as error:
-            refused = error
-            continue
-        made = True
-        yield cells
-    if not made:
-        raise refused
+            refused.append(error)
+        else:
+            yield cells
+    if len(refused) == len(SETTINGS):
+        raise refused[-1]
 
 
 def _cells(
