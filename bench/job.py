@@ -133,6 +133,13 @@ def timed(function: Callable[..., Any], phase: str, spent: dict[str, float]) -> 
     return wrapper
 
 
+def measure(function: Callable[..., Any], *arguments: Any) -> tuple[float, Any]:
+    """Return the time [s] that a call takes, and what it returns."""
+    start = time.perf_counter()
+    found = function(*arguments)
+    return time.perf_counter() - start, found
+
+
 def bare(model: Model) -> Callable[[], float]:
     """Return what times PARDISO alone on the glued matrix of the finest mesh."""
     glued = model.replace(contact={"tensionless": False})
@@ -146,10 +153,8 @@ def bare(model: Model) -> Callable[[], float]:
 
     def once() -> float:
         solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, its own METIS ordering
-        start = time.perf_counter()
         solver.set_phase(13)
-        solver._call_pardiso(A, f)
-        spent = time.perf_counter() - start
+        spent, _ = measure(solver._call_pardiso, A, f)
         solver.free_memory(everything=True)
         return spent
 
@@ -180,12 +185,8 @@ def keep_memory() -> None:
 
 def assembly(model: Model) -> float:
     """Return the time [s] that pattern, element matrices, matrix and right-hand side of the finest mesh take."""
-    found = discretize(model)
-    start = time.perf_counter()
-    s = system.build_system(found)
-    system.stiffness(s, s.problem.ground)
-    system.right_hand_side(s, 1.0)
-    return time.perf_counter() - start
+    spent, s = measure(system.build_system, discretize(model))
+    return spent + measure(system.stiffness, s, s.problem.ground)[0] + measure(system.right_hand_side, s, 1.0)[0]
 
 
 def largest_memory() -> float:
@@ -214,11 +215,10 @@ def memory(model: Model) -> dict[str, float]:
         return found
 
     pardiso.Pardiso.factor = watched  # type: ignore[method-assign]
-    start = time.perf_counter()
-    results = driver.solve(model).only
-    spent, peak = time.perf_counter() - start, largest_memory()
+    spent, results = measure(driver.solve, model)
+    peak = largest_memory()
     return {
-        "unknowns": results.unknowns,
+        "unknowns": results.only.unknowns,
         "one analysis [s]": spent,
         "peak memory [MiB]": peak,
         **({"PARDISO's memory [MiB]": max(held), "peak / factor": peak / max(held)} if held else {}),
@@ -230,9 +230,7 @@ def written(results: CombinationResult) -> float:
     from groundslab.views.files import results_folder  # not needed by whoever times a whole process
 
     with tempfile.TemporaryDirectory() as folder:
-        start = time.perf_counter()
-        results_folder.save_results(results, Path(folder) / "results")
-        return time.perf_counter() - start
+        return measure(results_folder.save_results, results, Path(folder) / "results")[0]
 
 
 def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any]:
@@ -242,16 +240,15 @@ def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any
     spent: dict[str, float] = defaultdict(float)
     for phase, module, name in PHASES:
         setattr(module, name, timed(getattr(module, name), phase, spent))
-    totals, bares, puts, phases, results = [], [], [], [], None
+    totals, bares, puts, phases = [], [], [], []
     for _ in range(times):
         bares.append(alone())
         puts.append(assembly(model))
         spent.clear()
-        start = time.perf_counter()
-        results = driver.solve(model).only
-        totals.append(time.perf_counter() - start)
+        total, results = measure(driver.solve, model)
+        totals.append(total)
         phases.append(dict(spent))
-    assert results is not None
+    results = results.only
     fresh = subprocess.run(
         [sys.executable, __file__, "memory", kind, str(unknowns)], check=True, capture_output=True, text=True
     )
@@ -277,13 +274,9 @@ def gamma(unknowns: int, times: int) -> dict[str, Any]:
     known = iterated.replace(ground={**SOIL, "gamma": results.constants.gamma})
     ratios, totals = [], []
     for _ in range(times):
-        each = []
-        for model in (known, iterated):
-            start = time.perf_counter()
-            results = driver.solve(model).only
-            each.append(time.perf_counter() - start)
-        totals.append(each[1])
-        ratios.append(each[1] / each[0])
+        given, total = (measure(driver.solve, model)[0] for model in (known, iterated))
+        totals.append(total)
+        ratios.append(total / given)
     return {
         "unknowns": results.unknowns,
         "total [s]": statistics.median(totals),
@@ -299,13 +292,10 @@ def combinations(unknowns: int, times: int) -> dict[str, Any]:
     first = model.replace(combinations=model.combinations[:1])
     ratios, totals, steps = [], [], dict[str, int]()
     for _ in range(times):
-        each = []
-        for one in (first, model):
-            start = time.perf_counter()
-            combined = driver.solve_combinations(one)
-            each.append(time.perf_counter() - start)
-        totals.append(each[1])
-        ratios.append((each[1] - each[0]) / (len(COMBINATIONS) - 1) / each[0])
+        alone, _ = measure(driver.solve_combinations, first)
+        total, combined = measure(driver.solve_combinations, model)
+        totals.append(total)
+        ratios.append((total - alone) / (len(COMBINATIONS) - 1) / alone)
         assert not combined.refused
         steps = {name: max(s.iteration for s in found.steps if s.finest) for name, found in combined.results.items()}
     return {
@@ -316,24 +306,20 @@ def combinations(unknowns: int, times: int) -> dict[str, Any]:
     }
 
 
+@factorization.one_thread()
 def variants(unknowns: int, times: int) -> dict[str, Any]:
     """Return what a variant of the ground costs on one thread, beside a cold solution of the same model."""
-    factorization.use_threads(factorization.choose("auto")[1], 1)
     base = model_of("pasternak", unknowns)
     alike, draw, ratios, totals = driver.Variants(base), np.random.default_rng(1), [], []
     for _ in range(times * VARIANTS):
         k0, k1 = draw.lognormal(sigma=SCATTER, size=2) * (32.7862e6, 20.660e6)
         model = base.replace(ground={"kind": "pasternak", "k0": k0, "k1": k1})
-        each, unknowns_there = [], 0
-        for solve in (driver.solve_combinations, alike.solve_combinations):
-            start = time.perf_counter()
-            (results,) = solve(model).results.values()
-            each.append(time.perf_counter() - start)
-            unknowns_there = results.unknowns
-        totals.append(each[1])
-        ratios.append(each[1] / each[0])
+        cold, _ = measure(driver.solve_combinations, model)
+        total, combined = measure(alike.solve_combinations, model)
+        totals.append(total)
+        ratios.append(total / cold)
     return {
-        "unknowns": unknowns_there,
+        "unknowns": combined.only.unknowns,
         "total [s]": statistics.median(totals),
         "variant / cold": statistics.median(ratios),
     }
@@ -388,15 +374,9 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
 def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
     """Return the figures of one job."""
     keep_memory()
-    if kind == "gamma":
-        return {"kind": kind, **gamma(unknowns, times)}
-    if kind == "combinations":
-        return {"kind": kind, **combinations(unknowns, times)}
-    if kind == "variants":
-        with factorization.one_thread():
-            return {"kind": kind, **variants(unknowns, times)}
-    if kind == "study":
-        return {"kind": kind, **study(unknowns, times)}
+    own = {"gamma": gamma, "combinations": combinations, "variants": variants, "study": study}
+    if kind in own:
+        return {"kind": kind, **own[kind](unknowns, times)}
     return {"kind": kind, **beside_the_bare_solve(kind, unknowns, times)}
 
 

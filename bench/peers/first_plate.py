@@ -13,6 +13,7 @@ import time
 from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 #: Half the plate's lengths, half the loaded square's side, thickness [m].
 A, B, LOADED, T = 4.8, 3.6, 1.2, 0.2
@@ -39,6 +40,19 @@ def divisions(unknowns: int, order: int) -> tuple[int, int]:
 
 def _size(m: int, order: int) -> int:
     return 3 * (4 * m * order + 1) * (3 * m * order + 1)
+
+
+def mesh_nodes(nx: int, ny: int) -> tuple[Any, Any, float, Any, Any]:
+    """Return coordinates x and y, an element's area, and how many elements a node has, and how many loaded ones."""
+    import numpy as np  # which not every program comes with
+
+    def add_cells(cells: Any) -> Any:
+        padded = np.pad(cells, 1)
+        return padded[:-1, :-1] + padded[:-1, 1:] + padded[1:, :-1] + padded[1:, 1:]
+
+    x, y = np.linspace(0, A, nx + 1), np.linspace(0, B, ny + 1)
+    loaded = (y[:-1, None] < LOADED - 1e-9) & (x[None, :-1] < LOADED - 1e-9)
+    return x, y, x[1] * y[1], add_cells(np.ones((ny, nx))), add_cells(loaded.astype(float))
 
 
 class Job:

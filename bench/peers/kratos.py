@@ -16,7 +16,7 @@ import importlib.metadata
 import KratosMultiphysics as Km
 import KratosMultiphysics.StructuralMechanicsApplication as Sm
 import numpy as np
-from first_plate import LIMIT, LOADED, NU, A, B, E, Job, K, Q, T, divisions, run
+from first_plate import LIMIT, NU, E, Job, K, Q, T, divisions, mesh_nodes, run
 from KratosMultiphysics import python_linear_solver_factory
 
 SOLVERS = {
@@ -99,10 +99,7 @@ def build(nx: int, ny: int) -> tuple[Km.ModelPart, list[Km.Element]]:
         plate.SetValue(variable, value)
     plate.SetValue(Km.CONSTITUTIVE_LAW, Sm.LinearElasticPlaneStress2DLaw())
 
-    x, y = np.linspace(0, A, nx + 1), np.linspace(0, B, ny + 1)
-    cell = x[1] * y[1]
-    around = _around(np.ones((ny, nx)))
-    loaded = _around(((y[:-1, None] < LOADED - 1e-9) & (x[None, :-1] < LOADED - 1e-9)).astype(float))
+    x, y, cell, around, loaded = mesh_nodes(nx, ny)
     tag = 0
     for Y in y.tolist():
         for X in x.tolist():
@@ -140,12 +137,6 @@ def build(nx: int, ny: int) -> tuple[Km.ModelPart, list[Km.Element]]:
 
 def _variable(name: str) -> Km.DoubleVariable:
     return Km.KratosGlobals.GetVariable(name)
-
-
-def _around(cells: np.ndarray) -> np.ndarray:
-    """Return the sum over the four cells (ny, nx) around each node."""
-    padded = np.pad(cells, 1)
-    return padded[:-1, :-1] + padded[:-1, 1:] + padded[1:, :-1] + padded[1:, 1:]
 
 
 if __name__ == "__main__":

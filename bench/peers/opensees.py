@@ -14,7 +14,7 @@ import os
 
 import numpy as np
 import openseespy.opensees as ops
-from first_plate import LIMIT, LOADED, NU, A, B, E, Job, K, Q, T, divisions, run
+from first_plate import LIMIT, NU, E, Job, K, Q, T, divisions, mesh_nodes, run
 
 
 def main(unknowns: int) -> None:
@@ -52,11 +52,7 @@ def build(nx: int, ny: int) -> tuple[int, int]:
     ops.wipe()
     ops.model("basic", "-ndm", 3, "-ndf", 6)
     ops.section("ElasticMembranePlateSection", 1, E, NU, T, 0.0)
-    x, y = np.linspace(0, A, nx + 1), np.linspace(0, B, ny + 1)
-    cell = x[1] * y[1]
-    # how many elements meet at a node, and how many of them are loaded
-    around = _around(np.ones((ny, nx)))
-    loaded = _around(((y[:-1, None] < LOADED - 1e-9) & (x[None, :-1] < LOADED - 1e-9)).astype(float))
+    x, y, cell, around, loaded = mesh_nodes(nx, ny)
 
     ops.timeSeries("Constant", 1)
     ops.pattern("Plain", 1, 1)
@@ -84,12 +80,6 @@ def build(nx: int, ny: int) -> tuple[int, int]:
             first = 1 + i + j * (nx + 1)
             ops.element("ShellMITC4", tag, first, first + 1, first + nx + 2, first + nx + 1, 1)
     return 1, ground - 1
-
-
-def _around(cells: np.ndarray) -> np.ndarray:
-    """Return the sum over the four cells (ny, nx) around each node."""
-    padded = np.pad(cells, 1)
-    return padded[:-1, :-1] + padded[:-1, 1:] + padded[1:, :-1] + padded[1:, 1:]
 
 
 if __name__ == "__main__":

@@ -45,6 +45,7 @@ def check_case(options: argparse.Namespace) -> int:
         return EXIT_OK
     model = casefile.from_table(tables)
     from groundslab.analysis import driver
+    from groundslab.model.loads.clipping import find_clipped_loads
 
     driver.check(model)
     plate = model.plate
@@ -52,7 +53,8 @@ def check_case(options: argparse.Namespace) -> int:
         f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
     ]
-    lines += _columns_and_supports(model) + _cases_and_combinations(model) + _remarks(model)
+    lines += _columns_and_supports(model) + _cases_and_combinations(model)
+    lines += [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads)]
     print_stdout("\n".join(lines))
     return EXIT_OK
 
@@ -88,13 +90,6 @@ def _cases_and_combinations(model: Model) -> list[str]:
     return lines + [
         f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in list_combinations(model)
     ]
-
-
-def _remarks(model: Model) -> list[str]:
-    """Return what is allowed and yet worth knowing, a line each."""
-    from groundslab.model.loads.clipping import find_clipped_loads
-
-    return [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads)]
 
 
 def write_starter(options: argparse.Namespace) -> int:

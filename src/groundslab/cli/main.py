@@ -15,17 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
-from groundslab.cli import case, plot, solve, study
-from groundslab.cli.console import (
-    EXIT_INTERRUPTED,
-    EXIT_NO_RESULT,
-    EXIT_OK,
-    EXIT_WRONG_INPUT,
-    close_output,
-    format_issues,
-    print_stderr,
-    print_stdout,
-)
+from groundslab.cli import case, console, plot, solve, study
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
 
 if TYPE_CHECKING:
@@ -40,29 +30,26 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     options = _options(sys.argv[1:] if arguments is None else arguments)
     try:
-        code: int = options.run(options)
+        return int(options.run(options))
     except InputError as error:
-        print_stderr(format_issues(error))
-        return EXIT_WRONG_INPUT
-    except NotConverged as error:
-        _not_converged(error)
-        return EXIT_NO_RESULT
-    except GroundslabError as error:
-        print_stderr(f"error: {error}")
-        return EXIT_NO_RESULT
-    except MemoryError:
-        print_stderr("error: the memory is too small for this analysis; a coarser mesh needs less")
-        return EXIT_NO_RESULT
+        console.print_stderr(console.format_issues(error))
+        return console.EXIT_WRONG_INPUT
     except BrokenPipeError:
-        close_output()
-        return EXIT_OK
+        console.close_output()
+        return console.EXIT_OK
     except OSError as error:
-        print_stderr(f"error: {error}")
-        return EXIT_WRONG_INPUT
+        console.print_stderr(f"error: {error}")
+        return console.EXIT_WRONG_INPUT
     except KeyboardInterrupt:
-        print_stderr("interrupted")
-        return EXIT_INTERRUPTED
-    return code
+        console.print_stderr("interrupted")
+        return console.EXIT_INTERRUPTED
+    except NotConverged as error:
+        _print_history(error)
+    except GroundslabError as error:
+        console.print_stderr(f"error: {error}")
+    except MemoryError:
+        console.print_stderr("error: the memory is too small for this analysis; a coarser mesh needs less")
+    return console.EXIT_NO_RESULT
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
@@ -75,9 +62,9 @@ def _options(arguments: Sequence[str]) -> argparse.Namespace:
             joined.append(argument)
     parser = _parser()
     options, left = parser.parse_known_args(joined)
-    if left and (not hasattr(options, "fields") or any(word.startswith("-") for word in left)):
-        parser.error(f"unrecognized arguments: {' '.join(left)}")
     if left:
+        if not hasattr(options, "fields") or any(word.startswith("-") for word in left):
+            parser.error(f"unrecognized arguments: {' '.join(left)}")
         options.fields += left
     return options
 
@@ -94,7 +81,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
 
     solve.describe(_command(commands, "solve", solve.run, "analyze a case and keep the results"))
-    plot.describe(_command(commands, "plot", _plot, "draw figures of results: PDF, SVG or PNG"))
+    plot.describe(_command(commands, "plot", plot.run, "draw figures of results: PDF, SVG or PNG"))
     app = _command(commands, "app", _app, "edit a case in the browser and see its results at once")
     app.epilog = "The page is served on this machine alone, until Ctrl-C. Unsaved work is kept and offered again."
     app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
@@ -142,18 +129,12 @@ def _command(
     return command
 
 
-def _plot(options: argparse.Namespace) -> int:
-    """Draw figures of a folder of results into a file."""
-    print_stderr(plot.draw(options))
-    return EXIT_OK
-
-
 def _app(options: argparse.Namespace) -> int:
     """Serve the workbench until it is interrupted."""
     from groundslab.workbench.server.main import serve
 
     serve(None if options.case is None else Path(options.case), options.port, not options.no_browser)
-    return EXIT_OK
+    return console.EXIT_OK
 
 
 def _report(options: argparse.Namespace) -> int:
@@ -169,11 +150,11 @@ def _report(options: argparse.Namespace) -> int:
     report.check(target)
     combined = results_folder.load_results(folder)
     report.write_report(combined, target, text=report.text_of(folder, combined.model))
-    print_stderr(f"wrote {target}")
+    console.print_stderr(f"wrote {target}")
     if combined.refused:
         count = len(combined.combinations)
-        print_stderr(f"note: {len(combined.refused)} of {count} combinations have no certified result")
-    return EXIT_OK
+        console.print_stderr(f"note: {len(combined.refused)} of {count} combinations have no certified result")
+    return console.EXIT_OK
 
 
 def _verify(options: argparse.Namespace) -> int:
@@ -182,23 +163,23 @@ def _verify(options: argparse.Namespace) -> int:
 
     known = list(runner.names())
     if options.list:
-        print_stdout("\n".join(known))
-        return EXIT_OK
+        console.print_stdout("\n".join(known))
+        return console.EXIT_OK
     expected = "a case that `groundslab verify --list` names"
     issues = [Issue("verify", f'"{name}"', expected) for name in options.names if name not in known]
     if issues:
         raise InputError(issues)
     from rich.console import Console
 
-    return EXIT_OK if runner.run(options.names or known, Console()) else EXIT_NO_RESULT
+    return console.EXIT_OK if runner.run(options.names or known, Console()) else console.EXIT_NO_RESULT
 
 
-def _not_converged(error: NotConverged) -> None:
+def _print_history(error: NotConverged) -> None:
     """Print what did not converge, and how."""
     from groundslab.results.record import Step
 
     steps = [step for step in error.history if isinstance(step, Step)]
-    print_stderr(f"error: {error.what} did not converge in {len(error.history)} steps; the last of them:")
+    console.print_stderr(f"error: {error.what} did not converge in {len(error.history)} steps; the last of them:")
     if steps and len(steps) == len(error.history):
         from rich.console import Console
 
@@ -208,4 +189,6 @@ def _not_converged(error: NotConverged) -> None:
     else:
         for entry in error.history[-20:]:
             pairs = entry.items() if isinstance(entry, Mapping) else None
-            print_stderr("  " + (", ".join(f"{name} {value}" for name, value in pairs) if pairs else str(entry)))
+            console.print_stderr(
+                "  " + (", ".join(f"{name} {value}" for name, value in pairs) if pairs else str(entry))
+            )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from groundslab.cli.console import EXIT_OK, print_stderr
 from groundslab.errors import InputError, Issue
 
 if TYPE_CHECKING:
@@ -54,8 +55,8 @@ def describe(plot: argparse.ArgumentParser) -> None:
     )
 
 
-def draw(options: argparse.Namespace) -> str:
-    """Draw figures of a folder of results into a file, and return which file it is."""
+def run(options: argparse.Namespace) -> int:
+    """Draw figures of a folder of results into a file."""
     from pathlib import Path
 
     from groundslab.views import plots
@@ -69,26 +70,22 @@ def draw(options: argparse.Namespace) -> str:
         check(options.out)
     combined = results_folder.load_results(options.folder)
     request = parse_request(combined, options.fields, options.kind, options.combination, options.envelope, lines)
-    what = (
-        "-".join(quantity.name for quantity in request.quantities)
-        if options.fields and request.kind == "plan"
-        else request.kind
-    )
-    file = Path(options.out) if options.out is not None else folder.with_name(f"{folder.name}-{what}.pdf")
+    names = [quantity.name for quantity in request.quantities]
+    what = "-".join(names) if options.fields and request.kind == "plan" else request.kind
+    file = folder.with_name(f"{folder.name}-{what}.pdf") if options.out is None else Path(options.out)
     check(file)
     if folder in Path(os.path.realpath(file)).parents:
         hint = "solve could not replace the folder any more"
         raise InputError([Issue("--out", f"{file}, inside the folder of results", "a place outside it", hint)])
     pages = len(plots.write(request, file))
-    return f"wrote {file}" + (f", {pages} pages" if pages > 1 else "")
+    print_stderr(f"wrote {file}" + (f", {pages} pages" if pages > 1 else ""))
+    return EXIT_OK
 
 
 def _coordinates(text: str) -> list[float]:
     """Return the coordinates of a section line."""
     try:
-        values = [float(part) for part in text.split(",")]
+        x1, y1, x2, y2 = map(float, text.split(","))
     except ValueError:
-        values = []
-    if len(values) != 4:
-        raise InputError([Issue("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in meters")])
-    return values
+        raise InputError([Issue("--line", f'"{text}"', "four numbers x1,y1,x2,y2, in meters")]) from None
+    return [x1, y1, x2, y2]

@@ -8,34 +8,14 @@ from __future__ import annotations
 
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Plan, sections
-from groundslab.meshing.backends import Maker, available, choose, with_gmsh, with_netgen
+from groundslab.meshing import quadrangulation, sizing
+from groundslab.meshing.backends import Maker, available, choose, with_netgen
 from groundslab.meshing.cells import Cells
 from groundslab.meshing.grid import rectilinear
 from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish
-from groundslab.meshing.quadrangulation import (
-    add_midside_nodes,
-    improve,
-    smooth,
-    split_flat_corners,
-    split_into_quadrilaterals,
-)
-from groundslab.meshing.quality import Quality, quality
-from groundslab.meshing.sizing import along_edges, growth_distance, merge_sources, sources
+from groundslab.meshing.quality import quality
 
-__all__ = [
-    "Maker",
-    "PlanMesh",
-    "Quality",
-    "available",
-    "choose",
-    "mesh",
-    "quality",
-    "rectilinear",
-    "sources",
-    "unstructured",
-    "with_gmsh",
-    "with_netgen",
-]
+__all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
 
 #: A mesh whose least scaled Jacobian exceeds this is good; else the next one that the maker has is looked at.
 ENOUGH = 0.35
@@ -70,13 +50,11 @@ def unstructured(
 ) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)
-    scale = growth_distance(plan, beyond_growth)
+    scale = sizing.growth_distance(plan, beyond_growth)
     make = choose() if maker is None else maker
     best = None
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
-    smaller = sources(plan, size)
-    if edge_size is not None and edge_size < size * (1 - 1e-9):
-        smaller = merge_sources(smaller, along_edges(plan, edge_size))
+    smaller = sizing.sources(plan, size, edge_size or size)
     for cells in make(plan, size, smaller, scale):
         try:
             result = _quadrilaterals(plan, cells)
@@ -94,10 +72,7 @@ def unstructured(
 
 def _quadrilaterals(plan: Plan, cells: Cells) -> PlanMesh:
     """Return cells cut into good nine-node quadrilaterals, or say that there are bad ones."""
-    nodes, quadrilaterals, drawn = split_into_quadrilaterals(split_flat_corners(cells))
-    nodes = smooth(nodes, quadrilaterals, drawn)
-    improve(nodes, quadrilaterals, drawn)
-    nodes, elements = add_midside_nodes(nodes, quadrilaterals, drawn)
+    nodes, elements = quadrangulation.make_elements(cells)
     result = finish(nodes, elements, sections(plan, nodes[elements[:, 8]]))
     check_area(plan, result)
     return result

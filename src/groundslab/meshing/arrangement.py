@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags
 from groundslab.geometry.bulges import Edge
 from groundslab.geometry.intersections import find_crossings
-from groundslab.geometry.plan import FLAT, NOTHING, SAME_PLACE, Place, Plan, Segment, sections
+from groundslab.geometry.plan import FLAT, NOTHING, SAME_PLACE, Place, Plan, Segment, bounding_box, sections
 
 #: Crossings this close to an end that both edges have, relative to the extent, are this end: an arc that leaves a line
 #: as its tangent crosses it again nearby, by rounding.
@@ -38,7 +38,7 @@ def pieces(plan: Plan) -> tuple[list[Piece], list[Place]]:
     places = np.array(vertices.places)
     for own, edge in zip(cuts, edges, strict=True):
         own |= set(np.flatnonzero(edge.distance(places) <= 2 * vertices.same).tolist())
-    for i, j in _neighbours(edges, 2 * vertices.same):
+    for i, j in _neighbours(edges, 4 * vertices.same):
         if curve[i] != curve[j]:
             _cut(edges[i], edges[j], cuts[i], cuts[j], vertices)
     kept: list[tuple[Segment, bool]] = []
@@ -93,13 +93,8 @@ def _neighbours(edges: list[Segment], distance: float) -> list[tuple[int, int]]:
     """Return pairs of edges whose boxes are no further apart than a distance [m]."""
     import shapely
 
-    boxes = []
-    for edge in edges:
-        # between these places an arc rises by less than what the box is widened by
-        places = edge.at(np.linspace(0, 1, 9))
-        widen = distance + edge.radius * (1 - math.cos(edge.sweep / 16))
-        boxes.append(shapely.box(*(places.min(axis=0) - widen), *(places.max(axis=0) + widen)))
-    found = shapely.STRtree(boxes).query(boxes, predicate="intersects").T
+    boxes = [bounding_box([edge]) for edge in edges]
+    found = shapely.STRtree(boxes).query(boxes, predicate="dwithin", distance=distance).T
     return sorted((i, j) for i, j in found.tolist() if i < j)
 
 

@@ -18,29 +18,21 @@ Maker = Callable[[Plan, float, Sources, float], Iterator[Cells]]
 
 def with_gmsh(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
     """Yield Gmsh's cells, once."""
-    with gmsh.session() as module:
-        cells = gmsh.cells_of(module, plan, size, smaller, scale)
-    yield cells
+    yield gmsh.cells_of(plan, size, smaller, scale)
 
 
-def with_netgen(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
-    """Yield Netgen's cells, with several settings."""
-    yield from netgen.cells_of(plan, size, smaller, scale)
+with_netgen: Maker = netgen.cells_of
 
 
 def choose() -> Maker:
     """Return the first back end that can be loaded; raises InputError that says how to install one."""
-    gmsh_error = _load_error(gmsh.load)
-    if gmsh_error is None:
-        return with_gmsh
-    netgen_error = _load_error(netgen.load)
-    if netgen_error is None:
-        return with_netgen
-    broken = [
-        f"a {name} that cannot be loaded ({error})"
-        for name, error in (("Gmsh", gmsh_error), ("Netgen", netgen_error))
-        if not isinstance(error, ModuleNotFoundError)
-    ]
+    broken = []
+    for name, load, maker in (("Gmsh", gmsh.load, with_gmsh), ("Netgen", netgen.load, with_netgen)):
+        error = _load_error(load)
+        if error is None:
+            return maker
+        if not isinstance(error, ModuleNotFoundError):
+            broken.append(f"a {name} that cannot be loaded ({error})")
     found = " and ".join(["a plan with oblique edges or arcs", *broken])
     system = f" (on Debian and Ubuntu with apt-get install {gmsh.SYSTEM_LIBRARIES})"
     hint = f"pip install groundslab[mesh]{system}, or pip install groundslab[netgen]"

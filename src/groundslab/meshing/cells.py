@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 
 
 class FixedSides(NamedTuple):
@@ -35,19 +36,28 @@ def sides_of(cells: Integers, n: int) -> Integers:
     return keys
 
 
-def keys_of(ends: Integers, n: int) -> Integers:
-    """Return the numbers that `sides_of` gives to sides with these ends (e, 2)."""
-    keys: Integers = ends.min(axis=1) * n + ends.max(axis=1)
-    return keys
+def find_sides(keys: Integers, ends: Integers, n: int) -> tuple[Integers, Flags]:
+    """Return places among ascending numbers of `sides_of` of sides with these ends (e, 2), and which are there."""
+    wanted = ends.min(axis=1) * n + ends.max(axis=1)
+    place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
+    return place, keys[place] == wanted
+
+
+def sort_by_corners(polygons: Iterable[list[int]]) -> tuple[Integers, Integers]:
+    """Return triangles (t, 3) and quadrilaterals (q, 4) apart."""
+    kinds: dict[int, list[list[int]]] = {3: [], 4: []}
+    for corners in polygons:
+        kinds[len(corners)].append(corners)
+    three, four = (np.array(found, dtype=np.int64).reshape(-1, n) for n, found in kinds.items())
+    return three, four
 
 
 def middles_of(nodes: Array, keys: Integers, drawn: FixedSides) -> Array:
     """Return the middles (u, 2) of sides given by ascending keys (u,), on the arcs where there are any."""
     n = len(nodes)
     middles: Array = (nodes[keys // n] + nodes[keys % n]) / 2
-    place = np.searchsorted(keys, keys_of(drawn.ends, n))
-    place = np.minimum(place, len(keys) - 1)
-    curved = (drawn.radius > 0) & (keys[place] == keys_of(drawn.ends, n))
+    place, known = find_sides(keys, drawn.ends, n)
+    curved = (drawn.radius > 0) & known
     place = place[curved]
     middles[place] = project_onto(middles[place], drawn.centre[curved], drawn.radius[curved])
     return middles
@@ -70,12 +80,3 @@ def angles_of(nodes: Array, cells: Integers, drawn: FixedSides) -> Array:
     turn = np.arctan2(back[..., 1], back[..., 0]) - np.arctan2(to[..., 1], to[..., 0])
     angles: Array = np.mod(turn, 2 * math.pi)
     return angles
-
-
-def least_sine(xy: Array) -> Array:
-    """Return the least sine of the four angles of quadrilaterals (q, 4, 2), negative where one is inverted."""
-    to = np.roll(xy, -1, axis=1) - xy
-    back = np.roll(xy, 1, axis=1) - xy
-    cross = to[..., 0] * back[..., 1] - to[..., 1] * back[..., 0]
-    sine: Array = (cross / np.maximum(np.linalg.norm(to, axis=2) * np.linalg.norm(back, axis=2), 1e-300)).min(axis=1)
-    return sine

@@ -89,8 +89,10 @@ def load() -> Any:
     return gmsh
 
 
-def cells_of(gmsh: Any, plan: Plan, size: float, smaller: Sources, scale: float) -> Cells:
+@session()
+def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Cells:
     """Return Gmsh's mesh of twice the required sizes: mostly quadrilaterals, some triangles."""
+    gmsh = load()
     geometry = PlanGeometry(gmsh, plan)
     _set_sizes(geometry, plan, size, smaller, scale)
     unwanted = [part for part in gmsh.model.getEntities(2) if part[1] not in geometry.faces]
@@ -151,14 +153,9 @@ class PlanGeometry:
             self.inside = {tag for _, tag in origin[parts.index(outline)]} if outline in parts else set(self.faces)
             self.inside &= self.faces
 
-    def scale_places(self, places: Array) -> Array:
-        """Return places in Gmsh's coordinates."""
-        result: Array = (places - self.middle) * self.scale
-        return result
-
     def point(self, place: Place) -> int:
         """Add a point and return its tag."""
-        x, y = self.scale_places(np.array(place))
+        x, y = (np.array(place) - self.middle) * self.scale
         return int(self.gmsh.model.occ.addPoint(x, y, 0.0))
 
     def curve(self, edge: Segment, start: int, end: int) -> int:

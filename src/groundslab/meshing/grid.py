@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from itertools import pairwise
 
@@ -72,21 +71,18 @@ def _divide(
         return np.minimum(size * (1 + beyond / scale), limit(x))
 
     spans = list(pairwise(breaks.tolist()))
-    even = []
-    for low, high in spans:
-        count = count_intervals(wanted, low, high)
-        even.append(count / math.ceil(count - 1e-9))
+    counts = np.array([count_intervals(wanted, low, high) for low, high in spans])
+    even = counts / np.ceil(counts - 1e-9)
     lows, highs = breaks[:-1], breaks[1:]
-    at_low, at_high = np.array(even) * wanted(lows), np.array(even) * wanted(highs)
+    at_low, at_high = even * wanted(lows), even * wanted(highs)
     lines = [breaks[:1]]
     for i, (low, high) in enumerate(spans):
 
         def wanted_here(x: Array, i: int = i) -> Array:
-            own = even[i] * wanted(x)
-            for k in range(len(spans)):
-                if k != i:
-                    near, side = (highs[k], at_high[k]) if k < i else (lows[k], at_low[k])
-                    own = np.minimum(own, SIMILAR * side + GRADING * np.abs(x - near))
+            own: Array = even[i] * wanted(x)
+            near, sides = [*highs[:i], *lows[i + 1 :]], [*at_high[:i], *at_low[i + 1 :]]
+            for place, side in zip(near, sides, strict=True):
+                own = np.minimum(own, SIMILAR * side + GRADING * np.abs(x - place))
             return own
 
         lines.append(divide_graded(wanted_here, low, high))

@@ -17,7 +17,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import FLAT, Place, Plan, Segment
 from groundslab.meshing.arrangement import Piece, pieces
-from groundslab.meshing.cells import Cells, FixedSides, keys_of, project_onto, sides_of
+from groundslab.meshing.cells import Cells, FixedSides, find_sides, project_onto, sides_of, sort_by_corners
 from groundslab.meshing.sizing import Sources, cell_sizes
 
 #: Extent of plans in Netgen's coordinates: it merges places less than 1e-6 of the extent apart.
@@ -44,15 +44,6 @@ class Chords(NamedTuple):
     points: Integers  # (p,)
 
 
-class Made(NamedTuple):
-    """What Netgen makes of chords."""
-
-    nodes: Array  # (n, 2)
-    triangles: Integers  # (t, 3)
-    quadrilaterals: Integers  # (q, 4)
-    sides: Integers  # (s, 2): on chords
-
-
 def load() -> Any:
     """Return Netgen's modules for plane geometry and for meshing, or raise what keeps them from being loaded."""
     import netgen.geom2d
@@ -66,31 +57,33 @@ def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterato
     wanted = cell_sizes(plan, size, smaller, scale)
     parts, points = pieces(plan)
     chords = _chords(parts, points, wanted)
-    refused, made = _rejection("no mesh"), False
+    refused = []
     for quadrilaterals, grading in SETTINGS:
         try:
-            cells = _cells(plan, parts, chords, _generate(plan, parts, chords, wanted, quadrilaterals, grading))
+            cells = _cells(plan, parts, chords, *_generate(plan, parts, chords, wanted, quadrilaterals, grading))
         except InputError as error:
-            refused = error
-            continue
-        made = True
-        yield cells
-    if not made:
-        raise refused
+            refused.append(error)
+        else:
+            yield cells
+    if len(refused) == len(SETTINGS):
+        raise refused[-1]
 
 
-def _cells(plan: Plan, parts: list[Piece], chords: Chords, made: Made) -> Cells:
-    """Return what Netgen made, with all nodes on edges exactly there."""
-    nodes = made.nodes.copy()
-    number = _nearest(chords.nodes, nodes)
+def _cells(
+    plan: Plan, parts: list[Piece], chords: Chords, nodes: Array, cells: tuple[Integers, Integers], sides: Integers
+) -> Cells:
+    """Return what Netgen made, with all nodes on edges moved exactly there."""
+    from scipy.spatial import KDTree
+
+    number = KDTree(nodes).query(chords.nodes)[1].astype(np.int64)
     if not np.linalg.norm(nodes[number] - chords.nodes, axis=1).max() < FLAT * plan.extent:
         raise _rejection("a corner is not met by the mesh")
     nodes[number] = chords.nodes
-    drawn = _fixed_sides(parts, chords, nodes, number, made.sides)
-    keys = np.concatenate([sides_of(kind, len(nodes)).ravel() for kind in (made.triangles, made.quadrilaterals)])
-    if not np.isin(keys_of(drawn.ends, len(nodes)), keys).all():
+    drawn = _fixed_sides(parts, chords, nodes, number, sides)
+    keys = np.unique(np.concatenate([sides_of(kind, len(nodes)).ravel() for kind in cells]))
+    if not find_sides(keys, drawn.ends, len(nodes))[1].all():
         raise _rejection("an edge is not followed by the mesh")
-    return Cells(nodes, made.triangles, made.quadrilaterals, drawn)
+    return Cells(nodes, *cells, drawn)
 
 
 def _rejection(said: object) -> InputError:
@@ -185,8 +178,11 @@ def _generate(
     wanted: Callable[[Array], Array],
     quadrilaterals: bool,
     grading: float,
-) -> Made:
-    """Return what Netgen makes of chords when asked in one way, in a plane of its own: centered and scaled."""
+) -> tuple[Array, tuple[Integers, Integers], Integers]:
+    """Return nodes (n, 2), triangles and quadrilaterals, and sides (s, 2) on chords, as Netgen makes them.
+
+    Netgen works in a plane of its own: centered and scaled.
+    """
     geom2d, meshing = load()
     meshing.SetMessageImportance(0)
     x0, y0, x1, y1 = plan.bounds
@@ -208,11 +204,8 @@ def _generate(
         raise _rejection(refused) from None
     nodes = np.array([point.p[:2] for point in mesh.Points()]) / scale + middle
     cells = [[vertex.nr - 1 for vertex in cell.vertices] for cell in mesh.Elements2D()]
-    three, four = (
-        np.array([corners for corners in cells if len(corners) == n], dtype=np.int64).reshape(-1, n) for n in (3, 4)
-    )
     sides = np.array([[vertex.nr - 1 for vertex in side.vertices] for side in mesh.Elements1D()], dtype=np.int64)
-    return Made(nodes, three, four, sides)
+    return nodes, sort_by_corners(cells), sides
 
 
 def _sample_sizes(bounds: tuple[float, float, float, float], wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
@@ -232,14 +225,6 @@ def _sample_sizes(bounds: tuple[float, float, float, float], wanted: Callable[[A
         inside = (corner[:, 0] <= x1) & (corner[:, 1] <= y1) & (corner[:, 0] + side >= x0) & (corner[:, 1] + side >= y0)
         corner = corner[inside]
     return np.concatenate(places), np.concatenate(sizes)
-
-
-def _nearest(places: Array, nodes: Array) -> Integers:
-    """Return for each place the node that is nearest."""
-    from scipy.spatial import KDTree
-
-    number: Integers = KDTree(nodes).query(places)[1].astype(np.int64)
-    return number
 
 
 def _fixed_sides(parts: list[Piece], chords: Chords, nodes: Array, number: Integers, sides: Integers) -> FixedSides:

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.shape_functions import SERENDIPITY_CENTER
-from groundslab.meshing.cells import Cells, FixedSides, angles_of, keys_of, least_sine, middles_of, sides_of
+from groundslab.meshing.cells import Cells, FixedSides, angles_of, find_sides, middles_of, sides_of, sort_by_corners
 from groundslab.meshing.quality import scaled_jacobians
 
 #: A corner with a larger angle than this is cut up [rad].
@@ -26,6 +26,14 @@ POOR, MAX_IMPROVEMENTS = 0.4, 6
 #: A side by its two nodes; cells by number, each with its corners in turn.
 Side = frozenset[int]
 Polygons = dict[int, list[int]]
+
+
+def make_elements(cells: Cells) -> tuple[Array, Integers]:
+    """Return nodes (n, 2) and nine-node quadrilaterals (m, 9), as good as they become, that cells are cut into."""
+    nodes, quadrilaterals, drawn = split_into_quadrilaterals(split_flat_corners(cells))
+    nodes = smooth(nodes, quadrilaterals, drawn)
+    improve(nodes, quadrilaterals, drawn)
+    return add_midside_nodes(nodes, quadrilaterals, drawn)
 
 
 def split_flat_corners(cells: Cells) -> Cells:
@@ -51,11 +59,7 @@ def split_flat_corners(cells: Cells) -> Cells:
         # new cells get numbers that no side knows: they are not cut again
         number = max(polygons, default=-1) + 1 + len(owners)
         polygons |= {number + m: piece for m, piece in enumerate(fan)}
-    triangles, quadrilaterals = (
-        np.array([corners for corners in polygons.values() if len(corners) == n], dtype=np.int64).reshape(-1, n)
-        for n in (3, 4)
-    )
-    return Cells(cells.nodes, triangles, quadrilaterals, cells.drawn)
+    return Cells(cells.nodes, *sort_by_corners(polygons.values()), cells.drawn)
 
 
 def _flat_corners(cells: Cells) -> list[tuple[int, int]]:
@@ -113,9 +117,7 @@ def split_into_quadrilaterals(cells: Cells) -> tuple[Array, Integers, FixedSides
             np.column_stack([kind[:, k], after[:, k], centre, before[:, k]]) for k in range(kind.shape[1])
         ]
     # edges of what was cut off have no cells
-    keys = keys_of(drawn.ends, n)
-    half = np.minimum(np.searchsorted(sides, keys), len(sides) - 1)
-    used = sides[half] == keys
+    half, used = find_sides(sides, drawn.ends, n)
     half, ends = n + half[used], drawn.ends[used]
     halves = np.concatenate([np.column_stack([ends[:, 0], half]), np.column_stack([half, ends[:, 1]])])
     twice = FixedSides(halves, np.tile(drawn.centre[used], (2, 1)), np.tile(drawn.radius[used], 2), drawn.points)
@@ -144,11 +146,20 @@ def smooth(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> Array:
     return nodes
 
 
+def least_sine(xy: Array) -> Array:
+    """Return the least sine of the four angles of quadrilaterals (q, 4, 2), negative where one is inverted."""
+    to = np.roll(xy, -1, axis=1) - xy
+    back = np.roll(xy, 1, axis=1) - xy
+    cross = to[..., 0] * back[..., 1] - to[..., 1] * back[..., 0]
+    sine: Array = (cross / np.maximum(np.linalg.norm(to, axis=2) * np.linalg.norm(back, axis=2), 1e-300)).min(axis=1)
+    return sine
+
+
 def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
     """Move corners of bad elements, one by one, to where the worst element around them is best."""
     keys, number = np.unique(sides_of(quadrilaterals, len(nodes)), return_inverse=True)
     number = number.reshape(quadrilaterals.shape)
-    place = np.minimum(np.searchsorted(keys, keys_of(drawn.ends, len(nodes))), len(keys) - 1)
+    place, _ = find_sides(keys, drawn.ends, len(nodes))
     centre, radius = np.zeros((len(keys), 2)), np.zeros(len(keys))
     centre[place], radius[place] = drawn.centre, drawn.radius
     held = np.zeros(len(nodes), dtype=bool)

@@ -21,8 +21,11 @@ MAX_SOURCES = 200
 Sources = tuple[Array, Array]
 
 
-def sources(plan: Plan, size: float) -> Sources:
-    """Return where a plan needs elements smaller than `size`, and how small: short edges, arcs, narrow places."""
+def sources(plan: Plan, size: float, edge_size: float) -> Sources:
+    """Return where a plan needs elements smaller than `size`, and how small: short edges, arcs, narrow places.
+
+    Along the plate's edges on ground that reaches beyond them elements are at most of `edge_size` [m].
+    """
     import shapely
 
     edges = [edge for ring in plan.rings().values() for edge in ring.segments()] + plan.line_segments()
@@ -49,19 +52,10 @@ def sources(plan: Plan, size: float) -> Sources:
             n = min(MAX_SOURCES, math.ceil(2 * edges[i].length / gap) + 1)
             where = edges[i].at(np.linspace(0, 1, n))
             ask(where, edges[j].distance(where) / 2)
+    for ring in plan.edges_on_ground():
+        where = along(ring, edge_size)
+        ask(where, np.full(len(where), edge_size))
     return np.concatenate(places), np.concatenate(sizes)
-
-
-def along_edges(plan: Plan, size: float) -> Sources:
-    """Return places along the plate's edges on ground that reaches beyond them, which want elements of a size [m]."""
-    rings = plan.edges_on_ground()
-    places = np.concatenate([np.zeros((0, 2)), *(along(ring, size) for ring in rings)])
-    return places, np.full(len(places), size)
-
-
-def merge_sources(one: Sources, other: Sources) -> Sources:
-    """Return the places of two sources together."""
-    return np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1]])
 
 
 def along(ring: Ring, spacing: float) -> Array:

@@ -65,10 +65,8 @@ def _take_name(partial: Path, target: Path) -> None:
     """Rename a file unless the name is taken; raises FileExistsError."""
     try:
         os.link(partial, target)
-    except FileExistsError:
-        raise
     except OSError:
-        # no hard links on this disk
+        # it is taken, or this disk has no hard links
         if os.path.lexists(target):
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(target)) from None
         replace(partial, target)
@@ -76,12 +74,17 @@ def _take_name(partial: Path, target: Path) -> None:
 
 def replace(old: Path, new: Path) -> None:
     """Rename a file, replacing another one."""
+    _rename(old.replace, new)
+
+
+def _rename(rename: Callable[[Path], object], new: Path) -> None:
+    """Rename to a new name by a method of the old one, tried again after pauses."""
     for pause in PAUSES:
         with suppress(PermissionError):
-            old.replace(new)
+            rename(new)
             return
         time.sleep(pause)
-    old.replace(new)
+    rename(new)
 
 
 def sweep(path: Path, age: float) -> None:
@@ -129,7 +132,7 @@ def recover_folder(target: Path, strangers: Callable[[Path], list[str]]) -> bool
         if target.is_dir() and not any(target.iterdir()):
             target.rmdir()
         if not os.path.lexists(target):
-            _rename(previous, target)
+            _rename(previous.rename, target)
             return True
         if any(path.name not in LITTER for path in target.iterdir()) and not strangers(target):
             _discard(previous, target)
@@ -143,9 +146,8 @@ def previous_path(target: Path) -> Path:
 
 def helper(target: Path, ending: str) -> Path:
     """Return the path of a temporary file next to the target, whose name is valid wherever the target's is."""
-    name = target.name
-    if len(os.fsencode(name)) > LONGEST_STEM:
-        whole = os.fsencode(name)
+    name, whole = target.name, os.fsencode(target.name)
+    if len(whole) > LONGEST_STEM:
         name = whole[: LONGEST_STEM - 9].decode("utf-8", "ignore") + "~" + sha256(whole).hexdigest()[:8]
     return target.with_name(f".{name}.{ending}")
 
@@ -165,12 +167,18 @@ def _locked(folder: Path) -> Iterator[None]:
         return
     import fcntl
 
-    handle = os.open(folder, os.O_RDONLY)
-    try:
+    with _open_folder(folder) as handle:
         # Some network file systems refuse this.
         with suppress(OSError):
             fcntl.flock(handle, fcntl.LOCK_EX)
         yield
+
+
+@contextmanager
+def _open_folder(folder: Path) -> Iterator[int]:
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        yield handle
     finally:
         os.close(handle)
 
@@ -180,12 +188,12 @@ def _replace_folder(staging: Path, target: Path) -> None:
     previous = previous_path(target)
     replaces = os.path.lexists(target)
     if replaces:
-        _rename(target, previous)
+        _rename(target.rename, previous)
     try:
-        _rename(staging, target)
+        _rename(staging.rename, target)
     except BaseException:
         if replaces and not os.path.lexists(target):
-            _rename(previous, target)
+            _rename(previous.rename, target)
         raise
     _sync_names(target.parent)
     if replaces:
@@ -194,20 +202,10 @@ def _replace_folder(staging: Path, target: Path) -> None:
             _discard(previous, target)
 
 
-def _rename(old: Path, new: Path) -> None:
-    """Rename a folder."""
-    for pause in PAUSES:
-        with suppress(PermissionError):
-            old.rename(new)
-            return
-        time.sleep(pause)
-    old.rename(new)
-
-
 def _discard(previous: Path, target: Path) -> None:
     """Remove an old folder, renamed first, so that no half of it counts."""
     rubbish = helper(target, f"partial-{secrets.token_hex(4)}")
-    _rename(previous, rubbish)
+    _rename(previous.rename, rubbish)
     shutil.rmtree(rubbish, ignore_errors=True)
 
 
@@ -218,10 +216,8 @@ def _sweep_folders(target: Path, ours: Callable[[str], bool]) -> None:
             if path.is_dir() and not path.is_symlink():
                 entries = list(path.rglob("*"))
                 newest = max(entry.lstat().st_mtime for entry in (path, *entries))
-                files = [
-                    each.relative_to(path).as_posix() for each in entries if each.is_symlink() or not each.is_dir()
-                ]
-                if time.time() - newest > STALE and all(map(ours, files)):
+                files = (each for each in entries if each.is_symlink() or not each.is_dir())
+                if time.time() - newest > STALE and all(ours(each.relative_to(path).as_posix()) for each in files):
                     shutil.rmtree(path, ignore_errors=True)
 
 
@@ -249,9 +245,5 @@ def _sync_names(folder: Path) -> None:
     if sys.platform == "win32":
         return
     # Some network file systems refuse this.
-    with suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
+    with suppress(OSError), _open_folder(folder) as handle:
+        os.fsync(handle)

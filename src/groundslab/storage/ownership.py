@@ -20,11 +20,11 @@ LONGEST_HEADER, LARGEST_CASE = 1_000_000, 10_000_000
 
 def is_figure(path: Path) -> bool:
     """Return whether a file is a figure (PDF, SVG or PNG) that groundslab wrote, unchanged since."""
-    start = _bytes(path, 0, LOOK)
+    start = _read_start(path)
     if start.startswith(b"\x89PNG\r\n\x1a\n"):
         return b"tEXtSoftware\x00groundslab " in start
     if start.startswith(b"%PDF-"):
-        content = _bytes(path, 0, None)
+        content = path.read_bytes()
         return content.count(b"%%EOF") == 1 and re.search(rb"<< /Creator \(groundslab [^)]*\)", content) is not None
     creator = rb"<dc:creator>\s*<cc:Agent>\s*<dc:title>groundslab "
     return b"<svg" in start and re.search(creator, start) is not None
@@ -32,7 +32,7 @@ def is_figure(path: Path) -> bool:
 
 def is_page(path: Path, what: str = "") -> bool:
     """Return whether a file is a page that groundslab wrote, one of a kind ("report", "study") if that is named."""
-    return f'<meta name="generator" content="groundslab {what}'.encode() in _bytes(path, 0, LOOK)
+    return f'<meta name="generator" content="groundslab {what}'.encode() in _read_start(path)
 
 
 def has_expected_content(path: Path) -> bool:
@@ -98,44 +98,34 @@ def _strangers(folder: Path, below: str, names: Collection[str], folders: Collec
             yield name
 
 
-def _bytes(path: Path, start: int, count: int | None) -> bytes:
-    """Return so many bytes of a file from a place on, all if no number is given."""
+def _read_start(path: Path, count: int = LOOK) -> bytes:
     with path.open("rb") as file:
-        file.seek(start)
-        return file.read(-1 if count is None else count)
+        return file.read(count)
 
 
-def _is_vtk(path: Path, kind: str) -> bool:
-    return f'<VTKFile type="{kind}"'.encode() in _bytes(path, 0, LOOK)
-
-
-def _is_archive(path: Path) -> bool:
-    # a zip archive whose first member is the first array that is written
-    start = _bytes(path, 0, 64)
-    return start.startswith(b"PK\x03\x04") and start[30:].startswith(b"plate.nodes.npy")
-
-
-def _is_summary(path: Path) -> bool:
-    return re.match(rb'\{\s*"program":\s*"groundslab"', _bytes(path, 0, LOOK)) is not None
+def _begins_with(pattern: bytes) -> Callable[[Path], bool]:
+    """Return a test whether a file's beginning matches a pattern."""
+    return lambda path: re.match(pattern, _read_start(path), re.DOTALL) is not None
 
 
 def _is_case(path: Path) -> bool:
     try:
-        return "plate" in tomllib.loads(_bytes(path, 0, LARGEST_CASE).decode())
+        return "plate" in tomllib.loads(_read_start(path, LARGEST_CASE).decode())
     except (ValueError, RecursionError):
         return False
 
 
 def _is_table(path: Path) -> bool:
-    head, end, _ = _bytes(path, 0, LONGEST_HEADER).partition(b"\n")
+    head, end, _ = _read_start(path, LONGEST_HEADER).partition(b"\n")
     return end == b"\n" and b"," in head and b"\0" not in head
 
 
 _KINDS: dict[str, Callable[[Path], bool]] = {
-    ".vtu": lambda path: _is_vtk(path, "UnstructuredGrid"),
-    ".pvd": lambda path: _is_vtk(path, "Collection"),
-    ".npz": _is_archive,
-    ".json": _is_summary,
+    ".vtu": _begins_with(rb'.*<VTKFile type="UnstructuredGrid"'),
+    ".pvd": _begins_with(rb'.*<VTKFile type="Collection"'),
+    # a zip archive whose first member is the first array that is written
+    ".npz": _begins_with(rb"PK\x03\x04.{26}plate\.nodes\.npy"),
+    ".json": _begins_with(rb'\{\s*"program":\s*"groundslab"'),
     ".toml": _is_case,
     ".csv": _is_table,
     ".html": is_page,

@@ -10,40 +10,32 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 from multiprocessing import connection, parent_process
+from multiprocessing.context import SpawnProcess
 from typing import Any
 
 CONTEXT = multiprocessing.get_context("spawn")
 
 
-class ChildProcess:
+class ChildProcess(SpawnProcess):
     """A process that calls a function with one end of a pipe and some arguments."""
 
     def __init__(self, name: str, target: Callable[..., None], *arguments: Any) -> None:
-        self.pipe, child_pipe = CONTEXT.Pipe()
-        self._process = CONTEXT.Process(target=target, args=(child_pipe, *arguments), name=name, daemon=True)
-        self._process.start()
+        pipe, child_pipe = CONTEXT.Pipe()
+        super().__init__(target=target, args=(child_pipe, *arguments), name=name, daemon=True)
+        self.start()
         child_pipe.close()  # so that the end of the process closes the pipe
-        self.sentinel = self._process.sentinel
-
-    def is_alive(self) -> bool:
-        """Whether the process is running."""
-        return self._process.is_alive()
-
-    def wait(self) -> int | None:
-        """Wait for the end of the process and return its exit code."""
-        self._process.join()
-        return self._process.exitcode
+        self.pipe = pipe  # only now, so that the process does not get it
 
     def kill(self) -> None:
         """Kill the process, unless it has ended already; may be called from any thread."""
         with suppress(ValueError):
-            self._process.kill()
+            super().kill()
 
     def close(self) -> None:
         """Kill the process and free its resources."""
-        self._process.kill()
-        self._process.join()
-        self._process.close()
+        self.kill()
+        self.join()
+        super().close()
         self.pipe.close()
 
 

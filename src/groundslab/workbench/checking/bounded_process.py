@@ -14,7 +14,7 @@ from multiprocessing import connection
 from multiprocessing.connection import Connection
 from multiprocessing.reduction import ForkingPickler
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from groundslab.workbench.child_process import ChildProcess, set_up_child
 
@@ -30,32 +30,24 @@ GRACE = 0.5
 POLL_INTERVAL = 0.05
 
 
-class TimeLimit(Exception):
+class CallFailure(Exception):
+    """A call has no result."""
+
+
+class TimeLimit(CallFailure):
     """The function takes too long."""
 
 
-class MemoryLimit(Exception):
+class MemoryLimit(CallFailure):
     """The function needs too much memory, or its result is too large."""
 
 
-class Interrupted(Exception):
+class Interrupted(CallFailure):
     """The call is no longer needed."""
 
 
-class ProcessEnded(Exception):
+class ProcessEnded(CallFailure):
     """The process ended by itself, or cannot be started."""
-
-
-class Caller(Protocol):
-    """Calls functions within limits."""
-
-    def call(
-        self, function: Callable[..., Any], *arguments: Any, seconds: float, needed: Callable[[], bool] = ...
-    ) -> Any:
-        """Return what the function returns; raises what it raises, and the errors above."""
-
-    def close(self) -> None:
-        """End."""
 
 
 class BoundedProcess:

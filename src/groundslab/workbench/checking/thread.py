@@ -10,10 +10,9 @@ from groundslab.errors import InputError, Issue
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.checking.bounded_process import (
     BoundedProcess,
-    Caller,
+    CallFailure,
     Interrupted,
     MemoryLimit,
-    ProcessEnded,
     TimeLimit,
 )
 from groundslab.workbench.checking.parsing import CheckResult
@@ -36,7 +35,7 @@ class Checker:
     """
 
     def __init__(
-        self, on_data: OnData, on_result: OnResult, caller: Caller | None = None, seconds: float = CHECK_LIMIT
+        self, on_data: OnData, on_result: OnResult, caller: BoundedProcess | None = None, seconds: float = CHECK_LIMIT
     ) -> None:
         self._on_data = on_data
         self._on_result = on_result
@@ -72,7 +71,7 @@ class Checker:
         try:
             changed: Document = self._caller.call(parsing.apply_edits, document, edits, seconds=EDIT_LIMIT)
             return changed
-        except (TimeLimit, MemoryLimit, ProcessEnded, Interrupted) as error:
+        except CallFailure as error:
             hint = "edit the text instead, or undo the last step"
             issue = Issue("the edit", f"a case that cannot be read ({error})", "one that can be", hint)
             raise InputError([issue]) from None

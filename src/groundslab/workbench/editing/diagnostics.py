@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 from groundslab.errors import Issue
@@ -40,30 +41,19 @@ def parse_path(location: str) -> Path:
 
 def issues_to_json(issues: Sequence[Issue]) -> list[dict[str, Any]]:
     """Return issues as data for the page."""
-    return [
-        {
-            "location": issue.location,
-            "path": list(parse_path(issue.location)),
-            "found": issue.found,
-            "expected": issue.expected,
-            "hint": issue.hint,
-        }
-        for issue in issues
-    ]
+    return [asdict(issue) | {"path": list(parse_path(issue.location))} for issue in issues]
 
 
 def text_issues_to_json(issues: Sequence[Issue], layout: TomlLayout | None, is_toml: bool) -> list[dict[str, Any]]:
     """Return the issues of a text as data for the page, with their lines where known."""
-    return [
-        about | _locate(issue, layout, is_toml) for issue, about in zip(issues, issues_to_json(issues), strict=True)
-    ]
+    return [about | _locate(about["location"], layout, is_toml) for about in issues_to_json(issues)]
 
 
-def _locate(issue: Issue, layout: TomlLayout | None, is_toml: bool) -> dict[str, Any]:
-    """Return the position of an issue in the text."""
+def _locate(location: str, layout: TomlLayout | None, is_toml: bool) -> dict[str, Any]:
+    """Return the position in the text of an issue's location."""
     if not is_toml:
-        place = _SYNTAX.fullmatch(issue.location)
+        place = _SYNTAX.fullmatch(location)
         line, column = (int(place[1]), int(place[2])) if place else (1, 1)
         return {"path": [], "line": line, "column": column}
-    found = None if layout is None else layout.find_line(parse_path(issue.location))
+    found = None if layout is None else layout.find_line(parse_path(location))
     return {} if found is None else {"line": found}

@@ -138,9 +138,7 @@ class Document:
             raise InputError([Issue(format_path(path), describe(at), f"a position from 0 to {len(old)}")])
         index = len(old) if at is None else at
         new = [*old[:index], value, *old[index:]]
-        rewritten = not old or (not isinstance(value, Mapping) and editor.layout.find_value(path) is None)
-        replacements = editor.set(path, new) if rewritten else editor.insert(path, index, value)
-        return self._replace(replacements, replace_value(editor.data, path, new))
+        return self._replace(editor.set(path, new), replace_value(editor.data, path, new))
 
     def _remove(self, editor: TomlEditor, path: Path) -> Document:
         """Return the document without the value at a path, unchanged if there is none."""
@@ -153,7 +151,7 @@ class Document:
             rest = {name: each for name, each in parent.items() if name != step}
         else:
             rest = [each for index, each in enumerate(parent) if index != step]
-        return self._replace(editor.remove(path), replace_value(editor.data, above, rest))
+        return self._replace(editor.remove(path, rest), replace_value(editor.data, above, rest))
 
     def _replace(self, replacements: Sequence[Replacement], expected: Any) -> Document:
         """Return the document with some text replaced; raises InputError unless its data are then as expected."""

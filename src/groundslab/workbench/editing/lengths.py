@@ -19,7 +19,7 @@ POINT_KEYS = ("points", "start", "end", "centre", "about")
 #: Keys of shapes, which move with the item that they belong to.
 SHAPE_KEYS = ("shape", "outline", "openings", "zones", "holes")
 
-_QUANTITY = re.compile(rf"(\s*)({units.NUMBER})(\s*)(\S.*?)(\s*)", re.DOTALL)
+_QUANTITY = re.compile(rf"\s*(?P<number>{units.NUMBER})(?P<blank>\s*)(?P<unit>\S.*?)\s*", re.DOTALL)
 _EXACT = Context(prec=60)
 
 
@@ -53,7 +53,7 @@ def _iterate_texts(value: Any) -> Iterator[str]:
 
 def format_lengths(old: Any, new: Any, step: float) -> Any:
     """Return a length or nested lists of lengths [m] as texts in the units of the old ones, else in meters."""
-    unit = next((found[3] for each in _iterate_texts(old) if (found := _split_quantity(each))), "m")
+    unit = next((found["unit"] for each in _iterate_texts(old) if (found := _split_quantity(each))), "m")
     return _format(old, new, unit, step)
 
 
@@ -65,23 +65,22 @@ def _format(old: Any, new: Any, unit: str, step: float) -> Any:
         ]
     if isinstance(new, bool) or not isinstance(new, int | float) or not math.isfinite(new):
         raise InputError([Issue("the edit", describe(new), "a length in meters, or a list of lengths")])
-    parts = _split_quantity(old) if isinstance(old, str) else None
-    blank, own = (parts[2], parts[3]) if parts else (" ", unit)
+    parts = _split_quantity(old)
+    blank, own = parts.group("blank", "unit") if parts else (" ", unit)
     if parts and abs(units.parse(str(old), "length") - new) < step / 2:
         return old  # unchanged within the step
     return f"{_format_number(_round(new, own, step))}{blank}{own}"
 
 
-def _split_quantity(text: str) -> tuple[str, str, str, str] | None:
-    """Return a length's leading blanks, number, blanks and unit, None if it is not a length."""
-    match = _QUANTITY.fullmatch(text)
-    if match is None:
+def _split_quantity(value: Any) -> re.Match[str] | None:
+    """Return the number, blanks and unit of a length by these names, None for what is not a length."""
+    if not isinstance(value, str):
         return None
     try:
-        units.parse(text, "length")
+        units.parse(value, "length")
     except ValueError:
         return None
-    return match[1], match[2], match[3], match[4]
+    return _QUANTITY.fullmatch(value)
 
 
 def _round(meters: float, unit: str, step: float) -> Decimal:
@@ -95,9 +94,7 @@ def _round(meters: float, unit: str, step: float) -> Decimal:
 
 def _format_number(number: Decimal) -> str:
     """Return a number without exponent and trailing zeros."""
-    text = format(number, "f")
-    text = text.rstrip("0").rstrip(".") if "." in text else text
-    return "0" if text in ("-0", "") else text
+    return f"{_EXACT.plus(number).normalize(_EXACT):f}"  # plus drops the sign of a zero
 
 
 def translate(item: Any, by: tuple[float, float], step: float, location: str) -> dict[str, Any]:
@@ -158,8 +155,9 @@ def _shift(value: Any, distance: float, step: float, location: str) -> Any:
     """Return a length, or a list of lengths, shifted by a rounded distance; other digits stay."""
     if isinstance(value, list):
         return [_shift(each, distance, step, f"{location}[{number}]") for number, each in enumerate(value, start=1)]
-    parts = _split_quantity(value) if isinstance(value, str) else None
+    parts = _split_quantity(value)
     if parts is None:
         raise InputError([Issue(location, describe(value), units.expectation("length"), "correct it first")])
-    total = _EXACT.add(Decimal(parts[1]), _round(distance, parts[3], step))
-    return value if total == Decimal(parts[1]) else f"{_format_number(total)}{parts[2]}{parts[3]}"
+    number, blank, unit = parts.groups()
+    total = _EXACT.add(Decimal(number), _round(distance, unit, step))
+    return value if total == Decimal(number) else f"{_format_number(total)}{blank}{unit}"

@@ -42,30 +42,16 @@ class TomlEditor:
             return self._change(above, old, {**old, step: new})
         return self._add_keys(above, {step: new})
 
-    def insert(self, path: Path, index: int, new: Any) -> list[Replacement]:
-        """Insert a value into an existing list, before the item with an index, or at its end."""
-        old = get_value(self.data, path)
-        found = self.layout.find_value(path)
-        if found is None:
-            return [self._insert_table(path, index, toml_writer.section(_select_keys(path), [new]))]
-        items = [*old[:index], new, *old[index:]]
-        sources = [*range(index), None, *range(index, len(old))]
-        return [Replacement(found.start, found.end, rewrite_list(self.text, found, old, items, sources))]
-
-    def remove(self, path: Path) -> list[Replacement]:
-        """Remove the value at a path that exists."""
+    def remove(self, path: Path, rest: Any) -> list[Replacement]:
+        """Remove the value at a path that exists and leave the rest of the table or list that holds it."""
         above, step = path[:-1], path[-1]
         if not self.layout.is_inline(above):
             return self._remove_statements(path)
-        old = get_value(self.data, above)
-        if isinstance(old, Mapping):
-            return self._change(above, old, {name: each for name, each in old.items() if name != step})
-        kept = [index for index in range(len(old)) if index != step]
-        items = [old[index] for index in kept]
-        found = self.layout.find_value(above)
-        if found is None:
-            return self._rewrite_enclosing(above, items)
-        return [Replacement(found.start, found.end, rewrite_list(self.text, found, old, items, kept))]
+        old, found = get_value(self.data, above), self.layout.find_value(above)
+        if found is None or isinstance(old, Mapping):
+            return self._change(above, old, rest)
+        sources = [index for index in range(len(old)) if index != step]
+        return [Replacement(found.start, found.end, rewrite_list(self.text, found, old, rest, sources))]
 
     def _change(self, path: Path, old: Any, new: Any) -> list[Replacement]:
         """Change an old value into a new one, part by part."""
@@ -104,9 +90,7 @@ class TomlEditor:
         for index in range(first + len(after), first + len(before)):
             replacements += self._remove_statements((*path, index))
         for each in after[len(before) :]:
-            replacements.append(
-                self._insert_table(path, first + len(before), toml_writer.section(_select_keys(path), [each]))
-            )
+            replacements.append(self._insert_table(path, first + len(before), each))
         return replacements
 
     def _rewrite_enclosing(self, path: Path, new: Any) -> list[Replacement]:
@@ -120,13 +104,10 @@ class TomlEditor:
 
     def _remove_statements(self, path: Path) -> list[Replacement]:
         """Remove all statements at and below a path, with the comments that belong to them."""
-        replacements = []
         statements = enumerate(self.layout.statements)
-        for below, run in groupby(statements, lambda each: each[1].path[: len(path)] == path):
-            if below:
-                indices = [index for index, _ in run]
-                replacements.append(self._delete_statements(indices[0], indices[-1], path))
-        return replacements
+        runs = groupby(statements, lambda each: each[1].path[: len(path)] == path)
+        inside = [[index for index, _ in run] for below, run in runs if below]
+        return [self._delete_statements(indices[0], indices[-1], path) for indices in inside]
 
     def _delete_statements(self, first: int, last: int, path: Path) -> Replacement:
         """Delete the lines of consecutive statements, given by their indices."""
@@ -166,24 +147,22 @@ class TomlEditor:
         headers = [each for each in inside if each.value is None and each.path == path]
         direct = [each for each in own if each.section == path]
         dotted = [each for each in own if len(each.section) < len(path)]
-        if direct or headers or dotted:
-            previous = (direct or headers or dotted)[-1]
+        neighbors = direct or headers or dotted
+        end, indent, prefix, header = len(self.text), "", "", ""
+        if neighbors:
+            previous = neighbors[-1]
             outside = names if direct or headers else _select_keys(previous.section)
             prefix = "".join(f"{toml_writer.key(name)}." for name in names[len(outside) :])
             indent = self.text[previous.start : previous.key.start] if direct or dotted else ""
-            lines = "".join(
-                indent + toml_writer.pair(prefix + toml_writer.key(name), each) for name, each in pairs.items()
-            )
             end = previous.end
-            return Replacement(end, end, self.layout.complete_line(end) + lines)
-        lines = "".join(toml_writer.pair(toml_writer.key(name), each) for name, each in pairs.items())
-        if path:
-            lines = f"[{'.'.join(map(toml_writer.key, names))}]\n{lines}"
-        if not inside:
-            end = len(self.text)
-            return Replacement(end, end, self.layout.complete_line(end) + lines)
+        elif path:
+            header = f"[{'.'.join(map(toml_writer.key, names))}]\n"
+        lines = (indent + toml_writer.pair(prefix + toml_writer.key(name), each) for name, each in pairs.items())
+        text = header + "".join(lines)
+        if neighbors or not inside:
+            return Replacement(end, end, self.layout.complete_line(end) + text)
         start = self.layout.skip_comments_up(inside[0].start) or inside[0].start
-        return Replacement(start, start, lines + "\n")
+        return Replacement(start, start, text + "\n")
 
     def _find_section_position(self, path: Path, name: str) -> int:
         """Return where a new table with a header goes: behind what precedes it in the order, or its parent."""
@@ -199,8 +178,9 @@ class TomlEditor:
                 return self.layout.skip_comments_down(statements[last].end)
         return len(self.text)
 
-    def _insert_table(self, path: Path, index: int, section: str) -> Replacement:
+    def _insert_table(self, path: Path, index: int, table: Mapping[str, Any]) -> Replacement:
         """Insert a table into a list of tables with headers, before the one with an index, or at the end."""
+        section = toml_writer.section(_select_keys(path), [table])
         following = self.layout.find_statements((*path, index))
         if following:
             start = self.layout.skip_comments_up(following[0].start) if index > 0 else following[0].start

@@ -60,13 +60,14 @@ class TomlLayout:
 
     def skip_comments_up(self, start: int) -> int:
         """Return the start of the comments right above a line."""
-        while start > 0 and _COMMENT.fullmatch(self.text, self.find_previous_line(start), start):
-            start = self.find_previous_line(start)
-        return start
+        return self._skip_up(_COMMENT, start)
 
     def skip_blank_lines_up(self, start: int) -> int:
         """Return the start of the blank lines right above a line."""
-        while start > 0 and self.is_blank_line(self.find_previous_line(start), start):
+        return self._skip_up(_BLANK_LINE, start)
+
+    def _skip_up(self, line: re.Pattern[str], start: int) -> int:
+        while start > 0 and line.fullmatch(self.text, self.find_previous_line(start), start):
             start = self.find_previous_line(start)
         return start
 

@@ -129,31 +129,19 @@ def _read_key(text: str, start: int) -> Key:
 
 def _read_value(text: str, start: int) -> Value:
     """Return the value at a position."""
-    if text[start] == "[":
-        parts: list[Value] = []
-        position = _skip(_BLANK, text, start + 1)
-        while text[position] != "]":
-            parts.append(_read_value(text, position))
-            position = _skip_separator(text, parts[-1].end)
-        return Value(start, position + 1, "list", tuple(parts))
-    if text[start] == "{":
-        keys: list[Key] = []
-        parts = []
-        position = _skip(_BLANK, text, start + 1)
-        while text[position] != "}":
-            keys.append(_read_key(text, position))
-            parts.append(_read_value(text, _skip(_BLANK, text, _skip(_BLANK, text, keys[-1].end) + 1)))
-            position = _skip_separator(text, parts[-1].end)
-        return Value(start, position + 1, "table", tuple(parts), tuple(keys))
-    match = _LONG.match(text, start) or _QUOTED.match(text, start)
-    if match is None:
-        match = _PLAIN.match(text, start)
+    if text[start] not in "[{":
+        match = _LONG.match(text, start) or _QUOTED.match(text, start) or _PLAIN.match(text, start)
         assert match
         return Value(start, start + len(match.group().rstrip()))
-    return Value(start, match.end())
-
-
-def _skip_separator(text: str, position: int) -> int:
-    """Return the start of the next part, or the end of the list or table."""
-    position = _skip(_BLANK, text, position)
-    return _skip(_BLANK, text, position + 1) if text[position] == "," else position
+    keys: list[Key] = []
+    parts: list[Value] = []
+    position = _skip(_BLANK, text, start + 1)
+    while text[position] not in "]}":
+        if text[start] == "{":
+            keys.append(_read_key(text, position))
+            position = _skip(_BLANK, text, _skip(_BLANK, text, keys[-1].end) + 1)
+        parts.append(_read_value(text, position))
+        position = _skip(_BLANK, text, parts[-1].end)
+        if text[position] == ",":
+            position = _skip(_BLANK, text, position + 1)
+    return Value(start, position + 1, "list" if text[start] == "[" else "table", tuple(parts), tuple(keys))

@@ -39,11 +39,15 @@ def _require_regular(about: os.stat_result) -> None:
 
 
 def create_state_folder() -> Path:
-    """Return the user's folder for the state of this program, created if it is missing."""
+    """Return the user's folder for the state of this program, created if it is missing; raises InputError."""
     import platformdirs
 
-    folder = platformdirs.user_state_path("groundslab", appauthor=False)
-    folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+    try:
+        folder = platformdirs.user_state_path("groundslab", appauthor=False)
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+    except (OSError, RuntimeError) as error:
+        location = str(getattr(error, "filename", None) or "home")
+        raise InputError([Issue(location, describe_error(error), "a folder for unsaved work")]) from None
     return folder
 
 
@@ -73,6 +77,6 @@ def _is_listed(name: str) -> bool:
     return not name.startswith(".") and not any("\ud800" <= letter <= "\udfff" for letter in name)
 
 
-def describe_error(error: OSError) -> str:
-    """Return the message of an error of the operating system."""
-    return (error.strerror or str(error)).lower()
+def describe_error(error: Exception) -> str:
+    """Return the message of an error, in lower case if it is one of the operating system."""
+    return (error.strerror or str(error)).lower() if isinstance(error, OSError) else str(error)

@@ -118,8 +118,7 @@ def read_content(path: Path) -> bytes | None:
     except FileNotFoundError:
         return None
     except (OSError, ValueError) as error:
-        found = files.describe_error(error) if isinstance(error, OSError) else str(error)
-        raise InputError([Issue(str(path), found, "a file that can be read")]) from None
+        raise InputError([Issue(str(path), files.describe_error(error), "a file that can be read")]) from None
 
 
 def resolve_path(name: str, folder: Path) -> Path:

@@ -12,6 +12,7 @@ import sys
 import threading
 import webbrowser
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -37,7 +38,7 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
     from groundslab.workbench.server.session import Session
     from groundslab.workbench.solver.thread import Solver
 
-    state = _create_state_folder()
+    state = files.create_state_folder()
     with _bind(port) as listener:
         port = listener.getsockname()[1]
         token = secrets.token_urlsafe(32)
@@ -88,23 +89,12 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
 def _require_packages() -> None:
     """Raise InputError if the packages of a server are missing."""
     try:
-        import fastapi  # noqa: F401
-        import filelock  # noqa: F401
-        import platformdirs  # noqa: F401
-        import uvicorn  # noqa: F401
+        for name in ("fastapi", "filelock", "platformdirs", "uvicorn"):
+            import_module(name)
     except ImportError as error:
         hint = 'pip install ".[app]"'
         issue = Issue("groundslab app", f"no package {error.name}", "the packages of the workbench", hint)
         raise InputError([issue]) from None
-
-
-def _create_state_folder() -> Path:
-    try:
-        return files.create_state_folder()
-    except (OSError, RuntimeError) as error:
-        found = files.describe_error(error) if isinstance(error, OSError) else str(error)
-        location = str(getattr(error, "filename", None) or "home")
-        raise InputError([Issue(location, found, "a folder for unsaved work")]) from None
 
 
 def _bind(port: int) -> socket.socket:
@@ -119,7 +109,7 @@ def _bind(port: int) -> socket.socket:
         listener.bind((ADDRESS, port))
     except (OSError, OverflowError) as error:
         listener.close()
-        found = f"{port} ({files.describe_error(error) if isinstance(error, OSError) else error})"
+        found = f"{port} ({files.describe_error(error)})"
         raise InputError([Issue("--port", found, "a port that is free", "leave it out for any")]) from None
     return listener
 

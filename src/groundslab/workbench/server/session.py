@@ -11,7 +11,7 @@ from typing import Any
 
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
-from groundslab.workbench.checking.bounded_process import Caller
+from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.checking.thread import Checker
 from groundslab.workbench.editing.document import Document, Edit
@@ -19,14 +19,8 @@ from groundslab.workbench.editing.undo import History
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.persistence import autosave, files
 from groundslab.workbench.persistence.autosave import Autosave, UnsavedWork
-from groundslab.workbench.server.case_file import (
-    CaseFile,
-    Conflict,
-    lock_file,
-    read_content,
-    resolve_path,
-    resolve_target,
-)
+from groundslab.workbench.server import case_file
+from groundslab.workbench.server.case_file import CaseFile, Conflict
 from groundslab.workbench.solver.thread import DELAY, Solver
 
 State = dict[str, Any]
@@ -43,7 +37,7 @@ class Session:
     _case_file: CaseFile
     _autosave: Autosave
 
-    def __init__(self, hub: Hub, solver: Solver, state: Path, url: str, caller: Caller | None = None) -> None:
+    def __init__(self, hub: Hub, solver: Solver, state: Path, url: str, caller: BoundedProcess | None = None) -> None:
         """Begin with a new document; state is the user's folder for unsaved work and locks; caller checks texts."""
         self.hub = hub
         self.solver = solver
@@ -52,7 +46,7 @@ class Session:
         self._check_result: CheckResult | None = None  # None while the document is being checked
         self._plan: dict[str, Any] | None = None  # the previous one while the document is being checked
         self._state = state
-        self._lock_file = partial(lock_file, state=state, url=url)
+        self._lock_file = partial(case_file.lock_file, state=state, url=url)
         self._lock = threading.RLock()
         self._version = 0
         self._autosolve = True
@@ -124,7 +118,7 @@ class Session:
         cannot be written.
         """
         with self._lock:
-            target, present = resolve_target(name, self._case_file), self._case_file
+            target, present = case_file.resolve_target(name, self._case_file), self._case_file
             self._case_file = present.save(target, self._document.to_bytes(), overwrite, self._lock_file)
             self._autosave.discard()
             if self._case_file is not present:
@@ -140,8 +134,8 @@ class Session:
     def open(self, name: str) -> State:
         """Open a file in place of the document, whose unsaved work stays; raises InputError and Conflict."""
         with self._lock:
-            target = resolve_path(name, self._case_file.folder)
-            content, offers = read_content(target), Autosave(target, self._state).find_earlier()
+            target = case_file.resolve_path(name, self._case_file.folder)
+            content, offers = case_file.read_content(target), Autosave(target, self._state).find_earlier()
             if content is None and not offers:
                 hint = f"groundslab new {target.name} makes one" if files.try_check(target.parent.is_dir) else ""
                 raise InputError([Issue(str(target), "no file of that name", "a case file", hint)])
@@ -149,11 +143,11 @@ class Session:
             document = Document.from_bytes(content, str(target)) if content is not None else offers[0].document
             present = self._case_file
             is_own = target == present.path
-            case_file = CaseFile(target, content, present.lock if is_own else self._lock_file(target))
+            opened = CaseFile(target, content, present.lock if is_own else self._lock_file(target))
             if not is_own:
                 present.close()
             self._autosave.release()
-            self._begin(document, case_file)
+            self._begin(document, opened)
         return self.get_state()
 
     def new(self) -> State:
@@ -199,7 +193,7 @@ class Session:
         """Return the case files and folders in a folder, by default that of the document."""
         with self._lock:
             present = self._case_file.folder
-            return files.list_folder(resolve_path(folder, present) if folder else present)
+            return files.list_folder(case_file.resolve_path(folder, present) if folder else present)
 
     def write_report(self, run: int) -> tuple[str, bytes]:
         """Return a name for the report on a run, and its content."""
@@ -220,15 +214,15 @@ class Session:
         document = Document(casefile.starter())
         self._begin(document, CaseFile(None, document.to_bytes()))
 
-    def _begin(self, document: Document, case_file: CaseFile) -> None:
+    def _begin(self, document: Document, file: CaseFile) -> None:
         """Begin with a document, without undo history."""
         self.solver.reset()
-        self._case_file = case_file
+        self._case_file = file
         self._history = History()
-        self._autosave = Autosave(case_file.path, self._state)
+        self._autosave = Autosave(file.path, self._state)
         self._offers = self._autosave.find_earlier()
         for offer in list(self._offers):
-            if case_file.base is not None and offer.document.to_bytes() == document.to_bytes():
+            if file.base is not None and offer.document.to_bytes() == document.to_bytes():
                 autosave.remove(offer)  # it was saved in the end
                 self._offers.remove(offer)
         self._plan = None

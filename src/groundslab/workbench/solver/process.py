@@ -137,10 +137,8 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tupl
         answer, scene, kept = task(text, progress)
     except Stopped:
         pipe.send(("stopped", run))
-    except InputError as error:
-        pipe.send(("refused", run, str(error), list(error.issues)))
     except GroundslabError as error:
-        pipe.send(("refused", run, str(error), []))
+        pipe.send(("refused", run, str(error), list(error.issues) if isinstance(error, InputError) else []))
     except MemoryError:
         pipe.send(("refused", run, "the memory is too small for this analysis; a coarser mesh needs less", []))
     except Exception as error:

@@ -52,31 +52,28 @@ class ReportRequests:
     """Reports that other threads wait for, by run."""
 
     def __init__(self) -> None:
-        self._waiting: dict[int, list[Future[bytes]]] = {}
-        self._sent: set[int] = set()
+        self._waiting: dict[int, Future[bytes]] = {}
         self._file = ""  # the name of the case in a report
 
     def add(self, run: int, file: str) -> Future[bytes]:
         """Return the future report on a run."""
-        future: Future[bytes] = Future()
-        self._waiting.setdefault(run, []).append(future)
         self._file = file
-        return future
+        return self._waiting.setdefault(run, Future())
 
     def take_unsent(self) -> Iterator[tuple[str, int, str]]:
         """Yield the messages to the process for new requests."""
-        for run in self._waiting.keys() - self._sent:
-            self._sent.add(run)
-            yield "report", run, self._file
+        for run, future in self._waiting.items():
+            if not future.running():
+                future.set_running_or_notify_cancel()
+                yield "report", run, self._file
 
     def finish(self, run: int, error: str, content: bytes = b"") -> None:
         """Pass on a report, or the reason why there is none."""
-        self._sent.discard(run)
-        for future in self._waiting.pop(run, []):
-            if error:
-                future.set_exception(make_report_error(error))
-            else:
-                future.set_result(content)
+        future = self._waiting.pop(run, Future())
+        if error:
+            future.set_exception(make_report_error(error))
+        else:
+            future.set_result(content)
 
     def fail(self, error: str) -> None:
         """Fail all requests."""

@@ -296,7 +296,8 @@ class Solver:
     def _handle_exit(self, process: _Process) -> None:
         """Report that the process has ended by itself."""
         with self._lock:
-            how = _describe_exit(process.child.wait())
+            process.child.join()
+            how = _describe_exit(process.child.exitcode)
             self._failed_starts += not process.has_started
             self._kill_process("the solver was stopped; solve again")
             job = self._running
