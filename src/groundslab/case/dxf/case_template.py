@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from groundslab import units
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
-from groundslab.geometry.bulges import Point, Region, get_edges
-from groundslab.geometry.plan import Ring, bounding_box
+from groundslab.geometry.plan import Place, Ring
+from groundslab.geometry.regions import Region
 from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
@@ -47,8 +49,8 @@ class Footprint:
     """A column that a case can hold: a rectangle along x and y, or a circle if both widths are its diameter."""
 
     name: str
-    centre: Point
-    widths: Point
+    centre: Place
+    widths: Place
     round: bool
 
     def covers(self, x: float, y: float) -> bool:
@@ -71,11 +73,10 @@ def footprint_of(curve: Ring, name: str) -> Footprint | None:
     """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
     xs, ys = zip(*curve.points, strict=True)
     if all(curve.bulges):
-        circles = [edge.circle() for edge in get_edges(curve)]
-        (centre, radius), *others = circles
-        turn = sum(4 * math.atan(bulge) for bulge in curve.bulges)
-        alike = all(math.dist(c, centre) + abs(r - radius) <= SAME * radius for c, r in others)
-        whole = abs(abs(turn) - 2 * math.pi) <= SAME
+        arcs = curve.segments()
+        centre, radius = arcs[0].centre, arcs[0].radius
+        alike = all(math.dist(arc.centre, centre) + abs(arc.radius - radius) <= SAME * radius for arc in arcs)
+        whole = abs(abs(sum(arc.sweep for arc in arcs)) - 2 * math.pi) <= SAME
         return Footprint(name, centre, (2 * radius, 2 * radius), round=True) if alike and whole else None
     low, high = (min(xs), min(ys)), (max(xs), max(ys))
     near = SAME * max(high[0] - low[0], high[1] - low[1])
@@ -139,10 +140,11 @@ def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
     """Return the columns that a case can hold, and the lines of all columns, those of the others as comments."""
     columns: list[Footprint] = []
     text: list[str] = []
-    plate = _Plate(drawing)
+    outline = Region(drawing.outline.segments())
+    openings = Region(edge for opening in drawing.openings for edge in opening.segments())
     for number, column in enumerate(drawing.columns, 1):
         footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
-        if footprint is not None and plate.holds(footprint.centre):
+        if footprint is not None and outline.holds(footprint.centre) and not openings.holds(footprint.centre):
             columns.append(footprint)
             text += ["", *footprint.lines()]
             continue
@@ -176,8 +178,7 @@ def _place_line(load: LineMark) -> list[str]:
         circle = _circle_lines(Ring(load.points, load.bulges))
         if circle is not None:
             return ["[loads.shape]", *circle]
-    points = (*load.points, load.points[0]) if load.closed else load.points
-    return _point_lines(points, load.bulges)
+    return _point_lines(load.corners(), load.bulges)
 
 
 def _shape_lines(head: str, curve: Ring) -> list[str]:
@@ -194,35 +195,13 @@ def _circle_lines(curve: Ring) -> list[str] | None:
     return ['kind = "circle"', f"centre = {_point_text((x, y))}", f"radius = {_length_text(radius)}"]
 
 
-class _Plate:
-    """The outline and the openings, to ask again and again what stands on the plate."""
-
-    def __init__(self, drawing: Drawing) -> None:
-        from shapely import STRtree
-
-        self._outline = Region(get_edges(drawing.outline))
-        self._openings = [Region(get_edges(opening)) for opening in drawing.openings]
-        self._tree = STRtree([bounding_box(opening.segments()) for opening in drawing.openings])
-
-    def holds(self, place: Point) -> bool:
-        """Return whether a place lies inside the outline and in no opening."""
-        from shapely import Point as Place
-
-        near = self._tree.query(Place(place))
-        return self._outline.holds(place) and not any(self._openings[k].holds(place) for k in near)
-
-
 def _column_tree(columns: list[Footprint]) -> STRtree:
     """Return a tree of the boxes around columns."""
     from shapely import STRtree, box
 
-    reach = 0.5 + SAME
-    return STRtree(
-        [
-            box(x - reach * width_x, y - reach * width_y, x + reach * width_x, y + reach * width_y)
-            for (x, y), (width_x, width_y) in ((column.centre, column.widths) for column in columns)
-        ]
-    )
+    centers = np.reshape([column.centre for column in columns], (-1, 2))
+    reach = (0.5 + SAME) * np.reshape([column.widths for column in columns], (-1, 2))
+    return STRtree(box(*(centers - reach).T, *(centers + reach).T))
 
 
 def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:
@@ -231,9 +210,9 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
     A load beside the column's center keeps its moments about it. Where the force is not known yet, nor are these, and
     the load keeps its place.
     """
-    from shapely import Point as Place
+    from shapely import Point
 
-    near = sorted(tree.query(Place(mark.x, mark.y)).tolist()) if columns else []
+    near = sorted(tree.query(Point(mark.x, mark.y)).tolist())
     own = next((columns[k] for k in near if columns[k].covers(mark.x, mark.y)), None)
     if own is not None:
         arms = {"M_x": mark.x - own.centre[0], "M_y": mark.y - own.centre[1]}
@@ -253,7 +232,7 @@ def _curve_lines(curve: Ring) -> list[str]:
     return _point_lines(curve.points, curve.bulges)
 
 
-def _point_lines(points: Sequence[Point], bulges: Sequence[float]) -> list[str]:
+def _point_lines(points: Sequence[Place], bulges: Sequence[float]) -> list[str]:
     """Return the lines of points and of bulges, these only if there are arcs."""
     lines = ["points = [", *(f"  {_point_text(point)}," for point in points), "]"]
     if any(bulges):
@@ -261,7 +240,7 @@ def _point_lines(points: Sequence[Point], bulges: Sequence[float]) -> list[str]:
     return lines
 
 
-def _point_text(point: Point) -> str:
+def _point_text(point: Place) -> str:
     return f"[{_length_text(point[0])}, {_length_text(point[1])}]"
 
 

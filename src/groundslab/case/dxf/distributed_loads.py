@@ -26,8 +26,7 @@ from groundslab.case.dxf.labelling import (
     join_texts,
 )
 from groundslab.errors import Issue
-from groundslab.geometry.bulges import Edge, Point
-from groundslab.geometry.plan import Ring, segment
+from groundslab.geometry.plan import Place, Ring, Segment, segment
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -49,32 +48,33 @@ def read_line_loads(
     nodes, middles = PointIndex(tolerance), PointIndex(tolerance)
     seen: set[frozenset[tuple[int, int, int]]] = set()
     marks: list[PendingLoad] = []
-    edges: list[list[Edge]] = []
+    drawn: list[list[tuple[Place, Place, float]]] = []
     for source, piece in lines:
         own = [
-            Edge(a, b, bulge)
+            (a, b, bulge)
             for (a, b), bulge in zip(pairwise(piece.points), piece.bulges, strict=True)
             if math.dist(a, b) > tolerance
         ]
-        ends = [sorted((nodes.number(edge.a), nodes.number(edge.b))) for edge in own]
-        key = frozenset((a, b, middles.number(edge.middle())) for (a, b), edge in zip(ends, own, strict=True))
+        edges = [segment(*each) for each in own]
+        ends = [sorted((nodes.number(a), nodes.number(b))) for a, b, _ in own]
+        key = frozenset((a, b, middles.number(edge.middle)) for (a, b), edge in zip(ends, edges, strict=True))
         if not own or key in seen:
             context.report_entity(source, False, DOUBLE if own else "it has no length")
             continue
         seen.add(key)
-        edges.append(own)
-        marks.append(
-            PendingLoad(source, own[0].a, LineString([own[0].a, *(p for edge in own for p in divide_edge(edge))]))
-        )
+        drawn.append(own)
+        start = edges[0].start
+        marks.append(PendingLoad(source, start, LineString([start, *(p for edge in edges for p in divide_edge(edge))])))
     assign_texts(marks, texts, "line_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "line_loads", roles, context)
     found = []
-    for mark, own in zip(marks, edges, strict=True):
+    for mark, own in zip(marks, drawn, strict=True):
         value, how = _find_value(mark, "line_loads", defaults, context)
         context.report_entity(mark.source, True, f"line load{how}")
-        closed = len(own) > 1 and math.dist(own[0].a, own[-1].b) <= tolerance
-        points = tuple(edge.a for edge in own) + (() if closed else (own[-1].b,))
-        found.append(LineMark(points, tuple(edge.bulge for edge in own), value, join_texts(mark)))
+        starts, ends_of, bulges = zip(*own, strict=True)
+        closed = len(own) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
+        points = starts if closed else (*starts, ends_of[-1])
+        found.append(LineMark(points, bulges, value, join_texts(mark)))
     return found
 
 
@@ -87,23 +87,20 @@ def read_area_loads(
     """
     from shapely import Polygon
 
-    shapes = [_valid(Polygon([p for edge in each.edges() for p in divide_edge(edge)])) for each in found]
+    shapes = [_valid(Polygon([p for edge in each.curve.segments() for p in divide_edge(edge)])) for each in found]
     marks = [
         PendingLoad(each.sources[0], each.curve.points[0], shape, each.curve.area)
         for each, shape in zip(found, shapes, strict=True)
     ]
     assign_texts(marks, texts, "area_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "area_loads", roles, context)
-    numbers = {id(each): number for number, each in enumerate(found)}
-    holders = EnclosingCurves(found, context) if found else None
+    holders = EnclosingCurves(found, context)
     hole_of: dict[int, int] = {}
-    for each in sorted(found, key=lambda one: -one.curve.area):
-        assert holders is not None
-        around = holders.find(each.curve.points, last=True)
-        outer = None if around is None else numbers[id(around)]
-        if outer is not None and outer not in hole_of and not marks[numbers[id(each)]].values:
-            hole_of[numbers[id(each)]] = outer
-        holders.add(each)
+    for number in sorted(range(len(found)), key=lambda each: -found[each].curve.area):
+        outer = holders.find(found[number].curve.points, last=True)
+        if outer is not None and outer not in hole_of and not marks[number].values:
+            hole_of[number] = outer
+        holders.add(number)
     order = [number for number in range(len(found)) if number not in hole_of]
     loads = {number: position for position, number in enumerate(order, 1)}
     holes: dict[int, list[Ring]] = defaultdict(list)
@@ -119,17 +116,11 @@ def read_area_loads(
     return areas
 
 
-def length(load: LineMark) -> float:
-    """Return the length of a line load [m]."""
-    points = (*load.points, load.points[0]) if load.closed else load.points
-    return sum(segment(a, b, bulge).length for (a, b), bulge in zip(pairwise(points), load.bulges, strict=True))
-
-
-def divide_edge(edge: Edge) -> list[Point]:
+def divide_edge(edge: Segment) -> list[Place]:
     """Return points along an edge, its end the last of them."""
-    if not edge.bulge:
-        return [edge.b]
-    places: list[Point] = segment(*edge).at(np.arange(1, CHORDS + 1) / CHORDS).tolist()
+    if edge.straight:
+        return [edge.end]
+    places: list[Place] = edge.at(np.arange(1, CHORDS + 1) / CHORDS).tolist()
     return places
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from groundslab import units
 from groundslab.case.dxf.drawing import FARTHEST, ReadContext, Source
-from groundslab.geometry.bulges import Point
+from groundslab.geometry.plan import Place
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -35,8 +35,8 @@ class Label:
     source: Source
     words: str
     value: float | str | None
-    start: Point
-    end: Point
+    start: Place
+    end: Place
     height: float
 
 
@@ -166,7 +166,7 @@ class PendingLoad:
     """A load while its value is sought."""
 
     source: Source
-    point: Point
+    point: Place
     shape: BaseGeometry | None  # what texts stand beside
     size: float = 0.0  # of loads in which a text stands, it is that of the smallest
     values: list[float] = field(default_factory=list)

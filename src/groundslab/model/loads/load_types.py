@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Discriminator, Tag
 
 from groundslab.arrays import Array
-from groundslab.geometry.plan import LARGEST_BULGE, Segment, equal_area_polygon, segment
+from groundslab.geometry.plan import LARGEST_BULGE, Segment, equal_area_polygon, make_segments
 from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
@@ -185,8 +185,7 @@ class LineLoad(_Load):
         if self.shape is not None:
             return self.shape.ring().segments()
         assert self.points is not None
-        bulges = self.bulges + (0.0,) * (len(self.points) - 1 - len(self.bulges))
-        return tuple(map(segment, self.points, self.points[1:], bulges))
+        return make_segments(self.points, self.bulges)
 
     @property
     def straight(self) -> bool:
