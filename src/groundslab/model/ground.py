@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from groundslab.schema.base import Check, Section, Table, get_kind
+from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, Integer, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -200,10 +200,4 @@ class Layered(Section):
 
 
 AnyGround = Winkler | Pasternak | Vlasov | Layered
-Ground = Annotated[
-    Annotated[Winkler, Tag("winkler")]
-    | Annotated[Pasternak, Tag("pasternak")]
-    | Annotated[Vlasov, Tag("vlasov")]
-    | Annotated[Layered, Tag("layered")],
-    Discriminator(get_kind),
-]
+Ground = Annotated[AnyGround, ByKind()]

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Discriminator, Tag
-
 from groundslab.geometry.plan import LARGEST_BULGE, Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
-from groundslab.schema.base import Check, Section, Table, get_kind
+from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import ListOf, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -101,7 +99,4 @@ class Circle(Section):
 
 
 AnyShape = Rectangle | Polygon | Circle
-Shape = Annotated[
-    Annotated[Rectangle, Tag("rectangle")] | Annotated[Polygon, Tag("polygon")] | Annotated[Circle, Tag("circle")],
-    Discriminator(get_kind),
-]
+Shape = Annotated[AnyShape, ByKind()]

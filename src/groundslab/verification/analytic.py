@@ -165,27 +165,26 @@ def strip_on_two_springs(
     return {"settlement": float(q / k + w), "moment": float(M)}
 
 
-#: What a case file may name as `exact`: quantity-valued functions of the row's and the case's arguments.
-FORMULAS: dict[str, Callable[..., float]] = {
-    "navier settlement": lambda **given: navier(**given)["settlement"],
-    "navier moment_x": lambda **given: navier(**given)["moment_x"],
-    "point load on infinite plate": point_load_on_infinite_plate,
-    "circular plate settlement": lambda **given: circular_plate(**given)["settlement"],
-    "circular plate moment": lambda **given: circular_plate(**given)["moment"],
-    "partly loaded circular plate settlement": lambda **given: partly_loaded_circular_plate(**given)["settlement"],
-    "partly loaded circular plate moment_r": lambda **given: partly_loaded_circular_plate(**given)["moment_r"],
-    "partly loaded circular plate moment_t": lambda **given: partly_loaded_circular_plate(**given)["moment_t"],
-    "lifting circular plate settlement": lambda **given: lifting_circular_plate(**given)["settlement"],
-    "lifting circular plate moment": lambda **given: lifting_circular_plate(**given)["moment"],
-    "plate on a column settlement": lambda **given: plate_on_a_column(**given)["settlement"],
-    "plate on a column force": lambda **given: plate_on_a_column(**given)["force"],
-    "curling strip settlement": lambda **given: curling_strip(**given)["settlement"],
-    "curling strip moment across": lambda **given: curling_strip(**given)["moment across"],
-    "curling strip moment along": lambda **given: curling_strip(**given)["moment along"],
-    "rigid plate on springs": rigid_plate_on_springs,
-    "rigid strip": rigid_strip,
-    "confined compression": confined_compression,
-    "wedge": wedge,
-    "strip on two springs settlement": lambda **given: strip_on_two_springs(**given)["settlement"],
-    "strip on two springs moment": lambda **given: strip_on_two_springs(**given)["moment"],
+#: Formulas of several quantities, and those of them that a case file may name.
+_QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
+    navier: ("settlement", "moment_x"),
+    circular_plate: ("settlement", "moment"),
+    partly_loaded_circular_plate: ("settlement", "moment_r", "moment_t"),
+    lifting_circular_plate: ("settlement", "moment"),
+    plate_on_a_column: ("settlement", "force"),
+    curling_strip: ("settlement", "moment across", "moment along"),
+    strip_on_two_springs: ("settlement", "moment"),
+}
+_SINGLE = (point_load_on_infinite_plate, rigid_plate_on_springs, rigid_strip, confined_compression, wedge)
+
+
+def _take(formula: Callable[..., dict[str, float]], quantity: str) -> Callable[..., float]:
+    return lambda **given: formula(**given)[quantity]
+
+
+#: What a case file may name as `exact`: functions of the row's and the case's arguments, by their name and quantity.
+FORMULAS: dict[str, Callable[..., float]] = {formula.__name__.replace("_", " "): formula for formula in _SINGLE} | {
+    f"{formula.__name__.replace('_', ' ')} {quantity}": _take(formula, quantity)
+    for formula, quantities in _QUANTITIES.items()
+    for quantity in quantities
 }

@@ -8,14 +8,13 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 import numpy as np
-from pydantic import Discriminator, Tag
 
 from groundslab.arrays import Array
 from groundslab.geometry.plan import LARGEST_BULGE, Segment, equal_area_polygon, make_segments
 from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
-from groundslab.schema.base import Check, Section, Table, get_kind
+from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -323,14 +322,4 @@ def pressure_function(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Arr
 
 
 AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight | TemperatureLoad | SettlementLoad
-Load = Annotated[
-    Annotated[UniformLoad, Tag("uniform")]
-    | Annotated[PatchLoad, Tag("patch")]
-    | Annotated[AreaLoad, Tag("area")]
-    | Annotated[LineLoad, Tag("line")]
-    | Annotated[PointLoad, Tag("point")]
-    | Annotated[SelfWeight, Tag("self weight")]
-    | Annotated[TemperatureLoad, Tag("temperature")]
-    | Annotated[SettlementLoad, Tag("settlement")],
-    Discriminator(get_kind),
-]
+Load = Annotated[AnyLoad, ByKind()]
