@@ -11,7 +11,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text
+from groundslab.schema.fields import Integer, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -100,11 +100,11 @@ class Reinforcement(Section):
     ] = 1.0
     bottom: Annotated[
         tuple[float, float],
-        ListOf(Quantity("length", "d_1", "", POSITIVE), "d_1", "bottom face to the axis of bars along x, along y", 2),
+        list_quantities("length", "d_1", "bottom face to the axis of bars along x, along y", 2, POSITIVE),
     ]
     top: Annotated[
         tuple[float, float],
-        ListOf(Quantity("length", "d_1", "", POSITIVE), "d_1", "top face to the axis of bars along x, along y", 2),
+        list_quantities("length", "d_1", "top face to the axis of bars along x, along y", 2, POSITIVE),
     ]
 
 

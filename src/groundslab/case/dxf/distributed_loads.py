@@ -11,20 +11,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab import units
+from groundslab.case.dxf import labelling
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.classify import EnclosingCurves, report_taken
 from groundslab.case.dxf.document import Roles
 from groundslab.case.dxf.drawing import DOUBLE, AreaMark, LineMark, ReadContext, Source
 from groundslab.case.dxf.entities import DrawnLine
-from groundslab.case.dxf.labelling import (
-    DIMENSION,
-    Label,
-    PendingLoad,
-    assign_texts,
-    choose_value,
-    find_layer_quantity,
-    join_texts,
-)
 from groundslab.errors import Issue
 from groundslab.geometry.plan import Place, Ring, Segment, segment
 from groundslab.schema.wording import describe
@@ -37,7 +29,7 @@ CHORDS = 16  # of an arc, to see what is near it
 
 def read_line_loads(
     lines: Sequence[tuple[Source, DrawnLine]],
-    texts: Sequence[Label],
+    texts: Sequence[labelling.Label],
     roles: Roles,
     tolerance: float,
     context: ReadContext,
@@ -47,7 +39,7 @@ def read_line_loads(
 
     nodes, middles = PointIndex(tolerance), PointIndex(tolerance)
     seen: set[frozenset[tuple[int, int, int]]] = set()
-    marks: list[PendingLoad] = []
+    marks: list[labelling.PendingLoad] = []
     drawn: list[list[tuple[Place, Place, float]]] = []
     for source, piece in lines:
         own = [
@@ -64,8 +56,10 @@ def read_line_loads(
         seen.add(key)
         drawn.append(own)
         start = edges[0].start
-        marks.append(PendingLoad(source, start, LineString([start, *(p for edge in edges for p in divide_edge(edge))])))
-    assign_texts(marks, texts, "line_loads", context)
+        marks.append(
+            labelling.PendingLoad(source, start, LineString([start, *(p for edge in edges for p in divide_edge(edge))]))
+        )
+    labelling.assign_texts(marks, texts, "line_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "line_loads", roles, context)
     found = []
     for mark, own in zip(marks, drawn, strict=True):
@@ -74,12 +68,12 @@ def read_line_loads(
         starts, ends_of, bulges = zip(*own, strict=True)
         closed = len(own) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
         points = starts if closed else (*starts, ends_of[-1])
-        found.append(LineMark(points, bulges, value, join_texts(mark)))
+        found.append(LineMark(points, bulges, value, labelling.join_texts(mark)))
     return found
 
 
 def read_area_loads(
-    found: list[ClosedCurve], texts: Sequence[Label], roles: Roles, context: ReadContext
+    found: list[ClosedCurve], texts: Sequence[labelling.Label], roles: Roles, context: ReadContext
 ) -> list[AreaMark]:
     """Return the area loads with the values that stand in or beside them or in the names of their layers.
 
@@ -89,10 +83,10 @@ def read_area_loads(
 
     shapes = [_valid(Polygon([p for edge in each.curve.segments() for p in divide_edge(edge)])) for each in found]
     marks = [
-        PendingLoad(each.sources[0], each.curve.points[0], shape, each.curve.area)
+        labelling.PendingLoad(each.sources[0], each.curve.points[0], shape, each.curve.area)
         for each, shape in zip(found, shapes, strict=True)
     ]
-    assign_texts(marks, texts, "area_loads", context)
+    labelling.assign_texts(marks, texts, "area_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "area_loads", roles, context)
     holders = EnclosingCurves(found, context)
     hole_of: dict[int, int] = {}
@@ -110,7 +104,7 @@ def read_area_loads(
     for number in order:
         value, how = _find_value(marks[number], "area_loads", defaults, context)
         report_taken(found[number], f"area load {loads[number]}{how}", context)
-        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, join_texts(marks[number])))
+        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, labelling.join_texts(marks[number])))
     for hole, outer in hole_of.items():
         report_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value of its own", context)
     return areas
@@ -133,20 +127,20 @@ def _read_layer_values(names: Sequence[str], role: str, roles: Roles, context: R
     """Return the values that stand in names of layers; what is meant as one and is none is an issue."""
     values = {}
     for name in dict.fromkeys(names):
-        value = find_layer_quantity(roles.suffix(name), DIMENSION[role])
+        value = labelling.find_layer_quantity(roles.suffix(name), labelling.DIMENSION[role])
         if isinstance(value, float):
             values[name] = value
         elif value is not None:
-            where, expected = f"{context.path}, layer {describe(name)}", units.expectation(DIMENSION[role])
+            where, expected = f"{context.path}, layer {describe(name)}", units.expectation(labelling.DIMENSION[role])
             context.add(Issue(where, describe(roles.suffix(name)), expected, value))
     return values
 
 
 def _find_value(
-    mark: PendingLoad, role: str, defaults: dict[str, float], context: ReadContext
+    mark: labelling.PendingLoad, role: str, defaults: dict[str, float], context: ReadContext
 ) -> tuple[float | None, str]:
     """Return the value of a load, its own or that of its layer, and what the report says of it."""
-    value, how = choose_value(mark, role, context), ""
+    value, how = labelling.choose_value(mark, role, context), ""
     if value is None and mark.source.layer in defaults:
         value, how = defaults[mark.source.layer], ", by the name of its layer"
-    return value, ", no value" if value is None else f" of {units.show(value, DIMENSION[role])}{how}"
+    return value, ", no value" if value is None else f" of {units.show(value, labelling.DIMENSION[role])}{how}"

@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.geometry.plan import LARGEST_BULGE, Segment, equal_area_polygon, make_segments
+from groundslab.geometry.plan import Segment, equal_area_polygon, make_segments
 from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
-from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
+from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import ListOf, Number, Quantity, Text
+from groundslab.schema.fields import ListOf, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
-from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -42,22 +41,15 @@ class _Pressure(_Load):
     q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
     slope: Annotated[
         tuple[float, float],
-        ListOf(
-            Quantity("pressure per length", "q_x, q_y", ""), "q_x, q_y", "growth of the pressure along x and along y", 2
-        ),
+        list_quantities("pressure per length", "q_x, q_y", "growth of the pressure along x and along y", 2),
     ] = NO_SLOPE
     bend: Annotated[
         tuple[float, float, float],
-        ListOf(
-            Quantity("pressure per area", "q_xx, q_xy, q_yy", ""),
-            "q_xx, q_xy, q_yy",
-            "second derivatives of the pressure",
-            3,
-        ),
+        list_quantities("pressure per area", "q_xx, q_xy, q_yy", "second derivatives of the pressure", 3),
     ] = NO_BEND
     about: Annotated[
         tuple[float, float],
-        ListOf(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
+        list_quantities("length", "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
     ] = ORIGIN
 
 
@@ -168,7 +160,7 @@ class LineLoad(_Load):
     bulges: Annotated[
         tuple[float, ...],
         ListOf(
-            Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE)),
+            BULGE,
             "b",
             "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
             "counter-clockwise; 0 for a straight piece",

@@ -11,7 +11,6 @@ from groundslab.model.columns import Column
 from groundslab.model.loads.load_types import AnyLoad, PointLoad
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import CHORD
-from groundslab.model.varying_ground import Void
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -38,18 +37,10 @@ class PlateArea:
         self.bounds = plate.bounds
         x0, x1, y0, y1 = self.bounds
         self.size = max(x1 - x0, y1 - y0)
+        self.near = ON_PLATE * self.size  # so far off the plate a place may lie by rounding [m]
+        self.chord = CHORD * self.size  # so far off an arc its chords may be [m]
         #: Whether nothing but the rectangle counts.
         self.plain = plate.outline is None and not plate.openings
-
-    @property
-    def near(self) -> float:
-        """Return how far off the plate a place may lie by rounding [m]."""
-        return ON_PLATE * self.size
-
-    @property
-    def chord(self) -> float:
-        """Return how far off an arc its chords may be [m]."""
-        return CHORD * self.size
 
     @cached_property
     def area(self) -> BaseGeometry:
@@ -70,12 +61,12 @@ class PlateArea:
         return reach
 
 
-def on_plate(plate: Plate | PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+def on_plate(covered: PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
-    covered = plate if isinstance(plate, PlateArea) else PlateArea(plate)
-    x0, x1, y0, y1 = covered.bounds
-    near, plate = covered.near, covered.plate
-    hint = "the center of the plate is the origin" if plate.outline is None else "places are those of the outline"
+    (x0, x1, y0, y1), near = covered.bounds, covered.near
+    hint = (
+        "the center of the plate is the origin" if covered.plate.outline is None else "places are those of the outline"
+    )
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
         value = getattr(part, axis, None)
@@ -134,10 +125,3 @@ def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) 
             expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
             place = ("loads", position, "column")
             yield RelativeIssue(place, describe(load.column), expected, suggestion(load.column, names))
-
-
-def check_voids(plate: Plate, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
-    """Find voids that do not lie under the plate."""
-    covered = PlateArea(plate)
-    for position, void in enumerate(voids):
-        yield from on_plate(covered, void, ("contact", "voids", position))
