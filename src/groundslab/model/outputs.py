@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.model.ground import POSITIVE
-from groundslab.model.loads.placement import PlateArea, on_plate
-from groundslab.model.plate import Plate
+from groundslab.model.loads.placement import on_plate
+from groundslab.model.plate import Plate, PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
@@ -112,7 +112,7 @@ def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
     from shapely import LineString
 
-    covered = PlateArea(plate)
+    covered = PlateRegion(plate)
     for position, point in enumerate(output.points):
         yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):

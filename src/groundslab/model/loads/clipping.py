@@ -17,21 +17,16 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.intersections import find_crossings
-from groundslab.geometry.plan import Segment, bounding_box, equal_area_polygon
-from groundslab.geometry.regions import Region
+from groundslab.geometry.plan import Segment, bounding_box
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_function
-from groundslab.model.plate import Plate
+from groundslab.model.plate import Plate, PlateRegion
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 from groundslab.units import show
 
 if TYPE_CHECKING:
-    from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
-#: What reaches over the edge by less than this, relative to the plate, lies on the plate: by rounding, and where arcs
-#: are chords.
-STRAIGHT, CURVED = 1e-9, 5e-5
 #: A part of a line shorter than this, relative to the line, is nothing but rounding.
 NO_PART = 1e-9
 
@@ -67,16 +62,6 @@ class Clipped:
 
 
 @dataclass(frozen=True, slots=True)
-class PlateRegion:
-    """A plate in plan: its edges, its area, and the same grown by what counts as rounding."""
-
-    edges: Region
-    area: Polygon
-    grown: BaseGeometry
-    near: float  # [m]
-
-
-@dataclass(frozen=True, slots=True)
 class LinePiece:
     """A part of a line load that lies on the plate; q [N/m] at its start and its end, linear between."""
 
@@ -89,19 +74,8 @@ class LinePiece:
         return self.edge.length * (self.q[0] + self.q[1]) / 2
 
 
-@lru_cache(maxsize=4)
-def get_plate_region(plate: Plate) -> PlateRegion:
-    """Return the region of a plate."""
-    import shapely
-
-    rings = [plate.ring(), *(opening.ring() for opening in plate.openings)]
-    edges = Region(edge for ring in rings for edge in ring.segments())
-    openings = shapely.union_all([equal_area_polygon(ring) for ring in rings[1:]])
-    area = equal_area_polygon(rings[0]).difference(openings)
-    near = (STRAIGHT if all(ring.straight for ring in rings) else CURVED) * max(plate.sides)
-    grown = area.buffer(near, join_style="mitre")
-    shapely.prepare(grown)
-    return PlateRegion(edges, area, grown, near)
+#: That of a plate, kept for its loads.
+get_plate_region = lru_cache(maxsize=4)(PlateRegion)
 
 
 def find_clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
