@@ -20,8 +20,8 @@ from groundslab.schema.wording import quote
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-#: What reaches over the edge by less than this, relative to the plate's longer side, lies on the plate: by rounding, and
-#: where arcs are chords.
+#: What reaches over the edge by less than this, relative to the plate's longer side, lies on the plate: by rounding,
+#: and where arcs are chords.
 ROUNDING, CURVED = 1e-9, 5e-5
 
 Element = Literal["mitc9", "q9", "heterosis"]

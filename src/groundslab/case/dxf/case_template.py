@@ -103,35 +103,29 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         "# nu = 0.2                    # fill in",
         "",
         "[plate.outline]",
-        'kind = "polygon"',
-        *_curve_lines(drawing.outline),
+        *_polygon_lines(drawing.outline),
     ]
     for opening in drawing.openings:
-        text += ["", "[[plate.openings]]", 'kind = "polygon"', *_curve_lines(opening)]
+        text += ["", "[[plate.openings]]", *_polygon_lines(opening)]
     for number, zone in enumerate(drawing.zones, 1):
-        shape = ["[plate.zones.shape]", 'kind = "polygon"', *_curve_lines(zone)]
+        shape = ["[plate.zones.shape]", *_polygon_lines(zone)]
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
     columns, lines = _column_lines(drawing)
     text += lines
     text += ["", *_GROUND]
     under = _column_tree(columns)
     for mark in drawing.point_loads:
-        text += _load_lines(
-            "point", mark, _value_line("P", mark.value, "force", "50 kN"), _place_point(mark, columns, under)
-        )
+        value = _value_line("P", mark.value, "force", "50 kN")
+        text += _load_lines("point", mark, value, _place_point(mark, columns, under))
     for line in drawing.line_loads:
-        text += _load_lines(
-            "line", line, _value_line("q", line.value, "force per length", "20 kN/m"), _place_line(line)
-        )
+        value = _value_line("q", line.value, "force per length", "20 kN/m")
+        text += _load_lines("line", line, value, _place_line(line))
     for area in drawing.area_loads:
-        shapes = [
-            *_shape_lines("[loads.shape]", area.curve),
-            *(row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)),
-        ]
-        text += _load_lines("area", area, _value_line("q", area.value, "pressure", "10 kPa"), shapes)
-    values = [load.value for load in drawing.point_loads]
-    values += [load.value for load in drawing.line_loads] + [load.value for load in drawing.area_loads]
-    if all(value is None for value in values):
+        value = _value_line("q", area.value, "pressure", "10 kPa")
+        holes = [row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)]
+        text += _load_lines("area", area, value, [*_shape_lines("[loads.shape]", area.curve), *holes])
+    marks: list[PointMark | LineMark | AreaMark] = [*drawing.point_loads, *drawing.line_loads, *drawing.area_loads]
+    if all(each.value is None for each in marks):
         text += ["", *_LOADS]
     return "\n".join(text) + "\n"
 
@@ -148,14 +142,13 @@ def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
             columns.append(footprint)
             text += ["", *footprint.lines()]
             continue
-        if footprint is not None:
-            why = "it does not stand on the plate"
-        elif isinstance(column, Ring):
-            why = "a column is a rectangle along x and y, or a circle"
+        if isinstance(column, Ring):
+            lines, why = _point_lines(column.points, column.bulges), "it does not stand on the plate"
+            if footprint is None:
+                why = "a column is a rectangle along x and y, or a circle"
         else:
-            why = "a point says nothing of its size"
+            lines, why = [f"point = {_point_text(column)}"], "a point says nothing of its size"
         text += ["", f"# Column {number} of the drawing, for information only: {why}."]
-        lines = _curve_lines(column) if isinstance(column, Ring) else [f"point = {_point_text(column)}"]
         text += [f"#   {line}" for line in lines]
     return columns, text
 
@@ -174,21 +167,18 @@ def _value_line(key: str, value: float | None, dimension: str, example: str) -> 
 
 def _place_line(load: LineMark) -> list[str]:
     """Return the lines that say where a line load stands: a circle, or points and bulges."""
-    if load.closed and all(load.bulges):
-        circle = _circle_lines(Ring(load.points, load.bulges))
-        if circle is not None:
-            return ["[loads.shape]", *circle]
-    return _point_lines(load.corners(), load.bulges)
+    circle = _circle_lines(Ring(load.points, load.bulges)) if load.closed else None
+    return ["[loads.shape]", *circle] if circle else _point_lines(load.corners(), load.bulges)
 
 
 def _shape_lines(head: str, curve: Ring) -> list[str]:
     """Return the lines of a shape below its head."""
-    return [head, *(_circle_lines(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
+    return [head, *(_circle_lines(curve) or _polygon_lines(curve))]
 
 
 def _circle_lines(curve: Ring) -> list[str] | None:
     """Return the lines of a circle, None if a curve is none."""
-    found = footprint_of(curve, "") if all(curve.bulges) else None
+    found = footprint_of(curve, "")
     if found is None or not found.round:
         return None
     x, y, radius = (float(f"{value:.12g}") for value in (*found.centre, found.widths[0] / 2))
@@ -227,9 +217,9 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
     return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
 
 
-def _curve_lines(curve: Ring) -> list[str]:
-    """Return the lines of a closed curve; bulges only if it has arcs."""
-    return _point_lines(curve.points, curve.bulges)
+def _polygon_lines(curve: Ring) -> list[str]:
+    """Return the lines of a closed curve as a polygon."""
+    return ['kind = "polygon"', *_point_lines(curve.points, curve.bulges)]
 
 
 def _point_lines(points: Sequence[Place], bulges: Sequence[float]) -> list[str]:
