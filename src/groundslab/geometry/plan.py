@@ -61,6 +61,11 @@ class Segment:
         return self.radius == 0.0
 
     @property
+    def along_axis(self) -> bool:
+        """Return whether the edge's ends lie beside each other along x or y."""
+        return self.start[0] == self.end[0] or self.start[1] == self.end[1]
+
+    @property
     def length(self) -> float:
         """Return the length along the edge [m]."""
         return math.dist(self.start, self.end) if self.straight else self.radius * abs(self.sweep)
@@ -248,7 +253,7 @@ class Ring:
     @property
     def rectilinear(self) -> bool:
         """Return whether all edges run along x or y."""
-        return self.straight and all(_along_an_axis(edge.start, edge.end) for edge in self.segments())
+        return self.straight and all(edge.along_axis for edge in self.segments())
 
 
 def circle(centre: Place, radius: float) -> Ring:
@@ -315,8 +320,9 @@ class Plan:
     @property
     def rectilinear(self) -> bool:
         """Return whether everything runs along x or y, so that a grid can be fitted to it."""
-        lines = all(_along_an_axis(edge.start, edge.end) for edge in self.line_segments())
-        return lines and all(ring.rectilinear for ring in self.rings().values())
+        return all(edge.along_axis for edge in self.line_segments()) and all(
+            ring.rectilinear for ring in self.rings().values()
+        )
 
     @property
     def domain(self) -> Ring:
@@ -377,7 +383,3 @@ def _equal_area_points(edge: Segment) -> Array:
 def format_place(place: Place) -> str:
     """Return a place as issues name it."""
     return f"({place[0]:.6g}, {place[1]:.6g})"
-
-
-def _along_an_axis(start: Place, end: Place) -> bool:
-    return start[0] == end[0] or start[1] == end[1]

@@ -110,12 +110,7 @@ def _check_geometry(
 class Plate(Section):
     """The plate: a rectangle about the origin, or any outline."""
 
-    checks: ClassVar[tuple[Check, ...]] = (
-        _check_outline,
-        _check_edges,
-        _check_hinged_edges,
-        _check_geometry,
-    )
+    checks: ClassVar[tuple[Check, ...]] = (_check_outline, _check_edges, _check_hinged_edges, _check_geometry)
 
     length_x: Annotated[
         float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)

@@ -63,7 +63,7 @@ def read_line_loads(
     defaults = _read_layer_values([mark.source.layer for mark in marks], "line_loads", roles, context)
     found = []
     for mark, own in zip(marks, drawn, strict=True):
-        value, how = _find_value(mark, "line_loads", defaults, context)
+        value, how = labelling.choose_value(mark, "line_loads", context, defaults)
         context.report_entity(mark.source, True, f"line load{how}")
         starts, ends_of, bulges = zip(*own, strict=True)
         closed = len(own) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
@@ -102,7 +102,7 @@ def read_area_loads(
         holes[outer].append(found[hole].curve)
     areas = []
     for number in order:
-        value, how = _find_value(marks[number], "area_loads", defaults, context)
+        value, how = labelling.choose_value(marks[number], "area_loads", context, defaults)
         report_taken(found[number], f"area load {loads[number]}{how}", context)
         areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, labelling.join_texts(marks[number])))
     for hole, outer in hole_of.items():
@@ -134,13 +134,3 @@ def _read_layer_values(names: Sequence[str], role: str, roles: Roles, context: R
             where, expected = f"{context.path}, layer {describe(name)}", units.expectation(labelling.DIMENSION[role])
             context.add(Issue(where, describe(roles.suffix(name)), expected, value))
     return values
-
-
-def _find_value(
-    mark: labelling.PendingLoad, role: str, defaults: dict[str, float], context: ReadContext
-) -> tuple[float | None, str]:
-    """Return the value of a load, its own or that of its layer, and what the report says of it."""
-    value, how = labelling.choose_value(mark, role, context), ""
-    if value is None and mark.source.layer in defaults:
-        value, how = defaults[mark.source.layer], ", by the name of its layer"
-    return value, ", no value" if value is None else f" of {units.show(value, labelling.DIMENSION[role])}{how}"

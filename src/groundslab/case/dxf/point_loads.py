@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab import units
 from groundslab.case.dxf import labelling
 from groundslab.case.dxf.chaining import PointIndex
 from groundslab.case.dxf.drawing import DOUBLE, FARTHEST, PointMark, ReadContext, Source
@@ -79,7 +78,6 @@ def _merge(mark: labelling.PendingLoad, double: labelling.PendingLoad) -> None:
 
 def _point_mark(mark: labelling.PendingLoad, context: ReadContext) -> PointMark:
     """Return a point load for the result."""
-    value = labelling.choose_value(mark, "point_loads", context)
-    why = "point load, no value" if value is None else f"point load of {units.show(value, 'force')}"
-    context.report_entity(mark.source, True, why)
+    value, how = labelling.choose_value(mark, "point_loads", context)
+    context.report_entity(mark.source, True, f"point load{how}")
     return PointMark(*mark.point, value, labelling.join_texts(mark))
