@@ -80,7 +80,7 @@ def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Relat
     for position, hole in enumerate(holes):
         if not around.intersects(equal_area_polygon(hole.ring())):
             yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
-    if not any(True for _ in _loaded_parts(shape, holes)):
+    if not _loaded_parts(shape, holes):
         yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
 
 
@@ -138,9 +138,8 @@ def _check_line_length(
         yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
     for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
         if math.dist(a, b) < NO_LENGTH:
-            yield RelativeIssue(
-                ("points", position), f"({b[0]!r}, {b[1]!r}) m twice", "another place than the one before"
-            )
+            found = f"({b[0]!r}, {b[1]!r}) m twice"
+            yield RelativeIssue(("points", position), found, "another place than the one before")
 
 
 class LineLoad(_Load):
@@ -216,9 +215,8 @@ def _check_position(
     own = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
     if column:
         for name in (name for name, value in own.items() if value is not None):
-            yield RelativeIssue(
-                (name,), f"{name} beside a column", "one of them", "the column says where its load acts"
-            )
+            hint = "the column says where its load acts"
+            yield RelativeIssue((name,), f"{name} beside a column", "one of them", hint)
     else:
         for name in (name for name in ("x", "y") if own[name] is None):
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
