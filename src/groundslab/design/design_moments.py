@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.results.fields import LAYERS, PLATE_FIELDS
-
-if TYPE_CHECKING:
-    from groundslab.results.mesh_results import PlateResult
+from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,11 +20,11 @@ from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
 from groundslab.geometry.plan import SAME_PLACE
+from groundslab.results.mesh_results import PlateResult
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
-    from groundslab.results.mesh_results import PlateResult
 
 #: Chords of a quarter of a circle; the perimeter is shorter than with arcs by less than 3e-5 of itself.
 QUARTER_CHORDS = 64

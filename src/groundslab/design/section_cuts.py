@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,9 +13,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.results.fields import PLATE_FIELDS
-
-if TYPE_CHECKING:
-    from groundslab.results.mesh_results import PlateResult
+from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,9 +12,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
-
-if TYPE_CHECKING:
-    from groundslab.results.mesh_results import PlateResult
+from groundslab.results.mesh_results import PlateResult
 
 
 @dataclass(frozen=True, slots=True)

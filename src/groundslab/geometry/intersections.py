@@ -6,94 +6,98 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 
-from groundslab.geometry.bulges import Edge, Point, Region, Spend
+from groundslab.geometry.plan import Place, Segment
+from groundslab.geometry.regions import Region, Spend
 
 #: Of so few edges all are compared with each other.
 FEW = 8
 
 
-def find_crossings(e: Edge, f: Edge) -> list[Point]:
-    """Return the points at which the unbounded lines or full circles of two edges cross."""
-    if e.bulge and f.bulge:
-        (c, r), (d, s) = e.circle(), f.circle()
-        apart = math.dist(c, d)
-        if apart <= 1e-12 * (r + s):
-            return []
-        along = (apart**2 + r**2 - s**2) / (2 * apart)
-        ux, uy = (d[0] - c[0]) / apart, (d[1] - c[1]) / apart
-        foot, square = (c[0] + along * ux, c[1] + along * uy), r**2 - along**2
-        across = (-uy, ux)
-    elif e.bulge:
+def find_crossings(e: Segment, f: Segment) -> list[Place]:
+    """Return the places at which the unbounded lines or full circles of two edges cross."""
+    if e.straight and f.straight:
+        return _cross_lines(e, f)
+    if f.straight:
         return find_crossings(f, e)
+    (cx, cy), r = f.centre, f.radius
+    if e.straight:
+        (x, y), ux, uy = e.start, *_direction(e)
+        along = (cx - x) * ux + (cy - y) * uy
+        foot, across = (x + along * ux, y + along * uy), (ux, uy)
+        square = r**2 - math.dist(f.centre, foot) ** 2
     else:
-        dx, dy = e.b[0] - e.a[0], e.b[1] - e.a[1]
-        length = math.hypot(dx, dy)
-        across = dx / length, dy / length
-        if not f.bulge:
-            fx, fy = f.b[0] - f.a[0], f.b[1] - f.a[1]
-            turn = across[0] * fy - across[1] * fx
-            if abs(turn) <= 1e-12 * math.hypot(fx, fy):
-                return []
-            along = ((f.a[0] - e.a[0]) * fy - (f.a[1] - e.a[1]) * fx) / turn
-            return [(e.a[0] + along * across[0], e.a[1] + along * across[1])]
-        c, r = f.circle()
-        along = (c[0] - e.a[0]) * across[0] + (c[1] - e.a[1]) * across[1]
-        foot = e.a[0] + along * across[0], e.a[1] + along * across[1]
-        square = r**2 - math.dist(c, foot) ** 2
+        apart = math.dist(e.centre, f.centre)
+        if apart <= 1e-12 * (e.radius + r):
+            return []
+        (x, y), along = e.centre, (apart**2 + e.radius**2 - r**2) / (2 * apart)
+        ux, uy = (cx - x) / apart, (cy - y) / apart
+        foot, across = (x + along * ux, y + along * uy), (-uy, ux)
+        square = e.radius**2 - along**2
     if square < 0:
         return []
     half = math.sqrt(square)
-    return [(foot[0] + sign * half * across[0], foot[1] + sign * half * across[1]) for sign in (-1, 1)]
+    return [(foot[0] + way * across[0], foot[1] + way * across[1]) for way in (-half, half)]
 
 
-def _meeting(e: Edge, f: Edge, tolerance: float) -> Point | None:
-    """Return a point that two edges share, besides an end that they have in common."""
-    shared = {e.a, e.b} & {f.a, f.b}
+def _direction(edge: Segment) -> tuple[float, float]:
+    """Return the unit vector along a straight edge."""
+    return (edge.end[0] - edge.start[0]) / edge.length, (edge.end[1] - edge.start[1]) / edge.length
+
+
+def _cross_lines(e: Segment, f: Segment) -> list[Place]:
+    """Return the place at which two lines cross, none of parallel ones."""
+    (x, y), ux, uy = e.start, *_direction(e)
+    fx, fy = f.end[0] - f.start[0], f.end[1] - f.start[1]
+    turn = ux * fy - uy * fx
+    if abs(turn) <= 1e-12 * math.hypot(fx, fy):
+        return []
+    along = ((f.start[0] - x) * fy - (f.start[1] - y) * fx) / turn
+    return [(x + along * ux, y + along * uy)]
+
+
+def _meeting(e: Segment, f: Segment, tolerance: float) -> Place | None:
+    """Return a place that two edges share, besides an end that they have in common."""
+    ends = e.start, e.end, f.start, f.end
+    shared = {e.start, e.end} & {f.start, f.end}
     # An arc that leaves a line as its tangent crosses it again nearby, by rounding.
-    blur = max(tolerance, 0.01 * min(math.dist(e.a, e.b), math.dist(f.a, f.b)))
-    ends = [point for point in (*e[:2], *f[:2], e.middle(), f.middle()) if point not in shared]
-    candidates = [(point, tolerance) for point in ends] + [(point, blur) for point in find_crossings(e, f)]
-    for point, radius in candidates:
-        if any(math.dist(point, end) <= radius for end in shared):
+    blur = max(tolerance, 0.01 * min(math.dist(e.start, e.end), math.dist(f.start, f.end)))
+    candidates = [(place, tolerance) for place in (*ends, e.middle, f.middle)]
+    candidates += [(place, blur) for place in find_crossings(e, f)]
+    for place, radius in candidates:
+        if any(math.dist(place, end) <= radius for end in shared):
             continue
-        if e.holds(point, tolerance) and f.holds(point, tolerance):
-            return point
+        if e.holds(place, tolerance) and f.holds(place, tolerance):
+            return place
     return None
 
 
-def find_self_meeting(one: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
-    """Return a point at which a curve meets itself."""
-    twice = [point for point, count in Counter(edge.a for edge in one).items() if count > 1]
+def find_self_meeting(curve: Sequence[Segment], tolerance: float, spend: Spend) -> Place | None:
+    """Return a place at which a curve meets itself."""
+    twice = [place for place, count in Counter(edge.start for edge in curve).items() if count > 1]
     if twice:
         return twice[0]
-    edges = sorted(one, key=lambda edge: edge.box())
+    edges = sorted(curve, key=lambda edge: edge.bounds)
     region = Region(edges) if len(edges) > FEW else None
     for number, edge in enumerate(edges):
-        others = range(number) if region is None else [k for k in _near(region, edge, tolerance) if k < number]
-        spend(len(others))
-        for k in others:
-            point = _meeting(edges[k], edge, tolerance)
-            if point is not None:
-                return point
+        near = range(number) if region is None else [k for k in region.find_near(edge, tolerance) if k < number]
+        place = _first_meeting(edge, [edges[k] for k in near], tolerance, spend)
+        if place is not None:
+            return place
     return None
 
 
-def find_meeting(one: Region, other: Sequence[Edge], tolerance: float, spend: Spend) -> Point | None:
-    """Return a point at which two curves meet."""
+def find_meeting(one: Region, other: Sequence[Segment], tolerance: float, spend: Spend) -> Place | None:
+    """Return a place at which two curves meet."""
     for edge in other:
-        near = _near(one, edge, tolerance)
-        spend(len(near))
-        for k in near:
-            point = _meeting(one.edges[k], edge, tolerance)
-            if point is not None:
-                return point
+        near = [one.edges[k] for k in one.find_near(edge, tolerance)]
+        place = _first_meeting(edge, near, tolerance, spend)
+        if place is not None:
+            return place
     return None
 
 
-def _near(region: Region, edge: Edge, tolerance: float) -> list[int]:
-    """Return the numbers of edges whose boxes come near that of an edge."""
-    from shapely import box
-
-    x0, y0, x1, y1 = edge.box()
-    found = region.tree.query(box(x0 - tolerance, y0 - tolerance, x1 + tolerance, y1 + tolerance))
-    return sorted(found.tolist())
+def _first_meeting(edge: Segment, others: Sequence[Segment], tolerance: float, spend: Spend) -> Place | None:
+    """Return a place at which an edge meets one of others."""
+    spend(len(others))
+    found = (_meeting(other, edge, tolerance) for other in others)
+    return next((place for place in found if place is not None), None)

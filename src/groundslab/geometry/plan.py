@@ -6,10 +6,10 @@ Places are (x, y) in meters. The extent of a plan is the longer side of its boun
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import chain, pairwise, repeat
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -61,9 +61,22 @@ class Segment:
         return self.radius == 0.0
 
     @property
+    def along_axis(self) -> bool:
+        """Return whether the edge's ends lie beside each other along x or y."""
+        return self.start[0] == self.end[0] or self.start[1] == self.end[1]
+
+    @property
     def length(self) -> float:
         """Return the length along the edge [m]."""
         return math.dist(self.start, self.end) if self.straight else self.radius * abs(self.sweep)
+
+    @property
+    def middle(self) -> Place:
+        """Return the place half way along the edge."""
+        if self.straight:
+            return (self.start[0] + self.end[0]) / 2, (self.start[1] + self.end[1]) / 2
+        angle = self.angle + self.sweep / 2
+        return self.centre[0] + self.radius * math.cos(angle), self.centre[1] + self.radius * math.sin(angle)
 
     def at(self, part: Array) -> Array:
         """Return the places (p, 2) after parts (p,) of the edge, from 0 to 1."""
@@ -90,6 +103,21 @@ class Segment:
         angle = math.atan2(place[1] - self.centre[1], place[0] - self.centre[0])
         turn = (angle - self.angle) * math.copysign(1.0, self.sweep)
         return (turn % (2 * math.pi)) / abs(self.sweep)
+
+    def side(self, place: Place) -> float:
+        """Return twice the area of the triangle start, end, place: positive if the place lies to the chord's left."""
+        (ax, ay), (bx, by) = self.start, self.end
+        return (bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax)
+
+    def holds(self, place: Place, tolerance: float) -> bool:
+        """Return whether a place lies on the edge, but for a tolerance [m]."""
+        if math.dist(place, self.start) <= tolerance or math.dist(place, self.end) <= tolerance:
+            return True
+        if not self.straight:
+            return abs(math.dist(place, self.centre) - self.radius) <= tolerance and self.part(place) <= 1
+        (ax, ay), (bx, by) = self.start, self.end
+        along = (place[0] - ax) * (bx - ax) + (place[1] - ay) * (by - ay)
+        return abs(self.side(place)) <= tolerance * self.length and 0 <= along <= self.length**2
 
     def distance(self, places: Array) -> Array:
         """Return the distances (p,) [m] of places (p, 2) from the edge."""
@@ -145,6 +173,12 @@ def segment(start: Place, end: Place, bulge: float = 0.0) -> Segment:
     return Segment(start, end, centre, math.dist(start, centre), angle, 4 * math.atan(bulge))
 
 
+def make_segments(points: Sequence[Place], bulges: Sequence[float]) -> tuple[Segment, ...]:
+    """Return the edges from each point to the next with their bulges, 0 where these are missing."""
+    ends_with_bulges = zip(pairwise(points), chain(bulges, repeat(0.0)), strict=False)
+    return tuple(segment(start, end, bulge) for (start, end), bulge in ends_with_bulges)
+
+
 def get_bounds(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around edges [m]."""
     left, right, low, high = zip(*(edge.bounds for edge in edges), strict=True)
@@ -172,9 +206,7 @@ class Ring:
 
     def segments(self) -> tuple[Segment, ...]:
         """Return the edges, the first one starting at the first point."""
-        bulges = self.bulges + (0.0,) * (len(self.points) - len(self.bulges))
-        after = self.points[1:] + self.points[:1]
-        return tuple(map(segment, self.points, after, bulges))
+        return make_segments(self.points + self.points[:1], self.bulges)
 
     def flat(self, tolerance: float) -> Array:
         """Return places (p, 2) along the curve, not closed; chords between them are at most a tolerance [m] off it."""
@@ -194,14 +226,19 @@ class Ring:
 
     @property
     def area(self) -> float:
-        """Return the area inside [m2], exact with arcs too."""
+        """Return the area inside [m2]."""
+        return abs(self.signed_area)
+
+    @property
+    def signed_area(self) -> float:
+        """Return the area inside [m2], negative if the curve runs clockwise; exact with arcs too."""
         x0, y0 = self.points[0]
         double = 0.0
         for edge in self.segments():
             (x, y), (u, v) = edge.start, edge.end
             double += (x - x0) * (v - y0) - (u - x0) * (y - y0)
             double += edge.radius**2 * (edge.sweep - math.sin(edge.sweep))
-        return abs(double) / 2
+        return double / 2
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -216,7 +253,7 @@ class Ring:
     @property
     def rectilinear(self) -> bool:
         """Return whether all edges run along x or y."""
-        return self.straight and all(_along_an_axis(edge.start, edge.end) for edge in self.segments())
+        return self.straight and all(edge.along_axis for edge in self.segments())
 
 
 def circle(centre: Place, radius: float) -> Ring:
@@ -283,8 +320,9 @@ class Plan:
     @property
     def rectilinear(self) -> bool:
         """Return whether everything runs along x or y, so that a grid can be fitted to it."""
-        lines = all(_along_an_axis(edge.start, edge.end) for edge in self.line_segments())
-        return lines and all(ring.rectilinear for ring in self.rings().values())
+        return all(edge.along_axis for edge in self.line_segments()) and all(
+            ring.rectilinear for ring in self.rings().values()
+        )
 
     @property
     def domain(self) -> Ring:
@@ -345,7 +383,3 @@ def _equal_area_points(edge: Segment) -> Array:
 def format_place(place: Place) -> str:
     """Return a place as issues name it."""
     return f"({place[0]:.6g}, {place[1]:.6g})"
-
-
-def _along_an_axis(start: Place, end: Place) -> bool:
-    return start[0] == end[0] or start[1] == end[1]

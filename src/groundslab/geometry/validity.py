@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from groundslab.errors import Issue
 from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, format_place
 
 if TYPE_CHECKING:
-    from shapely import Polygon
+    from shapely import LineString, Polygon
 
 #: Edges shorter than this, relative to the extent, have no length.
 NO_LENGTH = 1e-6
@@ -77,12 +77,8 @@ def _find_ring_issues(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
     edges = ring.segments()
     short = [edge for edge in edges if edge.length <= NO_LENGTH * extent]
     for edge in short:
-        yield Issue(
-            name,
-            f"an edge without length at {format_place(edge.start)}",
-            "points apart from each other",
-            "leave one out",
-        )
+        found = f"an edge without length at {format_place(edge.start)}"
+        yield Issue(name, found, "points apart from each other", "leave one out")
     if short:
         return
     polygon = ring.polygon(FLAT * extent)
@@ -95,21 +91,16 @@ def _find_ring_issues(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
         turn = (after.direction(0.0) - before.direction(1.0)) % (2 * math.pi)
         angle = abs(math.pi - turn)
         if angle < TOO_SHARP:
-            yield Issue(
-                name,
-                f"an angle of {math.degrees(angle):.2g} degrees at {format_place(after.start)}",
-                f"at least {math.degrees(TOO_SHARP):.0f} degrees",
-                "cut the corner off",
-            )
+            found = f"an angle of {math.degrees(angle):.2g} degrees at {format_place(after.start)}"
+            yield Issue(name, found, f"at least {math.degrees(TOO_SHARP):.0f} degrees", "cut the corner off")
 
 
 def _find_line_issues(plan: Plan) -> Iterator[Issue]:
     for i, line in enumerate(plan.lines, start=1):
         for a, b in pairwise(line):
             if math.dist(a, b) <= NO_LENGTH * plan.extent:
-                yield Issue(
-                    f"plate.lines[{i}]", f"a piece without length at {format_place(a)}", "points apart from each other"
-                )
+                found = f"a piece without length at {format_place(a)}"
+                yield Issue(f"plate.lines[{i}]", found, "points apart from each other")
 
 
 def _meeting(a: Polygon, b: Polygon) -> str:
@@ -200,14 +191,25 @@ def _find_place_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
             yield Issue(f"plate.lines[{i}]", found, "one on the plate", "end it at the edge")
 
 
+def _name_edges(plan: Plan) -> list[tuple[str, Segment]]:
+    """Return the edges of all rings and lines with the names that issues give these."""
+    lines = [f"plate.lines[{i}]" for i, line in enumerate(plan.lines, start=1) for _ in line[1:]]
+    edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]
+    return edges + list(zip(lines, plan.line_segments(), strict=True))
+
+
+def _flatten(edges: Iterable[Segment], off: float) -> list[LineString]:
+    """Return edges as lines, arcs as chords at most so far off [m]."""
+    from shapely import LineString
+
+    return [LineString(edge.at(np.linspace(0, 1, edge.chords(off) + 1))) for edge in edges]
+
+
 def _find_near_misses(plan: Plan) -> Iterator[Issue]:
     """Yield points, and corners of zones and lines, that lie beside an edge or point, neither on it nor clear of it."""
     import shapely
 
-    edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]
-    edges += [
-        (f"plate.lines[{i}]", Segment(a, b)) for i, line in enumerate(plan.lines, start=1) for a, b in pairwise(line)
-    ]
+    edges = _name_edges(plan)
     edges += [(f"plate.points[{i}]", Segment(p, p)) for i, p in enumerate(plan.points, start=1)]
     corners = [(name, p) for name, ring in plan.rings().items() for p in ring.points]
     corners += [(f"plate.lines[{i}]", p) for i, line in enumerate(plan.lines, start=1) for p in line]
@@ -239,8 +241,9 @@ def _find_near_places(plan: Plan, edges: list[Segment], places: Array, near: flo
     import shapely
 
     off = FLAT * plan.extent
-    flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(off) + 1))) for edge in edges]
-    found = shapely.STRtree(shapely.points(places)).query(flat, predicate="dwithin", distance=near + off)
+    found = shapely.STRtree(shapely.points(places)).query(
+        _flatten(edges, off), predicate="dwithin", distance=near + off
+    )
     found = found[:, np.lexsort(found[::-1])]
     begins = np.flatnonzero(np.diff(found[0], prepend=-1))
     for one, many in zip(found[0, begins], np.split(found[1], begins[1:]), strict=False):
@@ -251,23 +254,20 @@ def _find_narrow_wedges(plan: Plan) -> Iterator[Issue]:
     """Yield edges of different curves that meet at too small an angle."""
     import shapely
 
-    edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]
-    lines = [f"plate.lines[{i}]" for i, line in enumerate(plan.lines, start=1) for _ in line[1:]]
-    edges += list(zip(lines, plan.line_segments(), strict=True))
+    edges = _name_edges(plan)
     same, step = 2 * FLAT * plan.extent, 10 * TOO_CLOSE * plan.extent
-    flat = [shapely.LineString(edge.at(np.linspace(0, 1, edge.chords(same / 2) + 1))) for _, edge in edges]
+    flat = _flatten([edge for _, edge in edges], same / 2)
     seen: set[tuple[str, str]] = set()
     curve = np.unique([name for name, _ in edges], return_inverse=True)[1]
     # boxes first, as there may be very many of them
     boxes = shapely.box(*(shapely.bounds(flat) + same * np.array([-1, -1, 1, 1])).T)
     meetings = shapely.STRtree(boxes).query(boxes)
     meetings = meetings[:, (curve[meetings[0]] != curve[meetings[1]]) & (meetings[0] < meetings[1])]
-    if meetings.shape[1] <= MOST_MEETINGS:
-        meetings = meetings[:, shapely.dwithin(np.array(flat)[meetings[0]], np.array(flat)[meetings[1]], same)]
-    else:
+    if meetings.shape[1] > MOST_MEETINGS:
         found = f"{meetings.shape[1]:,} places where edges of openings, zones and supports come together"
         yield Issue("plate.outline", found, f"at most {MOST_MEETINGS:,}", "draw what overlaps as one")
         return
+    meetings = meetings[:, shapely.dwithin(np.array(flat)[meetings[0]], np.array(flat)[meetings[1]], same)]
     meetings = np.hstack([meetings, meetings[::-1]])
     for i, j in meetings.T.tolist():
         (name, one), (other, two) = edges[i], edges[j]

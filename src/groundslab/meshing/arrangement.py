@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.geometry.bulges import Edge
 from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.plan import FLAT, NOTHING, SAME_PLACE, Place, Plan, Segment, bounding_box, sections
 
@@ -46,7 +45,7 @@ def pieces(plan: Plan) -> tuple[list[Piece], list[Place]]:
     for edge, own, optionally in zip(edges, cuts, optional, strict=True):
         for piece in _split_edge(edge, [vertices.places[k] for k in own], 2 * vertices.same):
             alike = known.setdefault(frozenset((piece.start, piece.end)), [])
-            twin = [k for k in alike if math.dist(_middle(kept[k][0]), _middle(piece)) <= vertices.near]
+            twin = [k for k in alike if math.dist(kept[k][0].middle, piece.middle) <= vertices.near]
             if twin:
                 kept[twin[0]] = kept[twin[0]][0], kept[twin[0]][1] and optionally
             else:
@@ -101,17 +100,13 @@ def _neighbours(edges: list[Segment], distance: float) -> list[tuple[int, int]]:
 def _cut(one: Segment, two: Segment, cuts: set[int], others: set[int], vertices: Vertices) -> None:
     """Add the places where two edges cross to the ends of the pieces of both."""
     shared = [vertices.places[k] for k in cuts & others]
-    for place in find_crossings(_as_edge(one), _as_edge(two)):
+    for place in find_crossings(one, two):
         if any(math.dist(place, end) <= vertices.end for end in shared):
             continue
-        if max(edge.distance(np.array([place]))[0] for edge in (one, two)) <= 2 * vertices.same:
+        if all(edge.holds(place, 2 * vertices.same) for edge in (one, two)):
             k = vertices.number(place, vertices.near)
             cuts.add(k)
             others.add(k)
-
-
-def _as_edge(edge: Segment) -> Edge:
-    return Edge(edge.start, edge.end, math.tan(edge.sweep / 4))
 
 
 def _part(edge: Segment, place: Place, same: float) -> float:
@@ -119,11 +114,6 @@ def _part(edge: Segment, place: Place, same: float) -> float:
     if math.dist(place, edge.start) <= same:
         return 0.0
     return 1.0 if math.dist(place, edge.end) <= same else edge.part(place)
-
-
-def _middle(edge: Segment) -> Place:
-    x, y = edge.at(np.array([0.5]))[0]
-    return float(x), float(y)
 
 
 def _split_edge(edge: Segment, places: list[Place], same: float) -> list[Segment]:
@@ -139,7 +129,7 @@ def _split_edge(edge: Segment, places: list[Place], same: float) -> list[Segment
 
 def _label_sides(plan: Plan, kept: list[tuple[Segment, bool]]) -> list[Piece]:
     """Return pieces with what lies beside their middles, without those that no mesh need follow."""
-    middles = np.array([_middle(edge) for edge, _ in kept])
+    middles = np.array([edge.middle for edge, _ in kept])
     angle = np.array([edge.direction(0.5) for edge, _ in kept]) + math.pi / 2
     length = np.array([edge.length for edge, _ in kept])
     step = np.clip(0.02 * length, 3 * FLAT * plan.extent, 100 * FLAT * plan.extent)[:, None]

@@ -10,8 +10,8 @@ from groundslab.model.columns import Column
 from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
-from groundslab.model.loads.placement import PlateArea, check_voids, on_plate
-from groundslab.model.plate import Plate
+from groundslab.model.loads.placement import on_plate
+from groundslab.model.plate import Plate, PlateRegion
 from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.supports import (
     AnySupport,
@@ -91,7 +91,9 @@ def check_shear_of_layers(
 
 def check_contact_voids(plate: Plate, contact: Contact) -> Iterator[RelativeIssue]:
     """Find voids that do not lie on the plate."""
-    return check_voids(plate, contact.voids)
+    covered = PlateRegion(plate)
+    for position, void in enumerate(contact.voids):
+        yield from on_plate(covered, void, ("contact", "voids", position))
 
 
 def check_mesh_counts(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
@@ -116,7 +118,7 @@ def check_combinations(combinations: tuple[Combination, ...], cases: tuple[LoadC
 def check_columns(plate: Plate, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
     """Find columns without a unique name or off the plate."""
     yield from check_names("columns", [column.name for column in columns], needed=True)
-    covered = PlateArea(plate)
+    covered = PlateRegion(plate)
     for position, column in enumerate(columns):
         yield from on_plate(covered, column, ("columns", position))
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from groundslab.schema.base import Check, Section, Table, get_kind
+from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, Integer, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -110,19 +110,14 @@ def _check_vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeI
 
 def _check_mode(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[RelativeIssue]:
     if mode == "sinh" and len(layers) > 1:
-        yield RelativeIssue(
-            ("mode",),
-            f'"sinh" with {len(layers)} layers',
-            'one layer, or mode = "profile"',
-            "the sinh mode is exact for one layer",
-        )
+        found, hint = f'"sinh" with {len(layers)} layers', "the sinh mode is exact for one layer"
+        yield RelativeIssue(("mode",), found, 'one layer, or mode = "profile"', hint)
 
 
 def _check_formulas(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[RelativeIssue]:
     if formulas == "as printed" and len(layers) > 1:
-        yield RelativeIssue(
-            ("formulas",), f'"as printed" with {len(layers)} layers', 'one layer, or formulas = "exact"'
-        )
+        found = f'"as printed" with {len(layers)} layers'
+        yield RelativeIssue(("formulas",), found, 'one layer, or formulas = "exact"')
 
 
 class Vlasov(Section):
@@ -200,10 +195,4 @@ class Layered(Section):
 
 
 AnyGround = Winkler | Pasternak | Vlasov | Layered
-Ground = Annotated[
-    Annotated[Winkler, Tag("winkler")]
-    | Annotated[Pasternak, Tag("pasternak")]
-    | Annotated[Vlasov, Tag("vlasov")]
-    | Annotated[Layered, Tag("layered")],
-    Discriminator(get_kind),
-]
+Ground = Annotated[AnyGround, ByKind()]

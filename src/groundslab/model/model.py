@@ -10,21 +10,8 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
+from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
-from groundslab.model.consistency import (
-    carry_shear,
-    check_columns,
-    check_combinations,
-    check_contact_voids,
-    check_element_count,
-    check_load_cases,
-    check_mesh_counts,
-    check_settlement_loads,
-    check_shear_of_layers,
-    check_some_load_acts,
-    check_supports,
-    check_surface_count,
-)
 from groundslab.model.ground import Ground
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
@@ -35,14 +22,6 @@ from groundslab.model.outputs import Output, Reinforcement, check_bar_distances,
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support
-from groundslab.model.varying_ground import (
-    Borehole,
-    SoilZone,
-    check_boreholes,
-    check_soil_depth,
-    check_soil_zone_extent,
-    check_soil_zone_types,
-)
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Text
@@ -52,25 +31,25 @@ class Model(Section):
     """A model: plate, ground, loads, combinations, and settings of the analysis."""
 
     checks: ClassVar[tuple[Check, ...]] = (
-        check_shear_of_layers,
-        check_some_load_acts,
+        consistency.check_shear_of_layers,
+        consistency.check_some_load_acts,
         check_point_loads,
         check_distributed_loads,
-        check_contact_voids,
-        check_element_count,
-        check_surface_count,
-        check_mesh_counts,
-        check_load_cases,
-        check_combinations,
+        consistency.check_contact_voids,
+        consistency.check_element_count,
+        consistency.check_surface_count,
+        consistency.check_mesh_counts,
+        consistency.check_load_cases,
+        consistency.check_combinations,
         check_combine,
-        check_columns,
+        consistency.check_columns,
         check_load_columns,
-        check_supports,
-        check_settlement_loads,
-        check_soil_zone_types,
-        check_soil_zone_extent,
-        check_soil_depth,
-        check_boreholes,
+        consistency.check_supports,
+        consistency.check_settlement_loads,
+        varying_ground.check_soil_zone_types,
+        varying_ground.check_soil_zone_extent,
+        varying_ground.check_soil_depth,
+        varying_ground.check_boreholes,
         check_output,
         check_bar_distances,
         check_design_combinations,
@@ -81,8 +60,10 @@ class Model(Section):
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()
-    soil_zones: Annotated[tuple[SoilZone, ...], Table("parts of the plan with other ground")] = ()
-    boreholes: Annotated[tuple[Borehole, ...], Table("where the layers are known, to be interpolated between")] = ()
+    soil_zones: Annotated[tuple[varying_ground.SoilZone, ...], Table("parts of the plan with other ground")] = ()
+    boreholes: Annotated[
+        tuple[varying_ground.Borehole, ...], Table("where the layers are known, to be interpolated between")
+    ] = ()
     supports: Annotated[tuple[Support, ...], Table("supports at points and along lines, beside the ground")] = ()
     columns: Annotated[
         tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked", 10_000)
@@ -112,7 +93,7 @@ class Model(Section):
     def ground_reaches(self) -> bool:
         """Return whether ground beyond the plate has an effect: there is some, and it carries shear."""
         grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
-        return self.beyond.kind != "none" and any(any(carry_shear(each)) for each in grounds)
+        return self.beyond.kind != "none" and any(any(consistency.carry_shear(each)) for each in grounds)
 
     @property
     def plain(self) -> bool:

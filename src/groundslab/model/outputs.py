@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.model.ground import POSITIVE
-from groundslab.model.loads.placement import PlateArea, on_plate
-from groundslab.model.plate import Plate
+from groundslab.model.loads.placement import on_plate
+from groundslab.model.plate import Plate, PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text
+from groundslab.schema.fields import Integer, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -100,11 +100,11 @@ class Reinforcement(Section):
     ] = 1.0
     bottom: Annotated[
         tuple[float, float],
-        ListOf(Quantity("length", "d_1", "", POSITIVE), "d_1", "bottom face to the axis of bars along x, along y", 2),
+        list_quantities("length", "d_1", "bottom face to the axis of bars along x, along y", 2, POSITIVE),
     ]
     top: Annotated[
         tuple[float, float],
-        ListOf(Quantity("length", "d_1", "", POSITIVE), "d_1", "top face to the axis of bars along x, along y", 2),
+        list_quantities("length", "d_1", "top face to the axis of bars along x, along y", 2, POSITIVE),
     ]
 
 
@@ -112,7 +112,7 @@ def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
     from shapely import LineString
 
-    covered = PlateArea(plate)
+    covered = PlateRegion(plate)
     for position, point in enumerate(output.points):
         yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):

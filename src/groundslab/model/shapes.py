@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Discriminator, Tag
-
 from groundslab.geometry.plan import LARGEST_BULGE, Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
-from groundslab.schema.base import Check, Section, Table, get_kind
-from groundslab.schema.fields import ListOf, Number, Quantity
+from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.fields import ListOf, Number, Quantity, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -19,9 +17,10 @@ FLATTEST = 1e-3
 #: Arcs are judged by chords that are at most this far off, relative to the size of the curve.
 CHORD = 1e-4
 
-AcrossX = Annotated[tuple[float, float], ListOf(Quantity("length", "x", ""), "x", "extent along x", 2, rising=True)]
-AcrossY = Annotated[tuple[float, float], ListOf(Quantity("length", "y", ""), "y", "extent along y", 2, rising=True)]
-Place = ListOf(Quantity("length", "x, y", ""), "x, y", "a place in plan", 2)
+AcrossX = Annotated[tuple[float, float], list_quantities("length", "x", "extent along x", 2, rising=True)]
+AcrossY = Annotated[tuple[float, float], list_quantities("length", "y", "extent along y", 2, rising=True)]
+Place = list_quantities("length", "x, y", "a place in plan", 2)
+BULGE = Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE))
 
 
 class Rectangle(Section):
@@ -73,7 +72,7 @@ class Polygon(Section):
     bulges: Annotated[
         tuple[float, ...],
         ListOf(
-            Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE)),
+            BULGE,
             "b",
             "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
             least=0,
@@ -89,10 +88,7 @@ class Circle(Section):
     """A circle."""
 
     kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
-    centre: Annotated[tuple[float, float], ListOf(Quantity("length", "x, y", ""), "x, y", "its center", 2)] = (
-        0.0,
-        0.0,
-    )
+    centre: Annotated[tuple[float, float], list_quantities("length", "x, y", "its center", 2)] = (0.0, 0.0)
     radius: Annotated[float, Quantity("length", "r", "its radius", POSITIVE)]
 
     def ring(self) -> Ring:
@@ -101,7 +97,4 @@ class Circle(Section):
 
 
 AnyShape = Rectangle | Polygon | Circle
-Shape = Annotated[
-    Annotated[Rectangle, Tag("rectangle")] | Annotated[Polygon, Tag("polygon")] | Annotated[Circle, Tag("circle")],
-    Discriminator(get_kind),
-]
+Shape = Annotated[AnyShape, ByKind()]

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Discriminator, Tag
-
 from groundslab.geometry.plan import Plan, Ring
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import Place
-from groundslab.schema.base import Check, Section, Table, get_kind
+from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
@@ -93,9 +91,7 @@ class LineSupport(Section):
 
 
 AnySupport = PointSupport | LineSupport
-Support = Annotated[
-    Annotated[PointSupport, Tag("point")] | Annotated[LineSupport, Tag("line")], Discriminator(get_kind)
-]
+Support = Annotated[AnySupport, ByKind()]
 
 
 def check_line_supports(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:

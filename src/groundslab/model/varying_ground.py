@@ -12,7 +12,7 @@ from groundslab.model.ground import POSITIVE, AnyGround, Ground, InterfaceLayer,
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import ListOf, Quantity, Text
+from groundslab.schema.fields import Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 
@@ -173,11 +173,11 @@ class Void(Section):
     ] = None
     x: Annotated[
         tuple[float, float] | None,
-        ListOf(Quantity("length", "x", ""), "x", "extent along x of a rectangle", 2, rising=True),
+        list_quantities("length", "x", "extent along x of a rectangle", 2, rising=True),
     ] = None
     y: Annotated[
         tuple[float, float] | None,
-        ListOf(Quantity("length", "y", ""), "y", "extent along y of a rectangle", 2, rising=True),
+        list_quantities("length", "y", "extent along y of a rectangle", 2, rising=True),
     ] = None
     shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
 

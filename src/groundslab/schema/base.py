@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, Self, get_args, get_origin
 from pydantic import (
     BaseModel,
     ConfigDict,
+    GetCoreSchemaHandler,
     TypeAdapter,
     ValidationError,
     ValidationInfo,
@@ -18,6 +19,7 @@ from pydantic import (
 )
 from pydantic.fields import FieldInfo
 from pydantic.functional_validators import ModelWrapValidatorHandler
+from pydantic_core import CoreSchema, core_schema
 
 from groundslab.errors import InputError
 from groundslab.schema.fields import MOST_ISSUES, FieldType, is_from_file
@@ -175,9 +177,8 @@ class Section(BaseModel):
             relative_issues = _translate(cls, error)
             if not isinstance(data, Mapping):
                 raise FieldError(*relative_issues) from None
-            sound = _valid_fields(
-                cls, data, {str(line["loc"][0]) for line in _errors(error) if line["loc"]}, info.context
-            )
+            broken = {str(line["loc"][0]) for line in error.errors(include_url=False) if line["loc"]}
+            sound = _valid_fields(cls, data, broken, info.context)
         else:
             sound = dict(made)
         from_file = is_from_file(info.context)
@@ -203,6 +204,15 @@ def get_kind(value: Any) -> str | None:
     return kind if isinstance(kind, str) else None
 
 
+class ByKind:
+    """Annotation of a union of sections, of which the kind that a table states says which one it is."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Let pydantic choose the section by its kind."""
+        choices = {part.model_fields["kind"].default: handler.generate_schema(part) for part in get_args(source)}
+        return core_schema.tagged_union_schema(choices, get_kind)
+
+
 @cache
 def _needs(check: Check) -> frozenset[str]:
     """Return the names of the fields that a check needs."""
@@ -215,22 +225,18 @@ def _too_long(cls: type[Section], data: Any) -> list[RelativeIssue]:
         return []
     if len(data) > MOST_KEYS:
         return [RelativeIssue((), f"a table of {len(data)} keys", f"some of {', '.join(cls.model_fields)}")]
-    given = {name: data[name] for name in _most_of_lists(cls) if isinstance(data.get(name), list | tuple)}
-    most = _most_of_lists(cls)
+    lists = ((name, data.get(name), most) for name, most in _most_of_lists(cls).items())
     return [
-        RelativeIssue((name,), describe(value), f"at most {most[name]}") for name, value in given.items()
-        if len(value) > most[name]
-    ]  # fmt: skip
+        RelativeIssue((name,), describe(value), f"at most {most}")
+        for name, value, most in lists
+        if isinstance(value, list | tuple) and len(value) > most
+    ]
 
 
 @cache
 def _most_of_lists(cls: type[Section]) -> dict[str, int]:
     """Return how many sections each list of a section may hold."""
     return {name: most for name, field in cls.model_fields.items() if (most := get_most_sections(field)) is not None}
-
-
-def _errors(error: ValidationError) -> list[Any]:
-    return error.errors(include_url=False)
 
 
 def _valid_fields(cls: type[Section], data: Mapping[Any, Any], broken: set[str], context: Any) -> dict[str, Any]:
@@ -260,7 +266,7 @@ def _translate(cls: type[Section], error: ValidationError) -> list[RelativeIssue
     """Return pydantic's errors of one section as issues."""
     relative_issues: list[RelativeIssue] = []
     # pydantic calls a list too short as well when none of its entries is right
-    lines = [line for line in _errors(error) if line["type"] != "too_short" or not line["input"]]
+    lines = [line for line in error.errors(include_url=False) if line["type"] != "too_short" or not line["input"]]
     for line in lines[:MOST_ISSUES]:
         # below a field's name only positions belong to the path; names are the tags of unions
         head, tail = line["loc"][:1], line["loc"][1:]

@@ -1,14 +1,13 @@
-"""Types of the fields of a model.
-
-A type states unit, symbol, range and meaning once; checks, messages, JSON schema and docs come from it.
-"""
+"""Types of fields, each with unit, symbol, range and meaning: checks, messages, JSON schema and docs come from it."""
 
 from __future__ import annotations
 
 import itertools
-import math
 import numbers
-from collections.abc import Mapping, Sequence
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, get_args
 
@@ -77,24 +76,14 @@ def is_from_file(context: Any) -> bool:
     return isinstance(context, Mapping) and bool(context.get("from_file"))
 
 
-def _looks_like_number(text: str) -> bool:
-    try:
-        return len(text) <= 40 and math.isfinite(float(text))
-    except ValueError:
-        return False
-
-
 def _number(value: Any, expected: str, hint: str = "") -> float:
     """Return a finite number as float; raises FieldError."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise field_error(value, expected, hint)
-    try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
+    size: Any = abs(value)
+    if not size <= sys.float_info.max:
         raise field_error(value, expected, hint or "the number must be finite")
-    return number
+    return float(value)
 
 
 @dataclass(frozen=True)
@@ -173,7 +162,7 @@ class Number(FieldType):
         """Return the number as float, or the word."""
         if isinstance(value, str) and value in self.words:
             return value
-        hint = "write it without quotes" if isinstance(value, str) and _looks_like_number(value) else ""
+        hint = "write it without quotes" if isinstance(value, str) and re.fullmatch(units.NUMBER, value.strip()) else ""
         number = _number(value, self.expected(), hint)
         limits = ranges.number_range(self.range)
         if not limits.holds(number):
@@ -296,6 +285,25 @@ class Text(FieldType):
         return value
 
 
+def _read_each(
+    each: FieldType, items: Iterable[tuple[str | int, Any]], from_file: bool, issues: Sequence[RelativeIssue] = ()
+) -> list[Any]:
+    """Return the values of items by name or position; raises FieldError with their issues behind those given."""
+    kept, relative_issues = [], [*issues]
+    for place, item in items:
+        try:
+            kept.append(each.read(item, from_file))
+        except FieldError as error:
+            relative_issues += [relative.below((place,)) for relative in error.relative_issues]
+    if relative_issues:
+        raise FieldError(*relative_issues[:MOST_ISSUES])
+    return kept
+
+
+def _is_named(pair: object) -> bool:
+    return isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str)
+
+
 @dataclass(frozen=True)
 class ListOf(FieldType):
     """A list of values of one kind, kept as a tuple: of a fixed ``length``, ``rising``, or ``unique``."""
@@ -319,14 +327,7 @@ class ListOf(FieldType):
             raise field_error(value, self.expected())
         if len(value) > self._most:
             raise field_error(value, f"at most {self._most} values" if self.length is None else self.expected())
-        kept, relative_issues = [], []
-        for position, item in enumerate(value):
-            try:
-                kept.append(self.each.read(item, from_file))
-            except FieldError as error:
-                relative_issues += [relative.below((position,)) for relative in error.relative_issues]
-        if relative_issues:
-            raise FieldError(*relative_issues[:MOST_ISSUES])
+        kept = _read_each(self.each, enumerate(value), from_file)
         pair = f"[{', '.join(describe(item) for item in value[:8])}]"
         if self.rising and not all(a < b for a, b in itertools.pairwise(kept)):
             raise FieldError(RelativeIssue((), pair, "the smaller value first and no empty range"))
@@ -360,6 +361,13 @@ class ListOf(FieldType):
         return {"type": "array", "items": self.each.json_schema(), **count, **unique}
 
 
+def list_quantities(
+    dimension: str, symbol: str, meaning: str, length: int, limits: ranges.Range = ranges.ANY, rising: bool = False
+) -> ListOf:
+    """Return the type of a list of so many quantities of one dimension."""
+    return ListOf(Quantity(dimension, symbol, "", limits), symbol, meaning, length, rising)
+
+
 @dataclass(frozen=True)
 class Factors(FieldType):
     """A table of numbers by names that the file is free to choose, kept as pairs in the order of the file."""
@@ -374,22 +382,13 @@ class Factors(FieldType):
     def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:
         """Return the pairs of name and number; a tuple of pairs is taken as well."""
         pairs = tuple(value.items()) if isinstance(value, Mapping) else value
-        sound = isinstance(pairs, tuple) and bool(pairs)
-        if not sound or not all(isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str)
-                                for pair in pairs):  # fmt: skip
+        if not isinstance(pairs, tuple) or not pairs or not all(map(_is_named, pairs)):
             raise field_error(value, self.expected())
-        kept, relative_issues, seen = [], [], set[str]()
-        for name, number in pairs:
-            if name in seen:
-                relative_issues.append(RelativeIssue((name,), "a second factor", "one factor for each name"))
-            seen.add(name)
-            try:
-                kept.append((name, float(self.EACH.read(number, from_file))))
-            except FieldError as error:
-                relative_issues += [relative.below((name,)) for relative in error.relative_issues]
-        if relative_issues:
-            raise FieldError(*relative_issues[:MOST_ISSUES])
-        return tuple(kept)
+        count = Counter(name for name, _ in pairs)
+        twice = [
+            RelativeIssue((name,), "a second factor", "one factor for each name") for name in count if count[name] > 1
+        ]
+        return tuple(zip(count, _read_each(self.EACH, pairs, from_file, twice), strict=True))
 
     def write(self, value: Sequence[tuple[str, float]]) -> str:
         """Return an inline table."""

@@ -121,21 +121,12 @@ def _row(path: str, field: FieldInfo) -> str:
     if key is None:
         return f'| `{path}` |  | `"{field.default}"` |  | needed | says which kind it is |'
     default = default_of(field)
-    shown = "needed" if field.is_required() else "" if default in (None, "") else f"`{_short(key, default)}`"
-    cells = (
-        f"`{path}`",
-        key.symbol and f"`{key.symbol}`",
-        key.type_text(),
-        key.range_text(),
-        shown,
-        key.meaning,
-    )
+    value = "needed" if field.is_required() else "" if default in (None, "") else f"`{_short(key, default)}`"
+    symbol = key.symbol and f"`{key.symbol}`"
+    cells = f"`{path}`", symbol, key.type_text(), key.range_text(), value, key.meaning
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 
 def _short(key: FieldType, default: Any) -> str:
-    return (
-        f"{default:.4g}"
-        if isinstance(default, float) and not key.write(default).startswith('"')
-        else key.write(default)
-    )
+    written = key.write(default)
+    return f"{default:.4g}" if isinstance(default, float) and not written.startswith('"') else written

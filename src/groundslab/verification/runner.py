@@ -187,22 +187,21 @@ def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Combi
     difference = computed - reference
     percent = 100 * difference / abs(reference)
     shown = f"{difference:+.2g} ({percent:+.2g} %)"
+    verdict, reason = "agrees", row.get("why", "")
     if "proof" in row:
         proof = PROOFS[row["proof"]["kind"]](results_of, **{k: v for k, v in row["proof"].items() if k != "kind"})
         changed = not math.isclose(computed, float(row["ours"]), rel_tol=REGRESSION)
-        reason = f"regression: our own number was {row['ours']}" if changed else proof.says
+        verdict, reason = "cannot be right", f"regression: our own number was {row['ours']}" if changed else proof.says
         ok = proof.holds and not changed
-        return Outcome(row["label"], published, computed, shown, "cannot be right" if ok else "FAILED", reason, ok)
-    if "differs" in row:
-        ok = abs(percent - float(row["differs"])) <= DRIFT
-        return Outcome(
-            row["label"], published, computed, shown, "differs, as explained" if ok else "FAILED", row["why"], ok
-        )
-    tolerance = _tolerance(row, published)
-    if not 0 < tolerance < abs(reference):
-        raise ValueError(f"{case.name}: {row['label']}: a tolerance of {tolerance} against {published} checks nothing")
-    ok = abs(difference) <= tolerance
-    return Outcome(row["label"], published, computed, shown, "agrees" if ok else "FAILED", row.get("why", ""), ok)
+    elif "differs" in row:
+        verdict, ok = "differs, as explained", abs(percent - float(row["differs"])) <= DRIFT
+    else:
+        tolerance = _tolerance(row, published)
+        if not 0 < tolerance < abs(reference):
+            found = f"a tolerance of {tolerance} against {published} checks nothing"
+            raise ValueError(f"{case.name}: {row['label']}: {found}")
+        ok = abs(difference) <= tolerance
+    return Outcome(row["label"], published, computed, shown, verdict if ok else "FAILED", reason, ok)
 
 
 def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> float:

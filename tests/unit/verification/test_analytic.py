@@ -12,8 +12,7 @@ from scipy.optimize import fsolve
 from scipy.sparse import diags_array, eye_array, kron
 from scipy.sparse.linalg import splu
 
-from groundslab.verification.analytic import circular_plate, navier, plate_on_a_column
-from groundslab.verification.analytic_circular import partly_loaded_circular_plate
+from groundslab.verification.analytic import circular_plate, navier, partly_loaded_circular_plate, plate_on_a_column
 from groundslab.verification.analytic_springs import (
     OnSprings,
     curling_strip,

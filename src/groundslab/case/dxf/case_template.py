@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from groundslab import units
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
-from groundslab.geometry.bulges import Point, Region, get_edges
-from groundslab.geometry.plan import Ring, bounding_box
+from groundslab.geometry.plan import Place, Ring
+from groundslab.geometry.regions import Region
 from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
@@ -47,8 +49,8 @@ class Footprint:
     """A column that a case can hold: a rectangle along x and y, or a circle if both widths are its diameter."""
 
     name: str
-    centre: Point
-    widths: Point
+    centre: Place
+    widths: Place
     round: bool
 
     def covers(self, x: float, y: float) -> bool:
@@ -71,11 +73,10 @@ def footprint_of(curve: Ring, name: str) -> Footprint | None:
     """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
     xs, ys = zip(*curve.points, strict=True)
     if all(curve.bulges):
-        circles = [edge.circle() for edge in get_edges(curve)]
-        (centre, radius), *others = circles
-        turn = sum(4 * math.atan(bulge) for bulge in curve.bulges)
-        alike = all(math.dist(c, centre) + abs(r - radius) <= SAME * radius for c, r in others)
-        whole = abs(abs(turn) - 2 * math.pi) <= SAME
+        arcs = curve.segments()
+        centre, radius = arcs[0].centre, arcs[0].radius
+        alike = all(math.dist(arc.centre, centre) + abs(arc.radius - radius) <= SAME * radius for arc in arcs)
+        whole = abs(abs(sum(arc.sweep for arc in arcs)) - 2 * math.pi) <= SAME
         return Footprint(name, centre, (2 * radius, 2 * radius), round=True) if alike and whole else None
     low, high = (min(xs), min(ys)), (max(xs), max(ys))
     near = SAME * max(high[0] - low[0], high[1] - low[1])
@@ -102,35 +103,29 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         "# nu = 0.2                    # fill in",
         "",
         "[plate.outline]",
-        'kind = "polygon"',
-        *_curve_lines(drawing.outline),
+        *_polygon_lines(drawing.outline),
     ]
     for opening in drawing.openings:
-        text += ["", "[[plate.openings]]", 'kind = "polygon"', *_curve_lines(opening)]
+        text += ["", "[[plate.openings]]", *_polygon_lines(opening)]
     for number, zone in enumerate(drawing.zones, 1):
-        shape = ["[plate.zones.shape]", 'kind = "polygon"', *_curve_lines(zone)]
+        shape = ["[plate.zones.shape]", *_polygon_lines(zone)]
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
     columns, lines = _column_lines(drawing)
     text += lines
     text += ["", *_GROUND]
     under = _column_tree(columns)
     for mark in drawing.point_loads:
-        text += _load_lines(
-            "point", mark, _value_line("P", mark.value, "force", "50 kN"), _place_point(mark, columns, under)
-        )
+        value = _value_line("P", mark.value, "force", "50 kN")
+        text += _load_lines("point", mark, value, _place_point(mark, columns, under))
     for line in drawing.line_loads:
-        text += _load_lines(
-            "line", line, _value_line("q", line.value, "force per length", "20 kN/m"), _place_line(line)
-        )
+        value = _value_line("q", line.value, "force per length", "20 kN/m")
+        text += _load_lines("line", line, value, _place_line(line))
     for area in drawing.area_loads:
-        shapes = [
-            *_shape_lines("[loads.shape]", area.curve),
-            *(row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)),
-        ]
-        text += _load_lines("area", area, _value_line("q", area.value, "pressure", "10 kPa"), shapes)
-    values = [load.value for load in drawing.point_loads]
-    values += [load.value for load in drawing.line_loads] + [load.value for load in drawing.area_loads]
-    if all(value is None for value in values):
+        value = _value_line("q", area.value, "pressure", "10 kPa")
+        holes = [row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)]
+        text += _load_lines("area", area, value, [*_shape_lines("[loads.shape]", area.curve), *holes])
+    marks: list[PointMark | LineMark | AreaMark] = [*drawing.point_loads, *drawing.line_loads, *drawing.area_loads]
+    if all(each.value is None for each in marks):
         text += ["", *_LOADS]
     return "\n".join(text) + "\n"
 
@@ -139,21 +134,21 @@ def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
     """Return the columns that a case can hold, and the lines of all columns, those of the others as comments."""
     columns: list[Footprint] = []
     text: list[str] = []
-    plate = _Plate(drawing)
+    outline = Region(drawing.outline.segments())
+    openings = Region(edge for opening in drawing.openings for edge in opening.segments())
     for number, column in enumerate(drawing.columns, 1):
         footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
-        if footprint is not None and plate.holds(footprint.centre):
+        if footprint is not None and outline.holds(footprint.centre) and not openings.holds(footprint.centre):
             columns.append(footprint)
             text += ["", *footprint.lines()]
             continue
-        if footprint is not None:
-            why = "it does not stand on the plate"
-        elif isinstance(column, Ring):
-            why = "a column is a rectangle along x and y, or a circle"
+        if isinstance(column, Ring):
+            lines, why = _point_lines(column.points, column.bulges), "it does not stand on the plate"
+            if footprint is None:
+                why = "a column is a rectangle along x and y, or a circle"
         else:
-            why = "a point says nothing of its size"
+            lines, why = [f"point = {_point_text(column)}"], "a point says nothing of its size"
         text += ["", f"# Column {number} of the drawing, for information only: {why}."]
-        lines = _curve_lines(column) if isinstance(column, Ring) else [f"point = {_point_text(column)}"]
         text += [f"#   {line}" for line in lines]
     return columns, text
 
@@ -172,57 +167,31 @@ def _value_line(key: str, value: float | None, dimension: str, example: str) -> 
 
 def _place_line(load: LineMark) -> list[str]:
     """Return the lines that say where a line load stands: a circle, or points and bulges."""
-    if load.closed and all(load.bulges):
-        circle = _circle_lines(Ring(load.points, load.bulges))
-        if circle is not None:
-            return ["[loads.shape]", *circle]
-    points = (*load.points, load.points[0]) if load.closed else load.points
-    return _point_lines(points, load.bulges)
+    circle = _circle_lines(Ring(load.points, load.bulges)) if load.closed else None
+    return ["[loads.shape]", *circle] if circle else _point_lines(load.corners(), load.bulges)
 
 
 def _shape_lines(head: str, curve: Ring) -> list[str]:
     """Return the lines of a shape below its head."""
-    return [head, *(_circle_lines(curve) or ['kind = "polygon"', *_curve_lines(curve)])]
+    return [head, *(_circle_lines(curve) or _polygon_lines(curve))]
 
 
 def _circle_lines(curve: Ring) -> list[str] | None:
     """Return the lines of a circle, None if a curve is none."""
-    found = footprint_of(curve, "") if all(curve.bulges) else None
+    found = footprint_of(curve, "")
     if found is None or not found.round:
         return None
     x, y, radius = (float(f"{value:.12g}") for value in (*found.centre, found.widths[0] / 2))
     return ['kind = "circle"', f"centre = {_point_text((x, y))}", f"radius = {_length_text(radius)}"]
 
 
-class _Plate:
-    """The outline and the openings, to ask again and again what stands on the plate."""
-
-    def __init__(self, drawing: Drawing) -> None:
-        from shapely import STRtree
-
-        self._outline = Region(get_edges(drawing.outline))
-        self._openings = [Region(get_edges(opening)) for opening in drawing.openings]
-        self._tree = STRtree([bounding_box(opening.segments()) for opening in drawing.openings])
-
-    def holds(self, place: Point) -> bool:
-        """Return whether a place lies inside the outline and in no opening."""
-        from shapely import Point as Place
-
-        near = self._tree.query(Place(place))
-        return self._outline.holds(place) and not any(self._openings[k].holds(place) for k in near)
-
-
 def _column_tree(columns: list[Footprint]) -> STRtree:
     """Return a tree of the boxes around columns."""
     from shapely import STRtree, box
 
-    reach = 0.5 + SAME
-    return STRtree(
-        [
-            box(x - reach * width_x, y - reach * width_y, x + reach * width_x, y + reach * width_y)
-            for (x, y), (width_x, width_y) in ((column.centre, column.widths) for column in columns)
-        ]
-    )
+    centers = np.reshape([column.centre for column in columns], (-1, 2))
+    reach = (0.5 + SAME) * np.reshape([column.widths for column in columns], (-1, 2))
+    return STRtree(box(*(centers - reach).T, *(centers + reach).T))
 
 
 def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:
@@ -231,9 +200,9 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
     A load beside the column's center keeps its moments about it. Where the force is not known yet, nor are these, and
     the load keeps its place.
     """
-    from shapely import Point as Place
+    from shapely import Point
 
-    near = sorted(tree.query(Place(mark.x, mark.y)).tolist()) if columns else []
+    near = sorted(tree.query(Point(mark.x, mark.y)).tolist())
     own = next((columns[k] for k in near if columns[k].covers(mark.x, mark.y)), None)
     if own is not None:
         arms = {"M_x": mark.x - own.centre[0], "M_y": mark.y - own.centre[1]}
@@ -248,12 +217,12 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
     return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
 
 
-def _curve_lines(curve: Ring) -> list[str]:
-    """Return the lines of a closed curve; bulges only if it has arcs."""
-    return _point_lines(curve.points, curve.bulges)
+def _polygon_lines(curve: Ring) -> list[str]:
+    """Return the lines of a closed curve as a polygon."""
+    return ['kind = "polygon"', *_point_lines(curve.points, curve.bulges)]
 
 
-def _point_lines(points: Sequence[Point], bulges: Sequence[float]) -> list[str]:
+def _point_lines(points: Sequence[Place], bulges: Sequence[float]) -> list[str]:
     """Return the lines of points and of bulges, these only if there are arcs."""
     lines = ["points = [", *(f"  {_point_text(point)}," for point in points), "]"]
     if any(bulges):
@@ -261,7 +230,7 @@ def _point_lines(points: Sequence[Point], bulges: Sequence[float]) -> list[str]:
     return lines
 
 
-def _point_text(point: Point) -> str:
+def _point_text(point: Place) -> str:
     return f"[{_length_text(point[0])}, {_length_text(point[1])}]"
 
 

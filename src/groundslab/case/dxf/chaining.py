@@ -5,23 +5,24 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
 from groundslab.case.dxf.entities import DrawnLine
-from groundslab.geometry.bulges import Edge, Point, get_edges, signed_area
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Place, Ring, segment
+from groundslab.geometry.regions import Region
 
 
 class PointIndex:
     """Points that are one within a tolerance: the first of them stands for all."""
 
     def __init__(self, tolerance: float) -> None:
-        self.points: list[Point] = []
+        self.points: list[Place] = []
         self._tolerance = tolerance
         self._cells: dict[tuple[int, int], list[int]] = defaultdict(list)
 
-    def number(self, point: Point) -> int:
+    def number(self, point: Place) -> int:
         """Return the number of a point, a new one if none is near."""
         column, row = (math.floor(value / self._tolerance) for value in point)
         for cell in ((column + i, row + j) for i in (0, -1, 1) for j in (0, -1, 1)):
@@ -36,7 +37,7 @@ class PointIndex:
 MOST_ENDS = 40  # open ends of a layer that are listed one by one
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class ClosedCurve:
     """A closed curve and the entities that it was made of."""
 
@@ -44,9 +45,10 @@ class ClosedCurve:
     sources: tuple[Source, ...]
     remarks: dict[Source, str]
 
-    def edges(self) -> list[Edge]:
-        """Return the curve's edges."""
-        return get_edges(self.curve)
+    @cached_property
+    def region(self) -> Region:
+        """What the curve encloses."""
+        return Region(self.curve.segments())
 
 
 class _Link(NamedTuple):
@@ -70,7 +72,7 @@ def _make_links(source: Source, piece: DrawnLine, nodes: PointIndex, middles: Po
     for i, bulge in enumerate(piece.bulges):
         a, b = numbers[i], numbers[i + 1]
         if a != b:
-            middle = middles.number(Edge(piece.points[i], piece.points[i + 1], bulge).middle())
+            middle = middles.number(segment(piece.points[i], piece.points[i + 1], bulge).middle)
             found.append(_Link(a, b, bulge, source, (min(a, b), max(a, b), middle)))
     return found
 
@@ -107,11 +109,15 @@ def join_lines(lines: list[tuple[Source, DrawnLine]], tolerance: float, context:
     return [_close_ring(links, nodes, remarks) for links in rings]
 
 
+def _ring_of(links: list[_Link], nodes: PointIndex) -> Ring:
+    return Ring(tuple(nodes.points[link.a] for link in links), tuple(link.bulge or 0.0 for link in links))
+
+
 def _close_ring(links: list[_Link], nodes: PointIndex, remarks: dict[Source, str]) -> ClosedCurve:
     """Return closed links as a curve that runs anticlockwise."""
-    if signed_area([Edge(nodes.points[link.a], nodes.points[link.b], link.bulge) for link in links]) < 0:
-        links = [link.turned() for link in reversed(links)]
-    curve = Ring(tuple(nodes.points[link.a] for link in links), tuple(link.bulge or 0.0 for link in links))
+    curve = _ring_of(links, nodes)
+    if curve.signed_area < 0:
+        curve = _ring_of([link.turned() for link in reversed(links)], nodes)
     sources = tuple(dict.fromkeys(link.source for link in links))
     return ClosedCurve(curve, sources, {source: remarks[source] for source in sources if source in remarks})
 

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
 from groundslab.errors import Issue
-from groundslab.geometry.bulges import Point, Region
 from groundslab.geometry.intersections import find_meeting
-from groundslab.geometry.plan import Ring, bounding_box
+from groundslab.geometry.plan import Place, Ring, bounding_box
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -44,15 +43,16 @@ def find_outline(
         return None, []
     outline = max(curves, key=lambda each: each.curve.area)
     report_taken(outline, "the outline", context)
-    around, inner = Region(outline.edges()), EnclosingCurves(curves, context)
-    rest = sorted((each for each in curves if each is not outline), key=lambda each: -each.curve.area)
-    for each in rest:
+    inner = EnclosingCurves(curves, context)
+    for number, each in sorted(enumerate(curves), key=lambda pair: -pair[1].curve.area):
+        if each is outline:
+            continue
         start = each.curve.points[0]
-        meeting = find_meeting(around, each.edges(), tolerance, context.count_pairs)
+        meeting = find_meeting(outline.region, each.curve.segments(), tolerance, context.count_pairs)
         if meeting is not None:
             found = "a second curve that crosses or touches the outline"
             context.issue(each.sources, meeting, found, "one outline")
-        elif not around.holds(start, context.count_edges):
+        elif not outline.region.holds(start, context.count_edges):
             found, hint = "a second curve beside the outline", "a file describes one plate: move the others elsewhere"
             context.issue(each.sources, start, found, "one outline", hint)
         elif has_openings:
@@ -60,8 +60,8 @@ def find_outline(
         elif inner.find([start]) is not None:
             report_ignored(each, "it lies inside an opening", context)
         else:
-            inner.add(each)
-    return outline.curve, inner.in_order()
+            inner.add(number)
+    return outline.curve, [curves[number] for number in sorted(inner.added)]
 
 
 class EnclosingCurves:
@@ -71,36 +71,24 @@ class EnclosingCurves:
         from shapely import STRtree
 
         self._curves, self._context = curves, context
-        self._number = {id(each): number for number, each in enumerate(curves)}
-        self._rank: dict[int, int] = {}  # which of those added a curve is
-        self._regions: dict[int, Region] = {}
+        self.added: dict[int, int] = {}  # by the number of a curve the how manieth to be added it is
         self._tree = STRtree([bounding_box(each.curve.segments()) for each in curves])
 
-    def add(self, curve: ClosedCurve) -> None:
+    def add(self, number: int) -> None:
         """Add one of the curves."""
-        self._rank[self._number[id(curve)]] = len(self._rank)
+        self.added[number] = len(self.added)
 
-    def find(self, points: Sequence[Point], last: bool = False) -> ClosedCurve | None:
-        """Return the first (or last) curve to be added that encloses all points; None if none does."""
-        from shapely import Point as Place
+    def find(self, points: Sequence[Place], last: bool = False) -> int | None:
+        """Return the number of the first (or last) curve to be added that encloses all points; None if none does."""
+        from shapely import Point
 
-        met: list[int] = self._tree.query(Place(points[0])).tolist()
+        met: list[int] = self._tree.query(Point(points[0])).tolist()
         self._context.count_edges(len(met))
-        for number in sorted((each for each in met if each in self._rank), key=self._rank.__getitem__, reverse=last):
-            region = self._region(number)
+        for number in sorted(self.added.keys() & met, key=self.added.__getitem__, reverse=last):
+            region = self._curves[number].region
             if all(region.holds(point, self._context.count_edges) for point in points):
-                return self._curves[number]
+                return number
         return None
-
-    def _region(self, number: int) -> Region:
-        """Return the region of a curve, built when first needed."""
-        if number not in self._regions:
-            self._regions[number] = Region(self._curves[number].edges())
-        return self._regions[number]
-
-    def in_order(self) -> list[ClosedCurve]:
-        """Return the curves that were added, in the order of the drawing."""
-        return [self._curves[number] for number in sorted(self._rank)]
 
 
 def report_ignored(found: ClosedCurve, why: str, context: ReadContext) -> None:
@@ -110,8 +98,8 @@ def report_ignored(found: ClosedCurve, why: str, context: ReadContext) -> None:
 
 
 def read_column_points(
-    points: list[tuple[Source, Point]], count: int, tolerance: float, context: ReadContext
-) -> list[Point]:
+    points: list[tuple[Source, Place]], count: int, tolerance: float, context: ReadContext
+) -> list[Place]:
     """Return columns that are points, each once; ``count`` others were numbered before."""
     nodes = PointIndex(tolerance)
     for source, point in points:

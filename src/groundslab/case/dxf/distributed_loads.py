@@ -11,23 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab import units
+from groundslab.case.dxf import labelling
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.classify import EnclosingCurves, report_taken
 from groundslab.case.dxf.document import Roles
 from groundslab.case.dxf.drawing import DOUBLE, AreaMark, LineMark, ReadContext, Source
 from groundslab.case.dxf.entities import DrawnLine
-from groundslab.case.dxf.labelling import (
-    DIMENSION,
-    Label,
-    PendingLoad,
-    assign_texts,
-    choose_value,
-    find_layer_quantity,
-    join_texts,
-)
 from groundslab.errors import Issue
-from groundslab.geometry.bulges import Edge, Point
-from groundslab.geometry.plan import Ring, segment
+from groundslab.geometry.plan import Place, Ring, Segment, segment
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -38,7 +29,7 @@ CHORDS = 16  # of an arc, to see what is near it
 
 def read_line_loads(
     lines: Sequence[tuple[Source, DrawnLine]],
-    texts: Sequence[Label],
+    texts: Sequence[labelling.Label],
     roles: Roles,
     tolerance: float,
     context: ReadContext,
@@ -48,38 +39,41 @@ def read_line_loads(
 
     nodes, middles = PointIndex(tolerance), PointIndex(tolerance)
     seen: set[frozenset[tuple[int, int, int]]] = set()
-    marks: list[PendingLoad] = []
-    edges: list[list[Edge]] = []
+    marks: list[labelling.PendingLoad] = []
+    drawn: list[list[tuple[Place, Place, float]]] = []
     for source, piece in lines:
         own = [
-            Edge(a, b, bulge)
+            (a, b, bulge)
             for (a, b), bulge in zip(pairwise(piece.points), piece.bulges, strict=True)
             if math.dist(a, b) > tolerance
         ]
-        ends = [sorted((nodes.number(edge.a), nodes.number(edge.b))) for edge in own]
-        key = frozenset((a, b, middles.number(edge.middle())) for (a, b), edge in zip(ends, own, strict=True))
+        edges = [segment(*each) for each in own]
+        ends = [sorted((nodes.number(a), nodes.number(b))) for a, b, _ in own]
+        key = frozenset((a, b, middles.number(edge.middle)) for (a, b), edge in zip(ends, edges, strict=True))
         if not own or key in seen:
             context.report_entity(source, False, DOUBLE if own else "it has no length")
             continue
         seen.add(key)
-        edges.append(own)
+        drawn.append(own)
+        start = edges[0].start
         marks.append(
-            PendingLoad(source, own[0].a, LineString([own[0].a, *(p for edge in own for p in divide_edge(edge))]))
+            labelling.PendingLoad(source, start, LineString([start, *(p for edge in edges for p in divide_edge(edge))]))
         )
-    assign_texts(marks, texts, "line_loads", context)
+    labelling.assign_texts(marks, texts, "line_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "line_loads", roles, context)
     found = []
-    for mark, own in zip(marks, edges, strict=True):
-        value, how = _find_value(mark, "line_loads", defaults, context)
+    for mark, own in zip(marks, drawn, strict=True):
+        value, how = labelling.choose_value(mark, "line_loads", context, defaults)
         context.report_entity(mark.source, True, f"line load{how}")
-        closed = len(own) > 1 and math.dist(own[0].a, own[-1].b) <= tolerance
-        points = tuple(edge.a for edge in own) + (() if closed else (own[-1].b,))
-        found.append(LineMark(points, tuple(edge.bulge for edge in own), value, join_texts(mark)))
+        starts, ends_of, bulges = zip(*own, strict=True)
+        closed = len(own) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
+        points = starts if closed else (*starts, ends_of[-1])
+        found.append(LineMark(points, bulges, value, labelling.join_texts(mark)))
     return found
 
 
 def read_area_loads(
-    found: list[ClosedCurve], texts: Sequence[Label], roles: Roles, context: ReadContext
+    found: list[ClosedCurve], texts: Sequence[labelling.Label], roles: Roles, context: ReadContext
 ) -> list[AreaMark]:
     """Return the area loads with the values that stand in or beside them or in the names of their layers.
 
@@ -87,23 +81,20 @@ def read_area_loads(
     """
     from shapely import Polygon
 
-    shapes = [_valid(Polygon([p for edge in each.edges() for p in divide_edge(edge)])) for each in found]
+    shapes = [_valid(Polygon([p for edge in each.curve.segments() for p in divide_edge(edge)])) for each in found]
     marks = [
-        PendingLoad(each.sources[0], each.curve.points[0], shape, each.curve.area)
+        labelling.PendingLoad(each.sources[0], each.curve.points[0], shape, each.curve.area)
         for each, shape in zip(found, shapes, strict=True)
     ]
-    assign_texts(marks, texts, "area_loads", context)
+    labelling.assign_texts(marks, texts, "area_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "area_loads", roles, context)
-    numbers = {id(each): number for number, each in enumerate(found)}
-    holders = EnclosingCurves(found, context) if found else None
+    holders = EnclosingCurves(found, context)
     hole_of: dict[int, int] = {}
-    for each in sorted(found, key=lambda one: -one.curve.area):
-        assert holders is not None
-        around = holders.find(each.curve.points, last=True)
-        outer = None if around is None else numbers[id(around)]
-        if outer is not None and outer not in hole_of and not marks[numbers[id(each)]].values:
-            hole_of[numbers[id(each)]] = outer
-        holders.add(each)
+    for number in sorted(range(len(found)), key=lambda each: -found[each].curve.area):
+        outer = holders.find(found[number].curve.points, last=True)
+        if outer is not None and outer not in hole_of and not marks[number].values:
+            hole_of[number] = outer
+        holders.add(number)
     order = [number for number in range(len(found)) if number not in hole_of]
     loads = {number: position for position, number in enumerate(order, 1)}
     holes: dict[int, list[Ring]] = defaultdict(list)
@@ -111,25 +102,19 @@ def read_area_loads(
         holes[outer].append(found[hole].curve)
     areas = []
     for number in order:
-        value, how = _find_value(marks[number], "area_loads", defaults, context)
+        value, how = labelling.choose_value(marks[number], "area_loads", context, defaults)
         report_taken(found[number], f"area load {loads[number]}{how}", context)
-        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, join_texts(marks[number])))
+        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, labelling.join_texts(marks[number])))
     for hole, outer in hole_of.items():
         report_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value of its own", context)
     return areas
 
 
-def length(load: LineMark) -> float:
-    """Return the length of a line load [m]."""
-    points = (*load.points, load.points[0]) if load.closed else load.points
-    return sum(segment(a, b, bulge).length for (a, b), bulge in zip(pairwise(points), load.bulges, strict=True))
-
-
-def divide_edge(edge: Edge) -> list[Point]:
+def divide_edge(edge: Segment) -> list[Place]:
     """Return points along an edge, its end the last of them."""
-    if not edge.bulge:
-        return [edge.b]
-    places: list[Point] = segment(*edge).at(np.arange(1, CHORDS + 1) / CHORDS).tolist()
+    if edge.straight:
+        return [edge.end]
+    places: list[Place] = edge.at(np.arange(1, CHORDS + 1) / CHORDS).tolist()
     return places
 
 
@@ -142,20 +127,10 @@ def _read_layer_values(names: Sequence[str], role: str, roles: Roles, context: R
     """Return the values that stand in names of layers; what is meant as one and is none is an issue."""
     values = {}
     for name in dict.fromkeys(names):
-        value = find_layer_quantity(roles.suffix(name), DIMENSION[role])
+        value = labelling.find_layer_quantity(roles.suffix(name), labelling.DIMENSION[role])
         if isinstance(value, float):
             values[name] = value
         elif value is not None:
-            where, expected = f"{context.path}, layer {describe(name)}", units.expectation(DIMENSION[role])
+            where, expected = f"{context.path}, layer {describe(name)}", units.expectation(labelling.DIMENSION[role])
             context.add(Issue(where, describe(roles.suffix(name)), expected, value))
     return values
-
-
-def _find_value(
-    mark: PendingLoad, role: str, defaults: dict[str, float], context: ReadContext
-) -> tuple[float | None, str]:
-    """Return the value of a load, its own or that of its layer, and what the report says of it."""
-    value, how = choose_value(mark, role, context), ""
-    if value is None and mark.source.layer in defaults:
-        value, how = defaults[mark.source.layer], ", by the name of its layer"
-    return value, ", no value" if value is None else f" of {units.show(value, DIMENSION[role])}{how}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 import os
 import re
@@ -15,7 +14,7 @@ from typing import TYPE_CHECKING
 from groundslab import units
 from groundslab.case.dxf.drawing import ReadContext, ReportLine, Source
 from groundslab.errors import InputError, Issue
-from groundslab.schema.wording import describe
+from groundslab.schema.wording import describe, suggestion
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -171,10 +170,8 @@ def check_layers(
             continue
         if role == "outline" or key != getattr(usual, role).lower():
             shown = ", ".join(describe(each) for each in known[:12]) + (" ..." if len(known) > 12 else "")
-            others = {each.lower(): each for each in known if each.lower() != key}
-            close = difflib.get_close_matches(key, others, 1)
-            hint = f"did you mean {describe(others[close[0]])}? " if close else ""
-            hint += f"the drawing has the layers {shown}"
+            meant = suggestion(name, [each for each in known if each.lower() != key])
+            hint = f"{meant} the drawing has the layers {shown}".lstrip()
             where = f"{context.path}, layer {describe(name)}"
             context.issues.append(Issue(where, "nothing on it", f"entities for {role.replace('_', ' ')}", hint))
         else:

@@ -9,8 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, NoReturn
 
 from groundslab.errors import InputError, Issue
-from groundslab.geometry.bulges import Point
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Place, Ring, Segment, make_segments
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -31,7 +30,7 @@ class PointMark:
 class LineMark:
     """A line load: points [m] and the bulge of the edge after each, value [N/m] or None, what is written beside it."""
 
-    points: tuple[Point, ...]
+    points: tuple[Place, ...]
     bulges: tuple[float, ...]  # one less than points if it is open
     value: float | None
     text: str
@@ -40,6 +39,14 @@ class LineMark:
     def closed(self) -> bool:
         """Return whether the last point is joined to the first."""
         return len(self.bulges) == len(self.points)
+
+    def corners(self) -> tuple[Place, ...]:
+        """Return the points, the first again at the end if the line is closed."""
+        return self.points + (self.points[:1] if self.closed else ())
+
+    def segments(self) -> tuple[Segment, ...]:
+        """Return the edges that the load stands on."""
+        return make_segments(self.corners(), self.bulges)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +77,7 @@ class Drawing:
     outline: Ring
     openings: tuple[Ring, ...]
     zones: tuple[Ring, ...]
-    columns: tuple[Ring | Point, ...]
+    columns: tuple[Ring | Place, ...]
     point_loads: tuple[PointMark, ...]
     line_loads: tuple[LineMark, ...]
     area_loads: tuple[AreaMark, ...]
@@ -114,7 +121,7 @@ class ReadContext:
         """Return a length of the drawing in meters, rounded once if it can be."""
         return value * self.scale.numerator / self.scale.denominator
 
-    def point(self, vector: Vec3) -> Point:
+    def point(self, vector: Vec3) -> Place:
         """Return a point of the drawing in meters."""
         return self.to_meters(vector.x), self.to_meters(vector.y)
 
@@ -122,7 +129,7 @@ class ReadContext:
         """Return a length in the drawing's unit, as it is seen there."""
         return f"{float(length / self.scale):.6g} {self.unit}"
 
-    def format_point(self, point: Point) -> str:
+    def format_point(self, point: Place) -> str:
         """Return a place as it is seen in the drawing."""
         x, y = (f"{round(float(value / self.scale), 10) + 0.0:.10g}" for value in point)
         return f"({x}, {y}) {self.unit}"
@@ -131,7 +138,7 @@ class ReadContext:
         """Add a line to the report."""
         self.report.append(ReportLine(source.layer, source.entity, source.handle, taken, why))
 
-    def issue(self, sources: Sequence[Source], point: Point | None, found: str, expected: str, hint: str = "") -> None:
+    def issue(self, sources: Sequence[Source], point: Place | None, found: str, expected: str, hint: str = "") -> None:
         """Add an issue with file, layer, entities and place."""
         names = " and ".join(dict.fromkeys(f"{source.entity} {source.handle}".strip() for source in sources[:3]))
         where = f"{self.path}, layer {describe(sources[0].layer)}, {names}"

@@ -10,11 +10,12 @@ from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from groundslab.case.dxf.document import Roles
 from groundslab.case.dxf.drawing import CLOSE, FARTHEST, MOST_ENTITIES, ReadContext, Source, abort
 from groundslab.errors import InputError
-from groundslab.geometry.bulges import Point, distance_to_line
-from groundslab.geometry.plan import LARGEST_BULGE
+from groundslab.geometry.plan import LARGEST_BULGE, Place, Segment
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -224,7 +225,7 @@ _NOT_TAKEN = {
 class DrawnLine:
     """One drawn line: points, bulges (one less than points if it is open), and remarks for the report."""
 
-    points: list[Point]
+    points: list[Place]
     bulges: list[float]
     remarks: str = ""
 
@@ -328,7 +329,7 @@ def _flatten_spline(spline: Spline, context: ReadContext) -> tuple[list[Vec3], f
     def follow(start: float, end: float, a: Vec3, b: Vec3, depth: int) -> None:
         between = [tool.point(start + (end - start) * part / 4) for part in (1, 2, 3)]
         # An S crosses its chord half way, so that quarters are looked at too.
-        off = max(distance_to_line((p.x, p.y), (a.x, a.y), (b.x, b.y)) for p in between)
+        off = Segment((a.x, a.y), (b.x, b.y)).distance(np.array([(p.x, p.y) for p in between])).max()
         if depth < 2 or (off > sag / 2 and depth < MOST_HALVINGS):
             if depth >= 2:
                 context.count_work(1, MOST_LINES, LINES_MADE)
@@ -368,12 +369,11 @@ def _divide_arc(centre: Vec3, radius: float, start: float, angle: float) -> tupl
     return corners, [1.0 if angle in {180.0, 360.0} else math.tan(math.radians(angle / parts) / 4)] * parts
 
 
-def read_position(entity: DXFEntity, context: ReadContext) -> Point | None:
+def read_position(entity: DXFEntity, context: ReadContext) -> Place | None:
     """Return the place of a POINT, a circle or a block's reference, None if it has none."""
-    from ezdxf.entities import Circle, Insert
-    from ezdxf.entities import Point as PointEntity
+    from ezdxf.entities import Circle, Insert, Point
 
-    if isinstance(entity, PointEntity):
+    if isinstance(entity, Point):
         point = context.point(entity.dxf.location)
     elif isinstance(entity, Insert):
         point = context.point(entity.ocs().to_wcs(entity.dxf.insert))

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab import units
 from groundslab.case.dxf.drawing import FARTHEST, ReadContext, Source
-from groundslab.geometry.bulges import Point
+from groundslab.geometry.plan import Place
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -35,8 +36,8 @@ class Label:
     source: Source
     words: str
     value: float | str | None
-    start: Point
-    end: Point
+    start: Place
+    end: Place
     height: float
 
 
@@ -58,7 +59,8 @@ def find_quantity(words: str, dimension: str = "force") -> float | str | None:
     numbers = [each for each in read if isinstance(each, float)]
     if numbers:
         return numbers[0]
-    if any(isinstance(_quantity(each, other), float) for each in found for other in {dimension, *_others(dimension)}):
+    others = {dimension} if dimension == "force" else DIMENSION.values()
+    if any(isinstance(_quantity(each, other), float) for each in found for other in others):
         return "it is not a name, a number and a unit" if values else f"it is no {dimension}"
     return None
 
@@ -71,11 +73,6 @@ def find_layer_quantity(words: str, dimension: str) -> float | str | None:
         return value
     divided = find_quantity(re.sub(r"(?<=[A-Za-z])[ -]+(?=m\^?2?\b)", "/", words), dimension)
     return divided if isinstance(divided, float) else value
-
-
-def _others(dimension: str) -> set[str]:
-    """Return what else a value may be meant to be; beside points forces alone are."""
-    return set() if dimension == "force" else set(DIMENSION.values())
 
 
 def _quantity(words: str, dimension: str) -> float | str:
@@ -166,7 +163,7 @@ class PendingLoad:
     """A load while its value is sought."""
 
     source: Source
-    point: Point
+    point: Place
     shape: BaseGeometry | None  # what texts stand beside
     size: float = 0.0  # of loads in which a text stands, it is that of the smallest
     values: list[float] = field(default_factory=list)
@@ -211,15 +208,23 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
             context.issue([text.source], text.start, describe(text.words), f"a {what} beside the value", hint)
 
 
-def choose_value(mark: PendingLoad, role: str, context: ReadContext) -> float | None:
-    """Return the value of a load, None if it has none; several, or one that cannot be read, are issues."""
+def choose_value(
+    mark: PendingLoad, role: str, context: ReadContext, of_layers: Mapping[str, float] = MappingProxyType({})
+) -> tuple[float | None, str]:
+    """Return the value of a load, its own or that of its layer, if any, and what the report says of it.
+
+    Several values, or one that cannot be read, are issues.
+    """
     dimension = DIMENSION[role]
     if len(mark.values) > 1:
         shown = " and ".join(units.show(value, dimension) for value in mark.values)
         context.issue([mark.source], mark.point, shown, "one value a load", "write the sum")
     if mark.unclear and not mark.values:
         context.issue([mark.source], mark.point, ", ".join(mark.unclear), units.expectation(dimension), "add the unit")
-    return mark.values[0] if mark.values else None
+    value, how = mark.values[0] if mark.values else None, ""
+    if value is None and mark.source.layer in of_layers:
+        value, how = of_layers[mark.source.layer], ", by the name of its layer"
+    return value, ", no value" if value is None else f" of {units.show(value, dimension)}{how}"
 
 
 def join_texts(mark: PendingLoad) -> str:

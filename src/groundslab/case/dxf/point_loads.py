@@ -6,20 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab import units
+from groundslab.case.dxf import labelling
 from groundslab.case.dxf.chaining import PointIndex
 from groundslab.case.dxf.drawing import DOUBLE, FARTHEST, PointMark, ReadContext, Source
 from groundslab.case.dxf.entities import read_position
-from groundslab.case.dxf.labelling import (
-    LONGEST,
-    Label,
-    PendingLoad,
-    assign_texts,
-    choose_value,
-    find_quantity,
-    join_texts,
-    read_label,
-)
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -33,12 +23,12 @@ def read_point_loads(
     from ezdxf.entities import Insert
     from shapely import points
 
-    marks: list[PendingLoad] = []
-    texts: list[Label] = []
+    marks: list[labelling.PendingLoad] = []
+    texts: list[labelling.Label] = []
     nodes = PointIndex(tolerance)
     for source, entity in entities:
         try:
-            text = read_label(source, entity, context)
+            text = labelling.read_label(source, entity, context)
             spot = read_position(entity, context)
         except Exception as error:  # of any kind, as what is damaged may be anything
             context.issue([source], None, f"a damaged entity ({error})", "a point load or a text")
@@ -50,7 +40,7 @@ def read_point_loads(
         else:
             radius = context.to_meters(abs(entity.dxf.radius)) if entity.dxftype() == "CIRCLE" else 0.0
             radius = radius if radius < FARTHEST else 0.0
-            mark = PendingLoad(source, spot, None, radius)
+            mark = labelling.PendingLoad(source, spot, None, radius)
             if isinstance(entity, Insert):
                 _read_attributes(entity, mark)
             number = nodes.number(spot)
@@ -61,15 +51,15 @@ def read_point_loads(
                 context.report_entity(source, False, DOUBLE)
     for mark, shape in zip(marks, points(np.reshape([mark.point for mark in marks], (-1, 2))), strict=True):
         mark.shape = shape.buffer(mark.size) if mark.size else shape
-    assign_texts(marks, texts, "point_loads", context)
+    labelling.assign_texts(marks, texts, "point_loads", context)
     return [_point_mark(mark, context) for mark in marks]
 
 
-def _read_attributes(insert: Insert, mark: PendingLoad) -> None:
+def _read_attributes(insert: Insert, mark: labelling.PendingLoad) -> None:
     """Give a mark what the attributes of its block say."""
     for attribute in insert.attribs:
-        words = attribute.plain_text().strip()[:LONGEST]
-        value = find_quantity(words)
+        words = attribute.plain_text().strip()[: labelling.LONGEST]
+        value = labelling.find_quantity(words)
         if isinstance(value, float):
             mark.values.append(value)
         elif isinstance(value, str):
@@ -78,7 +68,7 @@ def _read_attributes(insert: Insert, mark: PendingLoad) -> None:
             mark.texts.append(words)
 
 
-def _merge(mark: PendingLoad, double: PendingLoad) -> None:
+def _merge(mark: labelling.PendingLoad, double: labelling.PendingLoad) -> None:
     """Add what a mark at the same place knows."""
     mark.size = max(mark.size, double.size)
     mark.values += [value for value in double.values if value not in mark.values]
@@ -86,9 +76,8 @@ def _merge(mark: PendingLoad, double: PendingLoad) -> None:
     mark.unclear += double.unclear
 
 
-def _point_mark(mark: PendingLoad, context: ReadContext) -> PointMark:
+def _point_mark(mark: labelling.PendingLoad, context: ReadContext) -> PointMark:
     """Return a point load for the result."""
-    value = choose_value(mark, "point_loads", context)
-    why = "point load, no value" if value is None else f"point load of {units.show(value, 'force')}"
-    context.report_entity(mark.source, True, why)
-    return PointMark(*mark.point, value, join_texts(mark))
+    value, how = labelling.choose_value(mark, "point_loads", context)
+    context.report_entity(mark.source, True, f"point load{how}")
+    return PointMark(*mark.point, value, labelling.join_texts(mark))

@@ -14,8 +14,8 @@ from groundslab.case.dxf.drawing import CLOSE, MOST_EDGES, MOST_ENTITIES, Drawin
 from groundslab.case.dxf.entities import BlockCounts, DrawnLine, iterate_entities, read_line, read_position
 from groundslab.case.dxf.labelling import DIMENSION, Label, read_label
 from groundslab.case.dxf.point_loads import read_point_loads
-from groundslab.geometry.bulges import Point
 from groundslab.geometry.intersections import find_self_meeting
+from groundslab.geometry.plan import Place
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -77,21 +77,17 @@ def _entities(document: Document, roles: Roles, context: ReadContext) -> dict[st
     for role, source, entity in iterate_entities(document.modelspace(), roles, blocks, context):
         entities[role].append((source, entity))
         if sum(map(len, entities.values())) > MOST_ENTITIES:
-            abort(
-                context,
-                f"more than {MOST_ENTITIES:,} entities on these layers",
-                "fewer",
-                "leave only what is needed there",
-            )
+            found = f"more than {MOST_ENTITIES:,} entities on these layers"
+            abort(context, found, "fewer", "leave only what is needed there")
     return entities
 
 
 def _lines(
     entities: dict[str, list[tuple[Source, DXFEntity]]], context: ReadContext
-) -> tuple[dict[str, list[tuple[Source, DrawnLine]]], list[tuple[Source, Point]]]:
+) -> tuple[dict[str, list[tuple[Source, DrawnLine]]], list[tuple[Source, Place]]]:
     """Return the lines on the layers of curves, and the points that are columns; what is neither is reported."""
     lines: dict[str, list[tuple[Source, DrawnLine]]] = defaultdict(list)
-    points: list[tuple[Source, Point]] = []
+    points: list[tuple[Source, Place]] = []
     for role in (*CURVES, *WITH_VALUE):
         for source, entity in entities[role]:
             if role in WITH_VALUE and entity.dxftype() in WRITTEN:
@@ -115,7 +111,7 @@ def _texts(entities: list[tuple[Source, DXFEntity]], dimension: str, context: Re
     return [label for label in found if label is not None]
 
 
-def _tolerance(lines: dict[str, list[tuple[Source, DrawnLine]]], points: list[tuple[Source, Point]]) -> float:
+def _tolerance(lines: dict[str, list[tuple[Source, DrawnLine]]], points: list[tuple[Source, Place]]) -> float:
     """Return how near ends are one point [m], by the size of what is drawn."""
     every = [point for each in lines.values() for _, piece in each for point in piece.points]
     every += [point for _, point in points]
@@ -125,7 +121,7 @@ def _tolerance(lines: dict[str, list[tuple[Source, DrawnLine]]], points: list[tu
 def _check_crossings(found: dict[str, list[ClosedCurve]], tolerance: float, context: ReadContext) -> None:
     """Add an issue for each curve that crosses or touches itself."""
     for each in (each for curves in found.values() for each in curves):
-        meeting = find_self_meeting(each.edges(), tolerance, context.count_pairs)
+        meeting = find_self_meeting(each.curve.segments(), tolerance, context.count_pairs)
         if meeting is not None:
             hint = "change the curve so that it neither crosses nor touches itself"
             context.issue(

@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from groundslab import units
-from groundslab.case.dxf.distributed_loads import length
 from groundslab.case.dxf.drawing import Drawing
 from groundslab.schema.wording import escape
 
@@ -44,7 +43,7 @@ def report_text(drawing: Drawing) -> str:
 
 def _distributed_totals(drawing: Drawing) -> Iterator[str]:
     """Yield the counts of line and area loads with what they come to, if there are any."""
-    lines = [(line.value, length(line)) for line in drawing.line_loads]
+    lines = [(line.value, sum(edge.length for edge in line.segments())) for line in drawing.line_loads]
     areas = [(area.value, area.curve.area - sum(hole.area for hole in area.holes)) for area in drawing.area_loads]
     for what, loads in (("line loads", lines), ("area loads", areas)):
         if loads:

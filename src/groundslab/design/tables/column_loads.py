@@ -11,16 +11,8 @@ import numpy as np
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
+from groundslab.model.loads import load_types
 from groundslab.model.loads.clipping import clip_line_load
-from groundslab.model.loads.load_types import (
-    AreaLoad,
-    LineLoad,
-    PatchLoad,
-    PointLoad,
-    SelfWeight,
-    UniformLoad,
-    pressure_function,
-)
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.results.results import CombinationResult
@@ -34,7 +26,7 @@ def sum_of_column(model: Model, name: str) -> dict[str, float]:
     """Return the sum of the point loads that name a column [N], by load case."""
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
-        if isinstance(load, PointLoad) and load.column == name:
+        if isinstance(load, load_types.PointLoad) and load.column == name:
             force[load.case] += load.P
     return force
 
@@ -46,21 +38,21 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
     elements = load_vectors.find_elements_near(mesh, part)
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
-        if isinstance(load, UniformLoad):
+        if isinstance(load, load_types.UniformLoad):
             force[load.case] += float(
-                load_vectors.integrate_over_polygon(mesh, elements, part, pressure_function(load)).sum()
+                load_vectors.integrate_over_polygon(mesh, elements, part, load_types.pressure_function(load)).sum()
             )
-        elif isinstance(load, PatchLoad | AreaLoad):
+        elif isinstance(load, load_types.PatchLoad | load_types.AreaLoad):
             for piece in _pieces(part, load.drawn(chord)):
                 force[load.case] += float(
-                    load_vectors.integrate_over_polygon(mesh, elements, piece, pressure_function(load)).sum()
+                    load_vectors.integrate_over_polygon(mesh, elements, piece, load_types.pressure_function(load)).sum()
                 )
-        elif isinstance(load, SelfWeight):
+        elif isinstance(load, load_types.SelfWeight):
             area = load_vectors.integrate_over_polygon(mesh, elements, part).sum(axis=1)
             force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[elements]))
-        elif isinstance(load, LineLoad):
+        elif isinstance(load, load_types.LineLoad):
             force[load.case] += _on_line(load, model.plate, part, chord)
-        elif isinstance(load, PointLoad) and load.column != column and _may_meet(load, model, part):
+        elif isinstance(load, load_types.PointLoad) and load.column != column and _may_meet(load, model, part):
             force[load.case] += _on_footprint(load.on(model.columns), part, chord)
     return force
 
@@ -78,7 +70,7 @@ def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
     return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
 
 
-def _on_line(load: LineLoad, plate: Plate, part: Polygon, chord: float) -> float:
+def _on_line(load: load_types.LineLoad, plate: Plate, part: Polygon, chord: float) -> float:
     """Return the force [N] of a line load on a part of the plate."""
     from shapely import LineString, Point, get_coordinates, get_parts, intersection
 
@@ -96,13 +88,13 @@ def _on_line(load: LineLoad, plate: Plate, part: Polygon, chord: float) -> float
     return float(force)
 
 
-def _may_meet(load: PointLoad, model: Model, part: Polygon) -> bool:
+def _may_meet(load: load_types.PointLoad, model: Model, part: Polygon) -> bool:
     """Return whether a load that names a column may stand on a part of the plate, by the column's place."""
     named = [each for each in model.columns if each.name == load.column]
     return not named or bool(named[0].drawn(FLAT * max(model.plate.sides)).intersects(part))
 
 
-def _on_footprint(load: PointLoad, part: Polygon, chord: float) -> float:
+def _on_footprint(load: load_types.PointLoad, part: Polygon, chord: float) -> float:
     """Return the force [N] of a point load on a part of the plate, by its pressure where it has a footprint."""
     place = load.drawn(chord)
     if place.geom_type == "Point":

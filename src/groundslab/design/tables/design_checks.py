@@ -11,18 +11,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from groundslab.design import punching_resistance
+from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import Demand, Demands, Stress, demands
-from groundslab.design.tables.reinforcement import (
-    COMPRESSION,
-    TOO_WEAK,
-    UNFACTORED,
-    Need,
-    governing_needs,
-    materials,
-    section_name,
-    ultimate_results,
-    without_partial_factors,
-)
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import Results
 
@@ -59,7 +49,7 @@ def design_of(combined: Results) -> Design:
     steel = combined.model.reinforcement
     if steel is None:
         return Design("not checked", "Strength was not checked: the case has no [reinforcement].")
-    if not ultimate_results(combined):
+    if not reinforcement.ultimate_results(combined):
         return Design("not checked", "DESIGN NOT CHECKED: no ultimate combination has a certified result.")
     order = ("fails", "attention", "no failure found")
     found = tuple(sorted(_checks(combined, steel), key=lambda each: order.index(each.status)))
@@ -80,7 +70,7 @@ def _verb(verb: str, count: int) -> str:
 
 def _checks(combined: Results, steel: Reinforcement) -> Iterator[DesignCheck]:
     """Yield all checks."""
-    needs = governing_needs(combined, steel)
+    needs = reinforcement.governing_needs(combined, steel)
     yield _bending(needs)
     yield _compression(needs)
     if combined.model.columns:
@@ -94,13 +84,13 @@ def _checks(combined: Results, steel: Reinforcement) -> Iterator[DesignCheck]:
         names = ", ".join(f'"{each.name}"' for each in missing[:5]) + (" ..." if len(missing) > 5 else "")
         words = f"without a certified result, and so not designed for: {names}"
         yield DesignCheck("ultimate combinations", "attention", words)
-    if without_partial_factors(combined):
-        yield DesignCheck("partial factors", "attention", UNFACTORED)
+    if reinforcement.without_partial_factors(combined):
+        yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
 
 
-def _bending(needs: list[Need]) -> DesignCheck:
+def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
     """Return whether any reinforcement can carry the moments."""
-    failing = [need for need in needs if need.governed_by == TOO_WEAK]
+    failing = [need for need in needs if need.governed_by == reinforcement.TOO_WEAK]
     if not failing:
         return DesignCheck("bending", "no failure found", "required reinforcement can be found everywhere")
     worst = max(failing, key=lambda need: need.fails)
@@ -108,23 +98,23 @@ def _bending(needs: list[Need]) -> DesignCheck:
     return DesignCheck("bending", "fails", f"the concrete is too weak for any reinforcement on {share}{_where(worst)}")
 
 
-def _compression(needs: list[Need]) -> DesignCheck:
+def _compression(needs: list[reinforcement.Need]) -> DesignCheck:
     """Return whether bars in compression are counted on."""
     name = "compression reinforcement"
     share = sum({need.section: need.links for need in needs}.values())
     if not share:
         return DesignCheck(name, "no failure found", "the concrete carries bending without bars in compression")
     words = f"bars in compression, held by links (9.2.1.2(3)), are needed on {100 * share:.3g} % of the plate's area"
-    of_them = [need for need in needs if need.governed_by == COMPRESSION]
+    of_them = [need for need in needs if need.governed_by == reinforcement.COMPRESSION]
     return DesignCheck(name, "attention", words + (_where(max(of_them, key=lambda need: need.area)) if of_them else ""))
 
 
-def _where(need: Need) -> str:
+def _where(need: reinforcement.Need) -> str:
     """Return which layer it is about, and the moment that governs it."""
     assert need.place is not None
     assert need.moment is not None
     x, y = need.place
-    part = f", {section_name(need.section)}" if need.section else ""
+    part = f", {reinforcement.section_name(need.section)}" if need.section else ""
     return (
         f"; {need.layer.replace('_', ' ')}{part}: {need.moment / 1e3:.4g} kNm/m at ({x:.3f}, {y:.3f}) m"
         f' in "{need.combination}", thickness {need.thickness:g} m'
@@ -133,14 +123,14 @@ def _where(need: Need) -> str:
 
 def _face(steel: Reinforcement, punched: Demands) -> DesignCheck:
     """Return whether punching exceeds v_Rd,max at the face of any column (EN 1992-1-1 6.4.5(3))."""
-    limit = punching_resistance.max_resistance(materials(steel)[0])
+    limit = punching_resistance.max_resistance(reinforcement.materials(steel)[0])
     stresses = [(each, each.face, limit) for each in punched.found.values() if each.face is not None]
     return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
 
 
 def _at_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
     """Return whether punching at 2 d needs links, or exceeds what they can carry, whatever the other bars."""
-    concrete, name = materials(steel)[0], "punching at 2 d"
+    concrete, name = reinforcement.materials(steel)[0], "punching at 2 d"
     there = [(each, each.at_2d, punching_resistance.resistance_without_links(concrete, each.d))
              for each in punched.found.values() if each.at_2d is not None]  # fmt: skip
     most = [(each, stress, punching_resistance.K_MAX * v_Rd_c) for each, stress, v_Rd_c in there]

@@ -37,14 +37,8 @@ def _figures(support: SupportResult, kind: str) -> list[Cell]:
     w = support.settlement * 1e3
     on_line = support.length > 0
     per_length = support.force[on_line] / support.length[on_line] / 1e3
-    line = kind == "line" and len(per_length) > 0
-    return [
-        support.total / 1e3,
-        float(support.length.sum()) if line else None,
-        float(per_length.min()) if line else None,
-        float(per_length.max()) if line else None,
-        float(w.min()),
-        float(w.max()),
-        float(support.moment_x.sum() / 1e3),
-        float(support.moment_y.sum() / 1e3),
-    ]
+    along: list[Cell] = [None, None, None]
+    if kind == "line" and len(per_length) > 0:
+        along = [support.length.sum(), per_length.min(), per_length.max()]
+    moments = support.moment_x.sum() / 1e3, support.moment_y.sum() / 1e3
+    return [support.total / 1e3, *along, w.min(), w.max(), *moments]

@@ -11,27 +11,22 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.geometry.bulges import Edge
 from groundslab.geometry.intersections import find_crossings
-from groundslab.geometry.plan import Segment, bounding_box, equal_area_polygon
+from groundslab.geometry.plan import Segment, bounding_box
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_function
-from groundslab.model.plate import Plate
+from groundslab.model.plate import Plate, PlateRegion
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 from groundslab.units import show
 
 if TYPE_CHECKING:
-    from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
-#: What reaches over the edge by less than this, relative to the plate, lies on the plate: by rounding, and where arcs
-#: are chords.
-STRAIGHT, CURVED = 1e-9, 5e-5
 #: A part of a line shorter than this, relative to the line, is nothing but rounding.
 NO_PART = 1e-9
 
@@ -67,17 +62,6 @@ class Clipped:
 
 
 @dataclass(frozen=True, slots=True)
-class PlateRegion:
-    """A plate in plan: its edges, its area, and the same grown by what counts as rounding."""
-
-    edges: tuple[Segment, ...]
-    area: Polygon
-    grown: BaseGeometry
-    near: float  # [m]
-    tree: Any  # of the boxes around the edges
-
-
-@dataclass(frozen=True, slots=True)
 class LinePiece:
     """A part of a line load that lies on the plate; q [N/m] at its start and its end, linear between."""
 
@@ -90,19 +74,8 @@ class LinePiece:
         return self.edge.length * (self.q[0] + self.q[1]) / 2
 
 
-@lru_cache(maxsize=4)
-def get_plate_region(plate: Plate) -> PlateRegion:
-    """Return the region of a plate."""
-    import shapely
-
-    rings = [plate.ring(), *(opening.ring() for opening in plate.openings)]
-    edges = tuple(edge for ring in rings for edge in ring.segments())
-    openings = shapely.union_all([equal_area_polygon(ring) for ring in rings[1:]])
-    area = equal_area_polygon(rings[0]).difference(openings)
-    near = (STRAIGHT if all(ring.straight for ring in rings) else CURVED) * max(plate.sides)
-    grown = area.buffer(near, join_style="mitre")
-    shapely.prepare(grown)
-    return PlateRegion(edges, area, grown, near, shapely.STRtree([bounding_box([edge]) for edge in edges]))
+#: That of a plate, kept for its loads.
+get_plate_region = lru_cache(maxsize=4)(PlateRegion)
 
 
 def find_clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
@@ -214,9 +187,9 @@ def _parts_on_plate(region: PlateRegion, edge: Segment) -> list[tuple[float, flo
     if region.grown.covers(LineString(_enclosing_line(edge))):
         return [(0.0, 1.0)]
     cuts = {0.0, 1.0}
-    for k in region.tree.query(bounding_box([edge])):
-        for place in find_crossings(_to_edge(edge), _to_edge(region.edges[k])):
-            if max(side.distance(np.array([place]))[0] for side in (edge, region.edges[k])) <= region.near:
+    for side in (region.edges.edges[k] for k in region.edges.find_near(edge, 0.0)):
+        for place in find_crossings(edge, side):
+            if edge.holds(place, region.near) and side.holds(place, region.near):
                 cuts.add(min(max(_parameter_at(edge, place), 0.0), 1.0))
     parts: list[tuple[float, float]] = []
     for low, high in itertools.pairwise(sorted(cuts)):
@@ -250,8 +223,3 @@ def _cut_segment(edge: Segment, low: float, high: float) -> Segment:
     if edge.straight:
         return Segment(start, end)
     return replace(edge, start=start, end=end, angle=edge.angle + low * edge.sweep, sweep=(high - low) * edge.sweep)
-
-
-def _to_edge(edge: Segment) -> Edge:
-    """Return an edge as points and a bulge."""
-    return Edge(edge.start, edge.end, 0.0 if edge.straight else math.tan(edge.sweep / 4))

@@ -65,6 +65,11 @@ def _check_partial_factors(permanent: tuple[float, float], variable: tuple[float
         yield RelativeIssue(("variable", 1), repr(variable[1]), "0", hint)
 
 
+def _partial_factors(symbol: str, kind: Kind) -> ListOf:
+    meaning = f"partial factors of {kind} actions, unfavourable and favourable; ultimate only"
+    return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 2)
+
+
 class Combine(Section):
     """Automatic combinations of the load cases by EN 1990."""
 
@@ -74,24 +79,8 @@ class Combine(Section):
         tuple[LimitState, ...],
         ListOf(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
     ]
-    permanent: Annotated[
-        tuple[float, float],
-        ListOf(
-            Number("gamma_G", "", PARTIAL),
-            "gamma_G",
-            "partial factors of permanent actions, unfavourable and favourable; ultimate only",
-            2,
-        ),
-    ] = (1.35, 1.0)
-    variable: Annotated[
-        tuple[float, float],
-        ListOf(
-            Number("gamma_Q", "", PARTIAL),
-            "gamma_Q",
-            "partial factors of variable actions, unfavourable and favourable; ultimate only",
-            2,
-        ),
-    ] = (1.5, 0.0)
+    permanent: Annotated[tuple[float, float], _partial_factors("gamma_G", "permanent")] = (1.35, 1.0)
+    variable: Annotated[tuple[float, float], _partial_factors("gamma_Q", "variable")] = (1.5, 0.0)
 
 
 def check_case_names(

@@ -8,17 +8,15 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 import numpy as np
-from pydantic import Discriminator, Tag
 
 from groundslab.arrays import Array
-from groundslab.geometry.plan import LARGEST_BULGE, Segment, equal_area_polygon, segment
+from groundslab.geometry.plan import Segment, equal_area_polygon, make_segments
 from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
-from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Place, Shape
-from groundslab.schema.base import Check, Section, Table, get_kind
-from groundslab.schema.fields import ListOf, Number, Quantity, Text
+from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
+from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.fields import ListOf, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
-from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -43,22 +41,15 @@ class _Pressure(_Load):
     q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
     slope: Annotated[
         tuple[float, float],
-        ListOf(
-            Quantity("pressure per length", "q_x, q_y", ""), "q_x, q_y", "growth of the pressure along x and along y", 2
-        ),
+        list_quantities("pressure per length", "q_x, q_y", "growth of the pressure along x and along y", 2),
     ] = NO_SLOPE
     bend: Annotated[
         tuple[float, float, float],
-        ListOf(
-            Quantity("pressure per area", "q_xx, q_xy, q_yy", ""),
-            "q_xx, q_xy, q_yy",
-            "second derivatives of the pressure",
-            3,
-        ),
+        list_quantities("pressure per area", "q_xx, q_xy, q_yy", "second derivatives of the pressure", 3),
     ] = NO_BEND
     about: Annotated[
         tuple[float, float],
-        ListOf(Quantity("length", "x, y", ""), "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
+        list_quantities("length", "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
     ] = ORIGIN
 
 
@@ -89,7 +80,7 @@ def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Relat
     for position, hole in enumerate(holes):
         if not around.intersects(equal_area_polygon(hole.ring())):
             yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
-    if not any(True for _ in _loaded_parts(shape, holes)):
+    if not _loaded_parts(shape, holes):
         yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
 
 
@@ -147,9 +138,8 @@ def _check_line_length(
         yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
     for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
         if math.dist(a, b) < NO_LENGTH:
-            yield RelativeIssue(
-                ("points", position), f"({b[0]!r}, {b[1]!r}) m twice", "another place than the one before"
-            )
+            found = f"({b[0]!r}, {b[1]!r}) m twice"
+            yield RelativeIssue(("points", position), found, "another place than the one before")
 
 
 class LineLoad(_Load):
@@ -169,7 +159,7 @@ class LineLoad(_Load):
     bulges: Annotated[
         tuple[float, ...],
         ListOf(
-            Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE)),
+            BULGE,
             "b",
             "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
             "counter-clockwise; 0 for a straight piece",
@@ -185,8 +175,7 @@ class LineLoad(_Load):
         if self.shape is not None:
             return self.shape.ring().segments()
         assert self.points is not None
-        bulges = self.bulges + (0.0,) * (len(self.points) - 1 - len(self.bulges))
-        return tuple(map(segment, self.points, self.points[1:], bulges))
+        return make_segments(self.points, self.bulges)
 
     @property
     def straight(self) -> bool:
@@ -226,9 +215,8 @@ def _check_position(
     own = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
     if column:
         for name in (name for name, value in own.items() if value is not None):
-            yield RelativeIssue(
-                (name,), f"{name} beside a column", "one of them", "the column says where its load acts"
-            )
+            hint = "the column says where its load acts"
+            yield RelativeIssue((name,), f"{name} beside a column", "one of them", hint)
     else:
         for name in (name for name in ("x", "y") if own[name] is None):
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
@@ -324,14 +312,4 @@ def pressure_function(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Arr
 
 
 AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight | TemperatureLoad | SettlementLoad
-Load = Annotated[
-    Annotated[UniformLoad, Tag("uniform")]
-    | Annotated[PatchLoad, Tag("patch")]
-    | Annotated[AreaLoad, Tag("area")]
-    | Annotated[LineLoad, Tag("line")]
-    | Annotated[PointLoad, Tag("point")]
-    | Annotated[SelfWeight, Tag("self weight")]
-    | Annotated[TemperatureLoad, Tag("temperature")]
-    | Annotated[SettlementLoad, Tag("settlement")],
-    Discriminator(get_kind),
-]
+Load = Annotated[AnyLoad, ByKind()]

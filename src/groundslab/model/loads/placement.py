@@ -4,22 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from groundslab.model.columns import Column
 from groundslab.model.loads.load_types import AnyLoad, PointLoad
-from groundslab.model.plate import Plate
+from groundslab.model.plate import ROUNDING, Plate, PlateRegion
 from groundslab.model.shapes import CHORD
-from groundslab.model.varying_ground import Void
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
-
-
-ON_PLATE = 1e-9  # tolerance of positions on the plate, relative to its longer side
 
 
 class Placed(Protocol):
@@ -30,51 +25,9 @@ class Placed(Protocol):
         ...
 
 
-class PlateArea:
-    """The area that a plate covers, computed once for all checks."""
-
-    def __init__(self, plate: Plate) -> None:
-        self.plate = plate
-        self.bounds = plate.bounds
-        x0, x1, y0, y1 = self.bounds
-        self.size = max(x1 - x0, y1 - y0)
-        #: Whether nothing but the rectangle counts.
-        self.plain = plate.outline is None and not plate.openings
-
-    @property
-    def near(self) -> float:
-        """Return how far off the plate a place may lie by rounding [m]."""
-        return ON_PLATE * self.size
-
-    @property
-    def chord(self) -> float:
-        """Return how far off an arc its chords may be [m]."""
-        return CHORD * self.size
-
-    @cached_property
-    def area(self) -> BaseGeometry:
-        """The plate without its openings."""
-        from shapely import union_all
-
-        openings = union_all([opening.ring().polygon(self.chord) for opening in self.plate.openings])
-        return self.plate.ring().polygon(self.chord).difference(openings)
-
-    @cached_property
-    def reach(self) -> BaseGeometry:
-        """What a part must not leave, wider than the plate by what rounding and chords may take."""
-        from shapely import prepare
-
-        rings = (self.plate.ring(), *(opening.ring() for opening in self.plate.openings))
-        reach = self.area.buffer(self.near if all(ring.straight for ring in rings) else 2 * self.chord)
-        prepare(reach)
-        return reach
-
-
-def on_plate(plate: Plate | PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+def on_plate(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
-    covered = plate if isinstance(plate, PlateArea) else PlateArea(plate)
-    x0, x1, y0, y1 = covered.bounds
-    near, plate = covered.near, covered.plate
+    (x0, x1, y0, y1), near, plate = covered.bounds, ROUNDING * covered.size, covered.plate
     hint = "the center of the plate is the origin" if plate.outline is None else "places are those of the outline"
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
@@ -85,7 +38,8 @@ def on_plate(plate: Plate | PlateArea, part: Placed, place: tuple[str | int, ...
             yield RelativeIssue((*place, axis), found, f"a position on the plate, from {low!r} m to {high!r} m", hint)
             outside = True
     # for points and what runs along the sides of a rectangle that is all
-    if not outside and not (covered.plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
+    plain = plate.outline is None and not plate.openings
+    if not outside and not (plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
         yield from _on_shape(covered, part, place)
 
 
@@ -93,7 +47,7 @@ def _has_footprint(part: Placed) -> bool:
     return getattr(part, "width_x", None) is not None or getattr(part, "diameter", None) is not None
 
 
-def _on_shape(covered: PlateArea, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+def _on_shape(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part off the plate, also within the rectangle around it."""
     expected = "a place on the plate, not in an opening nor beside the outline"
     (x0, x1, y0, y1), far = covered.bounds, covered.size
@@ -102,7 +56,7 @@ def _on_shape(covered: PlateArea, part: Placed, place: tuple[str | int, ...]) ->
     if not (x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far):
         yield RelativeIssue(place, "a part that reaches far off the plate", expected)
         return
-    loaded = part.drawn(covered.chord)
+    loaded = part.drawn(CHORD * covered.size)
     if not covered.reach.covers(loaded):
         left = loaded.difference(covered.area)
         off = left.representative_point()
@@ -119,7 +73,7 @@ def check_point_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Rela
     A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
     edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
     """
-    covered = PlateArea(plate)
+    covered = PlateRegion(plate)
     for position, load in enumerate(loads):
         if isinstance(load, PointLoad) and not load.column:
             yield from on_plate(covered, load, ("loads", position))
@@ -134,10 +88,3 @@ def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) 
             expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
             place = ("loads", position, "column")
             yield RelativeIssue(place, describe(load.column), expected, suggestion(load.column, names))
-
-
-def check_voids(plate: Plate, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
-    """Find voids that do not lie under the plate."""
-    covered = PlateArea(plate)
-    for position, void in enumerate(voids):
-        yield from on_plate(covered, void, ("contact", "voids", position))

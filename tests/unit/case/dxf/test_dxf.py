@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import ezdxf
+import numpy as np
 import pytest
 from ezdxf.document import Drawing as Document
 from ezdxf.layouts import Modelspace
@@ -25,7 +26,6 @@ from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing
 from groundslab.case.dxf.labelling import find_quantity
 from groundslab.errors import InputError
-from groundslab.geometry.bulges import distance_to_line, get_edges
 from groundslab.geometry.plan import Ring
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, UniformLoad
 from groundslab.model.shapes import Circle, Polygon
@@ -192,8 +192,9 @@ class TestOutline:
             exact.extend(tool.points(tool.params(999)))
 
         exact: list[Any] = []
-        edges = get_edges(drawn(draw).outline)
-        assert all(min(distance_to_line((p.x, p.y), e.a, e.b) for e in edges) <= 1e-3 for p in exact)
+        edges = drawn(draw).outline.segments()
+        places = np.array([(p.x, p.y) for p in exact])
+        assert (np.min([edge.distance(places) for edge in edges], axis=0) <= 1e-3).all()
 
     def test_doubles_count_once(self, drawn: Any) -> None:
         """The same curve begun elsewhere and run backwards, and a line on its edge, are reported and left."""

@@ -1,0 +1,55 @@
+"""What lies inside closed curves of straight edges and arcs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+
+from groundslab.geometry.plan import Place, Segment, bounding_box
+
+#: Counts work that is about to be done, and raises where it is too much.
+Spend = Callable[[int], None]
+
+
+class Region:
+    """Closed edges with a search tree, for repeated tests of what lies inside or near."""
+
+    def __init__(self, edges: Iterable[Segment]) -> None:
+        from shapely import STRtree
+
+        self.edges = tuple(edges)
+        self.tree = STRtree([bounding_box([edge]) for edge in self.edges])
+        self.far = max((edge.bounds[1] for edge in self.edges), default=-math.inf)
+
+    def holds(self, place: Place, spend: Spend | None = None) -> bool:
+        """Return whether the edges wind around a place; none counts but those that meet the ray to its right."""
+        from shapely import LineString
+
+        met = self.tree.query(LineString([place, (max(self.far, place[0]), place[1])]))
+        if spend is not None:
+            spend(len(met))
+        return _wind_around(place, [self.edges[k] for k in met])
+
+    def find_near(self, edge: Segment, tolerance: float) -> list[int]:
+        """Return the numbers of the edges whose boxes come near that of an edge."""
+        found = self.tree.query(bounding_box([edge]), predicate="dwithin", distance=tolerance)
+        return sorted(found.tolist())
+
+
+def _wind_around(place: Place, edges: Iterable[Segment]) -> bool:
+    """Return whether closed edges wind around a place: around by the chords, once more between an arc and its chord."""
+    winding = 0
+    for edge in edges:
+        side = _side(edge, place)
+        if edge.start[1] <= place[1] < edge.end[1] and side > 0:
+            winding += 1
+        elif edge.end[1] <= place[1] < edge.start[1] and side < 0:
+            winding -= 1
+        if side * edge.sweep < 0 and math.dist(place, edge.centre) < edge.radius:
+            winding += 1 if edge.sweep > 0 else -1
+    return winding != 0
+
+
+def _side(edge: Segment, place: Place) -> float:
+    """Return what is positive for a place to the left; one on a chord counts as a little higher, then farther right."""
+    return edge.side(place) or (edge.end[0] - edge.start[0]) or (edge.start[1] - edge.end[1])
