@@ -88,9 +88,8 @@ def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleL
         facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {format_place(panel.line_force[1])}")
     if panel.quantity.name in ("pressure", "gap") and panel.share is not None:
         facts.append(f"{number(100 * panel.share)} % of the plate in contact")
-    title = panel.quantity.field.meaning[0].upper() + panel.quantity.field.meaning[1:]
     lines = [TitleLine(each, BASE, GREY, "bold") for each in (_wrapped(panel.source, width) if with_source else [])]
-    lines += [TitleLine(each, BASE, INK, "bold") for each in _wrapped(title, width)]
+    lines += [TitleLine(each, BASE, INK, "bold") for each in _wrapped(panel.quantity.title, width)]
     return [*lines, *(TitleLine(each, SMALL, GREY, "normal") for each in _joined(facts, width))]
 
 

@@ -37,6 +37,11 @@ class PlotQuantity:
         return rf"$m^*_{{{axis},\mathrm{{{face}}}}}$"
 
     @property
+    def title(self) -> str:
+        """Return what the quantity is, as a title."""
+        return self.field.meaning[0].upper() + self.field.meaning[1:]
+
+    @property
     def label(self) -> str:
         """Return symbol and unit, for axes and color bars."""
         return f"{self.symbol} [{self.field.unit.replace('kNm', 'kN m')}]"

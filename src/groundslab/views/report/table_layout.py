@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from operator import itemgetter
 from typing import Literal
 
 from groundslab.design.tables.table import Cell as RawCell
@@ -38,6 +39,11 @@ class TableHeader:
     symbol: str = ""
 
 
+def headers(*texts: str) -> tuple[TableHeader, ...]:
+    """Return headers of words alone; those of numbers are marked by "#" before the words."""
+    return tuple(TableHeader(text.removeprefix("#"), number=text.startswith("#")) for text in texts)
+
+
 @dataclass(frozen=True, slots=True)
 class Cell:
     """A text and what it is: a number, a verdict, an aside, a symbol, or words of ours that hold symbols."""
@@ -66,10 +72,9 @@ def drop_empty_columns(grid: TableLayout) -> TableLayout:
 
 def layout_table(table: Table) -> TableLayout:
     """Return a table with its numbers as the summary prints them."""
-    numeric = [any(isinstance(value, int | float) for value in column.values) for column in table.columns]
     heads = tuple(
-        TableHeader(column.name, column.unit, of_numbers)
-        for column, of_numbers in zip(table.columns, numeric, strict=True)
+        TableHeader(column.name, column.unit, any(isinstance(value, int | float) for value in column.values))
+        for column in table.columns
     )
     columns = [[_cell(value, column.name) for value in column.values] for column in table.columns]
     rows = tuple(zip(*columns, strict=True))
@@ -95,22 +100,15 @@ def summarize_table(table: Table) -> TableLayout | None:
             if not known:
                 continue
             row = [Cell(str(one)), Cell(column.name, "words"), Cell(column.unit)]
-            for value, i in (min(known, key=_first), max(known, key=_first)):
+            for value, i in (min(known, key=itemgetter(0)), max(known, key=itemgetter(0))):
                 place = [] if along is None else [_cell(along.values[i])]
                 row += [Cell(format_number(value), "number"), *place, Cell(str(combination[i]))]
             rows.append(tuple(row))
     s = [] if along is None else [TableHeader("s", along.unit, number=True)]
-    ends = [
-        head
-        for end in ("least", "greatest")
-        for head in (TableHeader(end, number=True), *s, TableHeader("combination"))
-    ]
-    heads = (TableHeader(table.columns[1].name), TableHeader("quantity"), TableHeader("unit"), *ends)
+    (least, greatest), (combined,) = headers("#least", "#greatest"), headers("combination")
+    heads = headers(table.columns[1].name, "quantity", "unit")
+    heads = (*heads, least, *s, combined, greatest, *s, combined)
     return TableLayout("", heads, tuple(rows), ("Extremes over all combinations.",))
-
-
-def _first(pair: tuple[float, int]) -> float:
-    return pair[0]
 
 
 def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:

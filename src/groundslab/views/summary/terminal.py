@@ -166,12 +166,16 @@ def print_history(steps: Sequence[Step], console: Console) -> None:
     ):  # fmt: skip
         table.add_column(heading, justify="right", no_wrap=True)
     for step in steps:
-        gamma = "-" if step.gamma is None else format_number(step.gamma)
-        counts = map(str, (step.iteration, step.in_contact, step.changed))
-        table.add_row(str(step.unknowns), str(step.increment), gamma, *counts, "*" if step.finest else "")
+        table.add_row(*step_texts(step), "*" if step.finest else "")
     console.print(Padding(table, (0, 0, 0, 2)))
     if any(step.finest for step in steps):
         _print_lines(["  * on the finest mesh"], "dim", console)
+
+
+def step_texts(step: Step) -> list[str]:
+    """Return the numbers of a step as text: unknowns, increment, gamma, iteration, nodes in contact, nodes changed."""
+    gamma = "-" if step.gamma is None else format_number(step.gamma)
+    return [str(each) for each in (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)]
 
 
 def _line(row: Row, taken: int = 0) -> Text:
