@@ -45,11 +45,10 @@ def ground_mesh(results: CombinationResult) -> meshio.Mesh:
     unit = PLATE_FIELDS["settlement"]
     data = {f"settlement w_{n} [{unit.unit}]": w * unit.scale for n, w in enumerate(ground.settlement)}
     below = match(plate.nodes, ground.nodes)
+    data[f"settlement of the plate [{unit.unit}]"] = settlement = np.zeros(len(ground.nodes))
+    settlement[below] = plate.settlement * unit.scale
     data["under the plate"] = under = np.zeros(len(ground.nodes), dtype=np.int8)
     under[below] = 1
-    settlement = np.zeros(len(ground.nodes))
-    settlement[below] = plate.settlement * unit.scale
-    data[f"settlement of the plate [{unit.unit}]"] = settlement
     return _mesh(ground.nodes, ground.elements, data, {})
 
 

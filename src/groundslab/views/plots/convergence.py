@@ -31,7 +31,7 @@ def draw_sheet(request: PlotRequest) -> Figure:
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the histories on pages, two on each."""
-    return [_figure(request, request.histories[first : first + 2]) for first in range(0, len(request.histories), 2)]
+    return [_figure(request, part) for part in style.batch(request.histories, 2)]
 
 
 def _figure(request: PlotRequest, histories: Sequence[IterationHistory]) -> Figure:

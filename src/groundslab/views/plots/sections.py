@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.envelope import envelope
 from groundslab.design.section_cuts import SectionCut, cut_along
 from groundslab.design.tables.quantities import point_values
 from groundslab.errors import InputError, Issue
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.arrays import Array
-    from groundslab.views.plots.request import PlotRequest, PlottedCombination, SectionLine
+    from groundslab.views.plots.request import PlotRequest, SectionLine
 
 #: Boxes of the curves [mm].
 LEFT, HIGH, ABOVE, BELOW = 17.0, 40.0, 9.5, 3.0
@@ -64,23 +63,13 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
         rows = {quantity.name: np.stack([each[quantity.name] for each in values]) for quantity in request.quantities}
         band = bool(request.envelope) or len(names) > len(style.CYCLE)
         if band:
-            rows = {name: _extremes(names, each) for name, each in rows.items()}
-            count = _count(request.combinations, request.envelope)
-            names = (f"largest of {count}", f"smallest of {count}")
+            rows = {name: np.stack([each.max(axis=0), each.min(axis=0)]) for name, each in rows.items()}
+            state, plural = f"{request.envelope} ".lstrip(), "s" if len(names) > 1 else ""
+            names = tuple(f"{word} of {len(names)} {state}combination{plural}" for word in ("largest", "smallest"))
         found.append(LineCurves(line, sections[0], names, band, rows))
     if not found:
         raise InputError(missed)
     return found
-
-
-def _extremes(names: Sequence[str], rows: Array) -> Array:
-    """Return the largest and the smallest value of each sample, (2, samples), from (combinations, samples)."""
-    found = envelope(dict(zip(names, rows, strict=True)))
-    return np.stack([found.greatest, found.least])
-
-
-def _count(drawn: Sequence[PlottedCombination], state: str) -> str:
-    return f"{len(drawn)} {state + ' ' if state else ''}combination{'s' if len(drawn) > 1 else ''}"
 
 
 def draw_sheet(request: PlotRequest) -> Figure:
@@ -92,9 +81,9 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return each line on a page of its own, on several if it has many amounts."""
     rows = max(1, int((style.PAGE_HEIGHT - 50 - KEY_HEIGHT) // (HIGH + ABOVE + BELOW)))
     return [
-        _figure(request, [each], request.quantities[first : first + rows])
+        _figure(request, [each], quantities)
         for each in sample_lines(request)
-        for first in range(0, len(request.quantities), rows)
+        for quantities in style.batch(request.quantities, rows)
     ]
 
 
@@ -131,7 +120,7 @@ def _draw_key_plan(page: style.Page, request: PlotRequest, line: SectionLine, to
     axes.set_axis_off()
     chord = DRAWN_CHORD * max(model.plate.sides)
     for ring in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
-        symbols.draw_key_outline(axes, ring, chord)
+        symbols.draw_ring(axes, np.array(ring.flat(chord)), edgecolor=style.FAINT, linewidth=0.8)
     axes.annotate(
         "", line.end, line.start, arrowprops={"arrowstyle": "-|>,head_width=0.15,head_length=0.3", "color": style.INK,
                                               "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0},

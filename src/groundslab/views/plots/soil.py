@@ -134,8 +134,7 @@ def draw_sheet(request: PlotRequest) -> Figure:
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the columns on pages, two rows on each."""
     columns = soil_columns(request.combined.model, request.combinations)
-    each = 2 * SIDE_BY_SIDE
-    return [_figure(request, columns[first : first + each]) for first in range(0, len(columns), each)]
+    return [_figure(request, part) for part in style.batch(columns, 2 * SIDE_BY_SIDE)]
 
 
 def _figure(request: PlotRequest, columns: Sequence[SoilColumn]) -> Figure:
@@ -155,8 +154,7 @@ def draw_columns(
     each = style.PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
     legend: dict[str, Any] = {}
     places = {hole.name or f"borehole {n}": (hole.x, hole.y) for n, hole in enumerate(model.boreholes, 1)}
-    for first in range(0, len(columns), SIDE_BY_SIDE):
-        row = columns[first : first + SIDE_BY_SIDE]
+    for row in style.batch(columns, SIDE_BY_SIDE):
         bottoms = []
         for place, column in enumerate(row):
             left = place * each

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.views.plots.style import FAINT, GREY, GROUND, INK, LOAD, SUPPORT
+from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SUPPORT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
     from groundslab.arrays import Array
-    from groundslab.geometry.plan import Ring
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
 
@@ -196,8 +195,3 @@ def _diagonals(around: Array) -> list[tuple[Array, Array]]:
         middle, half = (low + high) / 2, (high - low) / np.sqrt(8)
         around = middle + half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     return [(around[0], around[2]), (around[1], around[3])]
-
-
-def draw_key_outline(axes: Axes, ring: Ring, chord: float) -> None:
-    """Draw a curve faintly, as a key to where things are."""
-    draw_ring(axes, np.array(ring.flat(chord)), edgecolor=FAINT, linewidth=0.8)

@@ -124,12 +124,11 @@ def _draw_ground(axes: Axes, plan: Data, labels: _Labels) -> dict[str, Any]:
         ring.set(linestyle=(0, (6, 3)), clip_on=True)
         entries["zone of soil"] = ring
     for hole in plan["boreholes"]:
-        (mark,) = axes.plot(
-            hole["x"], hole["y"], "o", markersize=6, markerfacecolor="white", markeredgecolor=style.GROUND, zorder=6
-        )
-        axes.plot(hole["x"], hole["y"], "+", markersize=9, color=style.GROUND, zorder=6)
+        place, color = (hole["x"], hole["y"]), style.GROUND
+        (mark,) = axes.plot(*place, "o", markersize=6, markerfacecolor="white", markeredgecolor=color, zorder=6)
+        axes.plot(*place, "+", markersize=9, color=color, zorder=6)
         entries["borehole"] = mark
-        labels.add((hole["x"], hole["y"]), hole["name"], style.GROUND)
+        labels.add(place, hole["name"], color)
     return entries
 
 
@@ -220,9 +219,8 @@ def _draw_axes(axes: Axes, corner: Point, per_meter: float) -> None:
     for name, (u, v) in (("x", (1, 0)), ("y", (0, 1))):
         tip = x + u * 8 / per_meter, y + v * 8 / per_meter
         axes.annotate("", tip, (x, y), arrowprops=arrow, annotation_clip=False)
-        axes.text(
-            tip[0] + u / per_meter, tip[1] + v / per_meter, name, fontsize=style.SMALL, ha="left" if u else "center"
-        )
+        place = tip[0] + u / per_meter, tip[1] + v / per_meter
+        axes.text(*place, name, fontsize=style.SMALL, ha="left" if u else "center")
     axes.plot(0.0, 0.0, "o", markersize=3, markerfacecolor="none", markeredgecolor=style.GREY, zorder=3)
 
 

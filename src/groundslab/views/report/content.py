@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
@@ -36,39 +36,14 @@ CERTIFICATE_NOTES = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Verdict:
-    """Whether the results may be used, in words."""
-
-    good: bool
-    words: str
-
-
-@dataclass(frozen=True, slots=True)
-class TableParts:
-    """A table of the results, cut so that it fits on paper; too long a one is empty."""
-
-    name: str
-    title: str
-    grids: list[TableLayout]
-    digest: TableLayout | None
-    length: int
-
-    @property
-    def complete(self) -> bool:
-        """Return whether all of its rows are there."""
-        return self.length <= table_layout.MOST_IN_FILE
-
-
 def build_page(combined: Results, text: str | None = None, file: str = "case.toml") -> dict[str, Any]:
     """Return what the report of a solved model says, for the template; text and file are those of its input."""
     combinations.require_finite(combined)
     found = combinations.entries(combined)
     there = [entry.results for entry in found if entry.results is not None]
     text = casefile.to_toml(combined.model) if text is None else text
-    leading = combined.results.get(drawings.find_governing(combined).get("settlement", "")) or (
-        there[0] if there else None
-    )
+    governing = drawings.find_governing(combined).get("settlement", "")
+    leading = combined.results.get(governing) or (there[0] if there else None)
     return {
         "title": combined.model.title,
         "version": __version__,
@@ -76,7 +51,7 @@ def build_page(combined: Results, text: str | None = None, file: str = "case.tom
         "text": text,
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
         "facts": list(_facts(combined, there)),
-        "verdict": _verdict(found),
+        "verdict": dict(zip(("good", "words"), _verdict(found), strict=True)),
         "design": design_of(combined),
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
@@ -101,17 +76,17 @@ def _facts(combined: Results, there: Sequence[CombinationResult]) -> Iterator[tu
         yield "Mesh", f"{len(there[0].plate.elements)} elements on the plate, {there[0].unknowns} unknowns"
 
 
-def _verdict(found: Sequence[Entry]) -> Verdict:
-    """Return the verdict over all combinations."""
+def _verdict(found: Sequence[Entry]) -> tuple[bool, str]:
+    """Return whether the results of all combinations may be used, and that in words."""
     numbers = [str(entry.number) for entry in found if entry.refused is not None]
     if not numbers:
-        return Verdict(True, sections.certified_words(len(found)))
+        return (True, sections.certified_words(len(found)))
     if len(found) == 1:
-        return Verdict(False, "FAILED: there is no certified result; use nothing of it.")
+        return (False, "FAILED: there is no certified result; use nothing of it.")
     if len(numbers) == len(found):
-        return Verdict(False, "FAILED: no combination has a certified result; use nothing of it.")
+        return (False, "FAILED: no combination has a certified result; use nothing of it.")
     words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
-    return Verdict(False, f"FAILED: {words} The results of the others are certified.")
+    return (False, f"FAILED: {words} The results of the others are certified.")
 
 
 def _section(section: sections.SummarySection) -> TableLayout:
@@ -176,13 +151,15 @@ def _holds(ok: bool) -> Cell:
     return Cell("holds", "good") if ok else Cell("FAILED", "bad")
 
 
-def _table(table: Table) -> TableParts:
-    """Return a table of the results; of too long a one its heads and notes alone."""
+def _table(table: Table) -> dict[str, Any]:
+    """Return a table of the results, cut so that it fits on paper; of too long a one its heads and notes alone."""
+    complete = len(table) <= table_layout.MOST_IN_FILE
     fitting = table
-    if len(table) > table_layout.MOST_IN_FILE:
+    if not complete:
         fitting = replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
-    parts = table_layout.split_columns(table_layout.layout_table(fitting), table_layout.KEYS.get(table.name, 1))
-    return TableParts(table.name, table.title, parts, table_layout.summarize_table(table), len(table))
+    grids = table_layout.split_columns(table_layout.layout_table(fitting), table_layout.KEYS.get(table.name, 1))
+    about = {"name": table.name, "title": table.title, "length": len(table), "complete": complete}
+    return about | {"grids": grids, "digest": table_layout.summarize_table(table)}
 
 
 def _constants(found: Sequence[Entry]) -> TableLayout:

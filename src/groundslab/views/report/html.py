@@ -13,7 +13,7 @@ import os
 import re
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.case import casefile
@@ -27,8 +27,6 @@ from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
 
 if TYPE_CHECKING:
-    from jinja2 import Environment
-
     from groundslab.model.model import Model
 
 HERE = Path(__file__).parent
@@ -52,9 +50,16 @@ def render_report(results: CombinationResult | Results, *, text: str | None = No
     scene, left_out = _scene(combined)
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
     script = read_asset("report.js")
-    parts = {"left_out": left_out, "scene": scene, "style": Markup(style), "script": Markup(script)}
-    policy = content_security_policy(style, script)
-    return templates().get_template("report.html").render(parts, page=page, policy=policy, mark=f"{MARK} {__version__}")
+    return render_page(
+        HERE / "templates" / "report.html",
+        page=page,
+        left_out=left_out,
+        scene=scene,
+        style=Markup(style),
+        script=Markup(script),
+        policy=content_security_policy(style, script),
+        mark=f"{MARK} {__version__}",
+    )
 
 
 def write_report(
@@ -160,12 +165,12 @@ def _hash(content: str) -> str:
     return f"sha256-{base64.b64encode(hashlib.sha256(content.encode()).digest()).decode()}"
 
 
-def templates() -> Environment:
-    """Return what renders pages: every value is escaped, a missing one is an error."""
+def render_page(template: Path, **values: Any) -> str:
+    """Return a page of a template, which may use those here: values are escaped, a missing one is an error."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-    templates = Environment(
-        loader=FileSystemLoader(HERE / "templates"),
+    found = Environment(
+        loader=FileSystemLoader([template.parent, HERE / "templates"]),
         autoescape=True,
         undefined=StrictUndefined,
         finalize=_plain,
@@ -173,8 +178,8 @@ def templates() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    templates.filters |= {"pieces": split_symbol, "word_pieces": split_words}
-    return templates
+    found.filters |= {"pieces": split_symbol, "word_pieces": split_words}
+    return found.get_template(template.name).render(values)
 
 
 def _plain(value: object) -> object:

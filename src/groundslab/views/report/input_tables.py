@@ -174,9 +174,7 @@ def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayo
         own = f"{tag.default}, {get_meaning(tag)}" if tag is not None and get_field_type(tag) is None else ""
         yield _columns(kind, numbered, ": ".join(filter(None, (title, own))))
     for number, part in enumerate(parts, 1):
-        called = f"{ONE.get(name, _words(name))} {number}"
-        if getattr(part, "name", ""):
-            called += f", {getattr(part, 'name', '')}"
+        called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
             value = getattr(part, inner)
             if nested(field).many and value:

@@ -31,12 +31,16 @@ KEYS = {
 
 @dataclass(frozen=True, slots=True)
 class TableHeader:
-    """What stands above a column: words, a symbol, a unit; numbers stand at the right."""
+    """What stands above a column: words, a symbol, a unit; numbers stand at the right.
+
+    Underscores in words make subscripts, but not in plain ones, which are a user's.
+    """
 
     text: str
     unit: str = ""
     number: bool = False
     symbol: str = ""
+    plain: bool = False
 
 
 def headers(*texts: str) -> tuple[TableHeader, ...]:
@@ -46,10 +50,14 @@ def headers(*texts: str) -> tuple[TableHeader, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """A text and what it is: a number, a verdict, an aside, a symbol, or words of ours that hold symbols."""
+    """A text and what it is: a number, a verdict, an aside, a symbol, or words of ours that hold symbols.
+
+    What is under it stands small on a line below.
+    """
 
     text: str
     kind: Kind = ""
+    under: str = ""
 
 
 @dataclass(frozen=True, slots=True)
