@@ -132,11 +132,11 @@ def maps(study: Study) -> Iterator[page.Map]:
         found["standard deviation"] = study.map(output.name, "std")
         if output.of == "settlement":
             found["probability of uplift"] = study.map(output.name, "probability of uplift")
-        for title, each in found.items():
-            probability = title == "probability of uplift"
+        for what, each in found.items():
+            probability = what == "probability of uplift"
             unit = UNITS["%"] if probability else choose_unit(output.dimension or None, each.values)
-            nodes, elements = each.mesh.nodes, each.mesh.elements
-            yield page.Map(f"{output.name}: {title}", nodes, elements, each.values * unit.scale, unit)
+            title = f"{output.name}: {what}"
+            yield page.Map(title, each.mesh.nodes, each.mesh.elements, each.values * unit.scale, unit)
 
 
 def origin(study: Study) -> page.Origin:

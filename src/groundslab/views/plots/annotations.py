@@ -138,7 +138,7 @@ INSIDE: tuple[Point, ...] = ((-1, -1), (1, -1), (-1, 1), (1, 1), (0, -1), (0, 1)
 
 
 def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> None:
-    """Name the columns, with_source the thickness of zones, mark the extremes by rings with their values.
+    """Name the columns, write the thickness of zones, mark the extremes by rings with their values.
 
     The words cover neither each other nor the columns, as far as there is space.
     """
@@ -152,13 +152,8 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
     for middle, half in boxes:
         placement.reserve(middle, half)
     for word, value, (x, y), _ in extremes:
-        ring: dict[str, Any] = {
-            "markersize": 3.6,
-            "markerfacecolor": "white",
-            "markeredgecolor": INK,
-            "markeredgewidth": 0.9,
-        }
-        axes.plot(x, y, "o", **ring, zorder=7, clip_on=False)
+        (ring,) = axes.plot(x, y, "o", markersize=3.6, markeredgecolor=INK, zorder=7, clip_on=False)
+        ring.set(markerfacecolor="white", markeredgewidth=0.9)
         words = f"{'max' if word == 'largest' else 'min'} {number(value)}"
         half = text_width(words, SMALL - 0.5) / 2 + 0.5, 0.6 * SMALL * PT
         middle = placement.place_beside((x * per_meter, y * per_meter), half, 1.6)

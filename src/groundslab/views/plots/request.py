@@ -149,11 +149,8 @@ def parse_request(
     names = (combination,) if isinstance(combination, str) else tuple(dict.fromkeys(combination or ()))
     issues = _find_conflicts(chosen_kind, fields, names, envelope, bool(lines))
     known = [each.name for each in combined.combinations]
-    issues += [
-        Issue("combination", describe(name), one_of(known), suggestion(name, known))
-        for name in names
-        if name not in known
-    ]
+    unknown = [name for name in names if name not in known]
+    issues += [Issue("combination", describe(name), one_of(known), suggestion(name, known)) for name in unknown]
     quantities: tuple[PlotQuantity, ...] = ()
     try:
         quantities = resolve(fields or DEFAULT_QUANTITIES.get(chosen_kind, ()))

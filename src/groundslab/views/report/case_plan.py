@@ -63,9 +63,8 @@ def draw_case_plan(model: Model) -> Figure:
 def describe_omissions(model: Model) -> tuple[str, ...]:
     """Return how to read the plan of a model, and what it does not show, in sentences."""
     plan = plan_of(model)
-    notes = [
-        "Dimensions in meters. L and a number: the load of that number in the case; loads on columns have no label."
-    ]
+    labels = "L and a number: the load of that number in the case; loads on columns have no label."
+    notes = ["Dimensions in meters.", labels]
     everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if load["kind"] not in PLACED]
     if everywhere:
         notes.append(f"Not drawn, as they act on the entire plate or on a support: {', '.join(everywhere)}.")

@@ -73,9 +73,13 @@ class TableLayout:
 
 def drop_empty_columns(grid: TableLayout) -> TableLayout:
     """Return a grid without the columns in which nothing stands."""
-    at = [i for i in range(len(grid.heads)) if any(row[i].text for row in grid.rows)]
-    heads, rows = tuple(grid.heads[i] for i in at), tuple(tuple(row[i] for i in at) for row in grid.rows)
-    return replace(grid, heads=heads, rows=rows)
+    return _select_columns(grid, [i for i in range(len(grid.heads)) if any(row[i].text for row in grid.rows)])
+
+
+def _select_columns(grid: TableLayout, at: list[int]) -> TableLayout:
+    """Return a grid with the columns at some places alone."""
+    rows = tuple(tuple(row[i] for i in at) for row in grid.rows)
+    return replace(grid, heads=tuple(grid.heads[i] for i in at), rows=rows)
 
 
 def layout_table(table: Table) -> TableLayout:
@@ -127,15 +131,8 @@ def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:
     parts = []
     for n, (first, last) in enumerate(pairwise(cuts)):
         at = [*range(keys), *range(first, last)]
-        parts.append(
-            replace(
-                grid,
-                title=grid.title if n == 0 else "",
-                heads=tuple(grid.heads[i] for i in at),
-                rows=tuple(tuple(row[i] for i in at) for row in grid.rows),
-                notes=grid.notes if n == count - 1 else (),
-            )
-        )
+        title, notes = grid.title if n == 0 else "", grid.notes if n == count - 1 else ()
+        parts.append(replace(_select_columns(grid, at), title=title, notes=notes))
     return parts or [grid]
 
 

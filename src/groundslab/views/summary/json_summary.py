@@ -69,7 +69,7 @@ def design(combined: Results) -> dict[str, Any]:
 
 def _only(results: CombinationResult) -> dict[str, Any]:
     """Return the results of an only combination."""
-    document: dict[str, Any] = {"combination": results.combination, "limit_state": results.limit_state}
+    document = {"combination": results.combination, "limit_state": results.limit_state}
     return document | _sections(sections.summary(results)) | _analysis(results)
 
 
