@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -114,15 +114,8 @@ def scatter(sample: Samples) -> Markup:
         for i, output in enumerate(down):
             for j, each in enumerate(across):
                 axes = panels[i, j]
-                axes.plot(
-                    each.values[rows] * each.unit.scale,
-                    output.values[rows] * output.unit.scale,
-                    ".",
-                    color=ACCENT,
-                    markersize=size,
-                    markeredgewidth=0,
-                    alpha=0.6,
-                )
+                x, y = each.values[rows] * each.unit.scale, output.values[rows] * output.unit.scale
+                axes.plot(x, y, ".", color=ACCENT, markersize=size, markeredgewidth=0, alpha=0.6)
                 axes.locator_params(nbins=4)
                 if i == len(down) - 1:
                     axes.set_xlabel(named(each.name, each.unit))
@@ -150,10 +143,9 @@ def sobol(sample: Samples, level: float = LEVEL) -> Markup:
                 (found.first, -0.19, ACCENT, "first order"),
                 (found.total, 0.19, SECOND, "total"),
             ):
-                middle = np.array([each.value for each in values])
-                half = np.array([[each.value - each.low, each.high - each.value] for each in values]).T
+                middle, _ = _intervals(values)
                 axes.barh(places + shift, middle, 0.36, color=color, label=label)
-                axes.errorbar(middle, places + shift, xerr=half, fmt="none", ecolor=INK, elinewidth=0.8, capsize=2)
+                _draw_intervals(axes, places + shift, values)
             axes.set_xlabel("share of the variance")
             axes.set_xlim(left=min(0.0, axes.get_xlim()[0]))
             axes.grid(axis="y", visible=False)
@@ -201,8 +193,7 @@ def designs(sample: Samples, level: float = LEVEL) -> Markup:
                 x = [float(place) for place in range(len(sample.groups))]
                 axes.set_xticks(x, [short(group.label, NARROW) for group in sample.groups], rotation=60, ha="right")
             p = [tables.failure_probability(sample, group, limit, level) for group in sample.groups]
-            middle = np.array([each.value for each in p])
-            half = np.array([[each.value - each.low, each.high - each.value] for each in p]).T
+            middle, half = _intervals(p)
             axes.errorbar(x, middle, yerr=half, fmt="o", color=ACCENT, markersize=3.5, capsize=3, elinewidth=1.0)
             axes.set_yscale("symlog", linthresh=_smallest(p))
             _plain(axes)
@@ -214,6 +205,18 @@ def designs(sample: Samples, level: float = LEVEL) -> Markup:
         return figure
 
     return _render("designs", "Probability of failure over the design", draw)
+
+
+def _intervals(estimates: Sequence[statistics.Estimate]) -> tuple[Array, Array]:
+    """Return estimates (n,), and how far their intervals reach below and above them (2, n)."""
+    value, low, high = np.array([(each.value, each.low, each.high) for each in estimates]).T
+    return value, np.array([value - low, high - value])
+
+
+def _draw_intervals(axes: Axes, places: Any, estimates: Sequence[statistics.Estimate]) -> None:
+    """Draw the intervals of estimates over bars at some places."""
+    value, reach = _intervals(estimates)
+    axes.errorbar(value, places, xerr=reach, fmt="none", ecolor=INK, elinewidth=0.8, capsize=2)
 
 
 def _smallest(p: list[statistics.Estimate]) -> float:
@@ -358,8 +361,7 @@ def _ranked(axes: Axes, sample: Samples, output: Output, level: float) -> None:
     for place, (_, r) in enumerate(found):
         if np.isfinite(r.value):
             axes.barh(place, r.value, 0.6, color=ACCENT if r.value >= 0 else SECOND)
-            half = [[r.value - r.low], [r.high - r.value]]
-            axes.errorbar([r.value], [place], xerr=half, fmt="none", ecolor=INK, elinewidth=0.8, capsize=2)
+            _draw_intervals(axes, [place], [r])
     axes.axvline(0.0, color=INK, linewidth=0.8)
     axes.set_yticks(range(len(found)), [short(name, NARROW) for name, _ in found])
     axes.set_xlim(-1.05, 1.05)

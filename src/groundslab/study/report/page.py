@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
@@ -11,16 +12,21 @@ from groundslab.study.evaluation import tables as evaluation
 from groundslab.study.evaluation.statistics import LEVEL
 from groundslab.study.report import figures
 from groundslab.units import format_number
+from groundslab.views.report.html import render_page
+from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, headers
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
-    from groundslab.design.tables.table import Cell, Table
+    from groundslab.design.tables.table import Cell as RawCell
+    from groundslab.design.tables.table import Table
     from groundslab.study.evaluation.form import Reliability
     from groundslab.study.evaluation.samples import Samples
     from groundslab.units import Unit
 
-#: Of a longer table the page shows the first rows; the CSV file has all.
-MOST_ROWS = 200
+HERE = Path(__file__).parent
+#: Of a longer table the page shows the first rows, the CSV file has all; and of one with more rows than the other
+#: number none before it is opened.
+MOST_ROWS, MOST_OPEN = 200, 40
 #: Significant digits of numbers on the page.
 DIGITS = 4
 #: What the kinds of sampling are called in a sentence.
@@ -45,15 +51,6 @@ class Map:
 
 
 @dataclass(frozen=True, slots=True)
-class FormattedCell:
-    """A cell of a table as the page shows it: its text, what stands small below it, whether it is a number."""
-
-    text: str
-    under: str = ""
-    number: bool = False
-
-
-@dataclass(frozen=True, slots=True)
 class Origin:
     """Where a study comes from: its title, and what makes it repeatable, by name."""
 
@@ -69,26 +66,17 @@ def html(
     level: float = LEVEL,
 ) -> str:
     """Return the page; every text of the study is escaped, nothing is loaded from elsewhere."""
-    from importlib.resources import files
-
-    import jinja2
     from markupsafe import Markup
 
-    tables = {table.name: table for table in evaluation.tables_of(sample, level)}
-    folder = files("groundslab.study.report")
-    template = jinja2.Environment(
-        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    ).from_string((folder / "page.html").read_text(encoding="utf-8"))
-    text: str = template.render(
+    return render_page(
+        HERE / "page.html",
         version=__version__,
         title=origin.title or "Study",
-        css=Markup((folder / "page.css").read_text(encoding="utf-8")),
+        css=Markup((HERE / "page.css").read_text(encoding="utf-8")),
         lead=_lead(sample),
         warnings=_warnings(sample),
-        parts=_parts(sample, tables, origin, maps, reliability, level),
-        foot=f"Made by groundslab {__version__}.",
+        parts=_parts(sample, origin, maps, reliability, level),
     )
-    return text
 
 
 def _lead(sample: Samples) -> str:
@@ -115,44 +103,42 @@ def _warnings(sample: Samples) -> list[str]:
 
 
 def _parts(
-    sample: Samples,
-    tables: Mapping[str, Table],
-    origin: Origin,
-    maps: Sequence[Map],
-    reliability: Sequence[Reliability],
-    level: float,
+    sample: Samples, origin: Origin, maps: Sequence[Map], reliability: Sequence[Reliability], level: float
 ) -> list[dict[str, Any]]:
     """Return the sections of the page in their order, those that the study has something for."""
+    from groundslab.study.evaluation import form
+
     # the table of exceedance is left to its file, as the page has the curves
+    tables = {table.name: _layout(table) for table in evaluation.tables_of(sample, level)}
     parts: list[dict[str, Any]] = []
 
     def add(
-        key: str, title: str, drawn: Sequence[str] = (), names: Sequence[str] = (), words: Sequence[str] = ()
+        key: str, title: str, drawn: Sequence[str] = (), shown: Sequence[TableLayout] = (), words: Sequence[str] = ()
     ) -> None:
-        shown = [_table(tables[name]) for name in names if name in tables]
         if drawn or shown or words:
-            part = {"key": key, "title": title, "words": words, "figures": list(drawn)}
-            parts.append({**part, "tables": shown})
+            parts.append({"key": key, "title": title, "words": words, "figures": drawn, "tables": shown})
+
+    def named(name: str) -> list[TableLayout]:
+        return [tables[name]] if name in tables else []
 
     results = bool(sample.outputs) and bool(sample.solved.any())
     if results and sample.limits:
         chosen = sample.random and any(each.chosen for each in sample.inputs)
-        add("limit-states", "Limit states", [figures.designs(sample, level)] if chosen else [], ["limit_states"])
+        add("limit-states", "Limit states", [figures.designs(sample, level)] if chosen else [], named("limit_states"))
     if reliability:
-        parts.append(_reliability(reliability))
+        add("reliability", "First-order reliability", (), [_layout(table) for table in form.tables(reliability)])
     if results:
         drawn = [figures.outputs(sample)] if sample.random else []
-        add("outputs", "Outputs", drawn, ["statistics"])
+        add("outputs", "Outputs", drawn, named("statistics"))
         if sample.random:
             add("exceedance", "Probability of exceedance", [figures.exceedance(sample, level)])
         if sample.kind == "saltelli":
-            add("sobol", "Sobol indices", [figures.sobol(sample, level)], ["sobol"])
+            add("sobol", "Sobol indices", [figures.sobol(sample, level)], named("sobol"))
         if "tornado" in tables:
-            add(
-                "tornado", "Influence of the inputs", [figures.tornado(sample, level)], ["tornado"], _first_only(sample)
-            )
+            chart, words = [figures.tornado(sample, level)], _first_only(sample)
+            add("tornado", "Influence of the inputs", chart, named("tornado"), words)
         if sample.varied:
-            add("scatter", "Outputs over inputs", [figures.scatter(sample)], ["correlations"], _shown(sample))
+            add("scatter", "Outputs over inputs", [figures.scatter(sample)], named("correlations"), _shown(sample))
     pictures = [
         figures.plan_map(f"map{number}", each.title, each.nodes, each.elements, each.values, each.unit.name)
         for number, each in enumerate(maps)
@@ -161,11 +147,10 @@ def _parts(
     if sample.varied:
         words = ["Bars: the samples. Line: the density that they were drawn from."] if sample.random else []
         add("inputs", "Inputs", [figures.inputs(sample)], (), words)
-    add("missing", "Variants without a result", (), ["missing"])
-    add("variants", "Variants", (), ["variants"])
-    facts = {"title": "Origin", "heads": ["", ""], "notes": [], "folded": False}
-    facts["rows"] = [[FormattedCell(text) for text in pair] for pair in origin.facts]
-    parts.append({"key": "origin", "title": "Seed, versions, checksums", "words": [], "figures": [], "tables": [facts]})
+    add("missing", "Variants without a result", (), named("missing"))
+    add("variants", "Variants", (), named("variants"))
+    facts = tuple((Cell(name), Cell(value)) for name, value in origin.facts)
+    add("origin", "Seed, versions, checksums", (), [TableLayout("Origin", headers("", ""), facts)])
     return parts
 
 
@@ -185,18 +170,9 @@ def _shown(sample: Samples) -> list[str]:
     return notes
 
 
-def _reliability(found: Sequence[Reliability]) -> dict[str, Any]:
-    """Return the section on first-order reliability."""
-    from groundslab.study.evaluation.form import tables
-
-    shown = [_table(table) for table in tables(found)]
-    return {"key": "reliability", "title": "First-order reliability", "words": [], "figures": [], "tables": shown}
-
-
-def _table(table: Table) -> dict[str, Any]:
-    """Return a table as the template wants it; a long one folded and cut."""
-    columns = table.columns
-    names = [column.name for column in columns]
+def _layout(table: Table) -> TableLayout:
+    """Return a table as the page shows it; a long one folded and cut."""
+    names = [column.name for column in table.columns]
     # an estimate and its ends stand in one column
     ends = {
         at + k
@@ -207,49 +183,33 @@ def _table(table: Table) -> dict[str, Any]:
     # a column of units stands with that of the names before it
     units = {at for at, name in enumerate(names) if name == "unit" and at > 0}
     kept = [at for at in range(len(names)) if at not in ends | units]
-    rows = table.rows()
-    notes = list(table.notes)
-    if len(rows) > MOST_ROWS:
-        notes.append(f"The first {MOST_ROWS} of {len(rows)} rows; {table.name}.csv has all.")
-    return {
-        "title": table.title,
-        "heads": [columns[at].header for at in kept],
-        "rows": [
-            [
-                _estimate(row[at : at + 3])
-                if at + 1 in ends
-                else _named(row[at], row[at + 1])
-                if at + 1 in units
-                else _cell(row[at])
-                for at in kept
-            ]
-            for row in rows[:MOST_ROWS]
-        ],
-        "notes": notes,
-        "folded": len(rows) > 40,
-    }
+    heads = tuple(TableHeader(table.columns[at].name, table.columns[at].unit, plain=True) for at in kept)
+    notes = table.notes
+    if len(table) > MOST_ROWS:
+        notes += (f"The first {MOST_ROWS} of {len(table)} rows; {table.name}.csv has all.",)
+
+    def cell(row: Sequence[RawCell], at: int) -> Cell:
+        if at + 1 in ends:
+            return _estimate(row[at : at + 3])
+        return _cell(row[at], row[at + 1] if at + 1 in units else None)
+
+    rows = tuple(tuple(cell(row, at) for at in kept) for row in table.rows()[:MOST_ROWS])
+    return TableLayout(table.title, heads, rows, notes, folded=len(table) > MOST_OPEN)
 
 
-def _cell(cell: Cell) -> FormattedCell:
-    """Return a cell of a table."""
-    if cell is None:
-        return FormattedCell("")
-    if isinstance(cell, float):
-        return FormattedCell(format_number(cell, DIGITS, trim=True, fixed=(1e-4, 1e9)), number=True)
-    return FormattedCell(str(cell), number=isinstance(cell, int))
+def _cell(value: RawCell, unit: RawCell = None) -> Cell:
+    """Return a cell of a table; a number is followed by its unit if there is one, a name by that in brackets."""
+    if value is None or value == "":
+        return Cell("")
+    if isinstance(value, str):
+        return Cell(f"{value} [{unit}]" if unit else value)
+    text = str(value) if isinstance(value, int) else format_number(value, DIGITS, trim=True, fixed=(1e-4, 1e9))
+    return Cell(f"{text} {unit}" if unit else text, "number")
 
 
-def _estimate(cells: Sequence[Cell]) -> FormattedCell:
+def _estimate(values: Sequence[RawCell]) -> Cell:
     """Return an estimate with its interval below it: "0.05 to 0.09"; an end that is not known is a dot."""
-    if cells[0] is None:
-        return FormattedCell("")
-    value, low, high = (_cell(cell).text or "\u00b7" for cell in cells)
-    return FormattedCell(value, f"{low} to {high}", number=True)
-
-
-def _named(name: Cell, unit: Cell) -> FormattedCell:
-    """Return a name or a number with its unit as a cell."""
-    cell = _cell(name)
-    if not unit or not cell.text:
-        return cell
-    return FormattedCell(f"{cell.text} {unit}" if cell.number else f"{cell.text} [{unit}]", number=cell.number)
+    if values[0] is None:
+        return Cell("")
+    value, low, high = (_cell(each).text or "\u00b7" for each in values)
+    return Cell(value, "number", f"{low} to {high}")

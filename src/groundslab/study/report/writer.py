@@ -126,24 +126,23 @@ def maps(study: Study) -> Iterator[page.Map]:
         if not output.everywhere:
             continue
         try:
-            found = study.map(output.name, "mean")
+            found = {"mean": study.map(output.name, "mean")}
         except InputError:
             return
-        nodes, elements = found.mesh.nodes, found.mesh.elements
-        unit = choose_unit(output.dimension or None, found.values)
-        yield page.Map(f"{output.name}: mean", nodes, elements, found.values * unit.scale, unit)
-        spread = study.map(output.name, "std").values
-        own = choose_unit(output.dimension or None, spread)
-        yield page.Map(f"{output.name}: standard deviation", nodes, elements, spread * own.scale, own)
+        found["standard deviation"] = study.map(output.name, "std")
         if output.of == "settlement":
-            share = study.map(output.name, "probability of uplift").values
-            yield page.Map(f"{output.name}: probability of uplift", nodes, elements, share * 100, UNITS["%"])
+            found["probability of uplift"] = study.map(output.name, "probability of uplift")
+        for what, each in found.items():
+            probability = what == "probability of uplift"
+            unit = UNITS["%"] if probability else choose_unit(output.dimension or None, each.values)
+            title = f"{output.name}: {what}"
+            yield page.Map(title, each.mesh.nodes, each.mesh.elements, each.values * unit.scale, unit)
 
 
 def origin(study: Study) -> page.Origin:
     """Return what makes a study repeatable: its seed, versions and checksums, for the page."""
     about = study.about
-    facts = [("seed", str(about["seed"])), ("variants", str(about["variants"])), ("made", str(about["made"]))]
-    facts += [("SHA-256 of the study file", about["study_sha256"]), ("SHA-256 of the case file", about["case_sha256"])]
+    facts = [(name, str(about[name])) for name in ("seed", "variants", "made")]
+    facts += [(f"SHA-256 of the {name} file", about[f"{name}_sha256"]) for name in ("study", "case")]
     facts += [(f"version of {name}", str(version)) for name, version in about["versions"].items()]
     return page.Origin(study.title, tuple(facts))

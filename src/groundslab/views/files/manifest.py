@@ -107,12 +107,11 @@ def of_all(combined: Results) -> dict[str, Writer]:
     from groundslab.design.tables import tables_of
     from groundslab.views.files import vtk
 
-    def writer(text: str) -> Writer:
-        return lambda path: write_text(path, text)
-
-    writers = {f"tables/{table.name}.csv": writer(table.csv()) for table in tables_of(combined)}
+    writers: dict[str, Writer] = {
+        f"tables/{table.name}.csv": partial(write_text, text=table.csv()) for table in tables_of(combined)
+    }
     if len(combined.results) > 1 or combined.model.reinforcement is not None:
-        writers["envelope.vtu"] = lambda path: vtk.write_envelope(combined, path)
+        writers["envelope.vtu"] = partial(vtk.write_envelope, combined)
     return writers
 
 

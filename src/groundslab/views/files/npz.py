@@ -60,6 +60,10 @@ class _About:
     increments: tuple[float, ...]
 
 
+#: What an archive says of results as they have it themselves.
+PLAIN = [item.name for item in fields(_About) if item.name not in ("format", "version", "supports", "increments")]
+
+
 def write(results: CombinationResult, path: Path) -> None:
     """Write arrays named as "plate.settlement", the model as TOML in "model", the rest as JSON in "about"."""
     from groundslab.case import casefile
@@ -70,22 +74,14 @@ def write(results: CombinationResult, path: Path) -> None:
     for number, support in enumerate(results.supports):
         names = (item.name for item in fields(support) if item.name != "name")
         arrays |= {f"supports.{number}.{name}": getattr(support, name) for name in names}
-    about = {
-        "format": FORMAT,
-        "version": __version__,
-        "constants": asdict(results.constants),
-        "certificate": asdict(results.certificate),
-        "steps": [asdict(step) for step in results.steps],
-        "solver": results.solver,
-        "unknowns": results.unknowns,
-        "symmetry": results.symmetry,
-        "combination": results.combination,
-        "limit_state": results.limit_state,
-        "factors": results.factors,
-        "supports": [support.name for support in results.supports],
-        "increments": [each.share for each in results.increments],
-    }
-    text = json.dumps(about, allow_nan=False, default=lambda number: number.item())
+    about = _About(
+        format=FORMAT,
+        version=__version__,
+        **{name: getattr(results, name) for name in PLAIN},
+        supports=tuple(support.name for support in results.supports),
+        increments=tuple(each.share for each in results.increments),
+    )
+    text = json.dumps(asdict(about), allow_nan=False, default=lambda number: number.item())
     arrays |= {"model": np.array(casefile.to_toml(results.model)), "about": np.array(text)}
     with path.open("wb") as file:
         np.savez(file, **arrays)
@@ -172,15 +168,7 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
     found = CombinationResult(
         model=casefile.loads(str(arrays["model"])),
         **_parts("", arrays),
-        constants=about.constants,
-        certificate=about.certificate,
-        steps=about.steps,
-        solver=about.solver,
-        unknowns=about.unknowns,
-        symmetry=about.symmetry,
-        combination=about.combination,
-        limit_state=about.limit_state,
-        factors=about.factors,
+        **{name: getattr(about, name) for name in PLAIN},
         supports=tuple(_support(name, number, arrays) for number, name in enumerate(about.supports)),
         increments=tuple(
             Increment(share, **_parts(f"increments.{number}.", arrays)) for number, share in enumerate(about.increments)

@@ -16,17 +16,8 @@ from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from groundslab.errors import (
-    GroundslabError,
-    IllConditioned,
-    InputError,
-    Issue,
-    NeutralEquilibrium,
-    NoEquilibrium,
-    NotCertified,
-    NotConverged,
-    SingularMatrix,
-)
+from groundslab import errors
+from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, ownership
 from groundslab.views.files import manifest, npz
@@ -248,11 +239,8 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
             results[each.name] = replace(found, model=model)
         if each.refused is not None:
             refused[each.name] = _refused(each.refused, results.pop(each.name, None))
-    if (
-        not listed
-        or len({each.name for each in listed}) < len(listed)
-        or not results.keys() | refused.keys() == {each.name for each in listed}
-    ):
+    names = {each.name for each in listed}
+    if not names or len(names) < len(listed) or results.keys() | refused.keys() != names:
         raise ValueError("combinations that have neither results nor a reason, or the same name")
     return Results(model, tuple(combinations), results, refused)
 
@@ -263,10 +251,9 @@ def _refused(why: _Refused, results: CombinationResult | None) -> GroundslabErro
         return NotCertified(results)
     if why.error == "NotConverged":
         return NotConverged(why.what, list(why.history), {})
-    kinds: dict[str, type[GroundslabError]] = {
-        kind.__name__: kind for kind in (IllConditioned, NeutralEquilibrium, NoEquilibrium, SingularMatrix)
-    }
-    return kinds.get(why.error, GroundslabError)(why.reason)
+    known = ("IllConditioned", "NeutralEquilibrium", "NoEquilibrium", "SingularMatrix")
+    kind: type[GroundslabError] = getattr(errors, why.error if why.error in known else "GroundslabError")
+    return kind(why.reason)
 
 
 def _not_ours(path: Path, found: str) -> InputError:
@@ -322,14 +309,9 @@ def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
 
 
 def _foreign(folder: Path) -> list[str]:
-    """Return the paths in a folder, and in the folders within it, that groundslab did not write there."""
-    return ownership.strangers(folder, set(_files(folder)))
-
-
-def _files(folder: Path) -> list[str]:
-    """Return the names of the files that groundslab wrote into a folder, according to the summary there."""
+    """Return the paths in a folder, and in the folders within it, that are not ours according to its summary."""
     found = _summary(folder)
-    return [] if found is None else [name for name in found.files if manifest.is_path(name)]
+    return ownership.strangers(folder, set() if found is None else set(filter(manifest.is_path, found.files)))
 
 
 def _resolve(folder: str | Path) -> Path:

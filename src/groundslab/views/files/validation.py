@@ -60,9 +60,8 @@ def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
     surfaces = np.shape(ground.settlement)[:1]
     if surfaces != (layers,):
         yield f"{name}ground.settlement of {surfaces} surfaces on {layers} layers"
-    yield from _of_arrays(
-        f"{name}ground", ground, (n,), {"nodes": (n, 2), "elements": (m, 9), "settlement": (*surfaces, n)}
-    )
+    shapes = {"nodes": (n, 2), "elements": (m, 9), "settlement": (*surfaces, n)}
+    yield from _of_arrays(f"{name}ground", ground, (n,), shapes)
 
 
 def _of_mesh(name: str, mesh: PlateResult | GroundResult) -> Iterator[str]:
@@ -136,11 +135,8 @@ def _of_constants(results: CombinationResult) -> Iterator[str]:
     if not all(figure >= 0 for figure in certificate.must_vanish().values()):
         yield "figures of the certificate below 0"
     counts = [results.unknowns, constants.gamma_iterations]
-    counts += [
-        count
-        for step in results.steps
-        for count in (step.unknowns, step.increment, step.iteration, step.in_contact, step.changed)
-    ]
+    for step in results.steps:
+        counts += [step.unknowns, step.increment, step.iteration, step.in_contact, step.changed]
     if not all(0 <= count < 2**53 for count in counts):
         yield "counts below 0, or larger than any result's"
 

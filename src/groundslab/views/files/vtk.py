@@ -43,17 +43,12 @@ def ground_mesh(results: CombinationResult) -> meshio.Mesh:
     """
     ground, plate = results.ground, results.plate
     unit = PLATE_FIELDS["settlement"]
-    data = {
-        f"settlement w_{surface} [{unit.unit}]": settlement * unit.scale
-        for surface, settlement in enumerate(ground.settlement)
-    }
+    data = {f"settlement w_{n} [{unit.unit}]": w * unit.scale for n, w in enumerate(ground.settlement)}
     below = match(plate.nodes, ground.nodes)
-    under = np.zeros(len(ground.nodes), dtype=np.int8)
-    under[below] = 1
-    settlement = np.zeros(len(ground.nodes))
+    data[f"settlement of the plate [{unit.unit}]"] = settlement = np.zeros(len(ground.nodes))
     settlement[below] = plate.settlement * unit.scale
-    data[f"settlement of the plate [{unit.unit}]"] = settlement
-    data["under the plate"] = under
+    data["under the plate"] = under = np.zeros(len(ground.nodes), dtype=np.int8)
+    under[below] = 1
     return _mesh(ground.nodes, ground.elements, data, {})
 
 
@@ -80,24 +75,12 @@ def write_envelope(combined: Results, path: Path) -> None:
 
 def match(some: Array, among: Array) -> Integers:
     """Return for each place in ``some`` (k, 2) its index in ``among`` (n, 2), rounding aside."""
-    both = np.concatenate([some, among])
-    tolerance = 1e-9 * np.ptp(both, axis=0).max()
-    # Coordinates that differ by rounding get the same rank, so that places compare as whole numbers.
-    key = _ranks(both[:, 0], tolerance) * np.int64(len(both)) + _ranks(both[:, 1], tolerance)
-    wanted, offered = key[: len(some)], key[len(some) :]
-    order = np.argsort(offered)
-    found = order[np.minimum(np.searchsorted(offered, wanted, sorter=order), len(among) - 1)]
-    if not np.array_equal(offered[found], wanted):
+    from scipy.spatial import KDTree
+
+    distance, found = KDTree(among).query(some)
+    if distance.max(initial=0.0) > 1e-9 * np.ptp(among, axis=0).max():
         raise GroundslabError("the plate has nodes that the ground below it lacks")
-    return found.astype(np.int64)
-
-
-def _ranks(values: Array, tolerance: float) -> Integers:
-    """Return the rank of each value (n,) among the distinct ones; values within the tolerance are one."""
-    order = np.argsort(values)
-    ranks = np.empty(len(values), dtype=np.int64)
-    ranks[order] = np.concatenate([[0], np.cumsum(np.diff(values[order]) > tolerance)])
-    return ranks
+    return np.asarray(found, dtype=np.int64)
 
 
 def _mesh(

@@ -42,10 +42,8 @@ class LabelPlacement:
 
     def place_beside(self, place: Point, half: Point, distance: float, sides: Sequence[Point] = AROUND) -> Point:
         """Return the middle of a box of some half size beside a place, and take it."""
-        return self.place_best(
-            ((place[0] + right * (half[0] + distance), place[1] + up * (half[1] + distance)) for right, up in sides),
-            half,
-        )
+        (x, y), (across, along) = place, (half[0] + distance, half[1] + distance)
+        return self.place_best(((x + right * across, y + up * along) for right, up in sides), half)
 
     def place_best(self, middles: Iterable[Point], half: Point) -> Point:
         """Return the middle of those given whose box covers least, and take it; of equal ones the first."""
@@ -88,9 +86,8 @@ def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleL
         facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {format_place(panel.line_force[1])}")
     if panel.quantity.name in ("pressure", "gap") and panel.share is not None:
         facts.append(f"{number(100 * panel.share)} % of the plate in contact")
-    title = panel.quantity.field.meaning[0].upper() + panel.quantity.field.meaning[1:]
     lines = [TitleLine(each, BASE, GREY, "bold") for each in (_wrapped(panel.source, width) if with_source else [])]
-    lines += [TitleLine(each, BASE, INK, "bold") for each in _wrapped(title, width)]
+    lines += [TitleLine(each, BASE, INK, "bold") for each in _wrapped(panel.quantity.title, width)]
     return [*lines, *(TitleLine(each, SMALL, GREY, "normal") for each in _joined(facts, width))]
 
 
@@ -141,7 +138,7 @@ INSIDE: tuple[Point, ...] = ((-1, -1), (1, -1), (-1, 1), (1, 1), (0, -1), (0, 1)
 
 
 def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> None:
-    """Name the columns, with_source the thickness of zones, mark the extremes by rings with their values.
+    """Name the columns, write the thickness of zones, mark the extremes by rings with their values.
 
     The words cover neither each other nor the columns, as far as there is space.
     """
@@ -150,21 +147,18 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
     extremes = find_extremes(panel)
     for each in extremes:
         placement.reserve((each.place[0] * per_meter, each.place[1] * per_meter), (1.0, 1.0))
-    named = model.columns if per_meter >= LEAST_SCALE and len(model.columns) <= MOST_NAMES else ()
-    for column in model.columns:
-        (x, y), half = _bounding_box(np.array(column.ring().flat(np.inf)) * per_meter)
-        placement.reserve((x, y), half)
+    named = per_meter >= LEAST_SCALE and len(model.columns) <= MOST_NAMES
+    boxes = [_bounding_box(np.array(column.ring().flat(np.inf)) * per_meter) for column in model.columns]
+    for middle, half in boxes:
+        placement.reserve(middle, half)
     for word, value, (x, y), _ in extremes:
-        axes.plot(
-            x, y, "o", markersize=3.6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.9, zorder=7,
-            clip_on=False,
-        )  # fmt: skip
+        (ring,) = axes.plot(x, y, "o", markersize=3.6, markeredgecolor=INK, zorder=7, clip_on=False)
+        ring.set(markerfacecolor="white", markeredgewidth=0.9)
         words = f"{'max' if word == 'largest' else 'min'} {number(value)}"
         half = text_width(words, SMALL - 0.5) / 2 + 0.5, 0.6 * SMALL * PT
         middle = placement.place_beside((x * per_meter, y * per_meter), half, 1.6)
         _write_label(axes, words, middle, per_meter, SMALL - 0.5, boxed=True)
-    for column in named:
-        (x, y), half = _bounding_box(np.array(column.ring().flat(np.inf)) * per_meter)
+    for column, ((x, y), half) in zip(model.columns if named else (), boxes, strict=False):
         words = plain_text(column.name, 12)
         own = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
         corners = [(x + i * (half[0] + own[0]), y + j * (half[1] + own[1])) for i, j in BESIDE]

@@ -2,27 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import groupby
+from itertools import groupby, pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.views.plots.style import (
-    BAD,
-    BASE,
-    CYCLE,
-    FAINT,
-    GREY,
-    INK,
-    MARGIN,
-    PAGE_WIDTH,
-    PT,
-    SMALL,
-    Page,
-    math_symbol,
-    number,
-    plain_text,
-)
+from groundslab.views.plots import style
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -46,19 +31,19 @@ def draw_sheet(request: PlotRequest) -> Figure:
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the histories on pages, two on each."""
-    return [_figure(request, request.histories[first : first + 2]) for first in range(0, len(request.histories), 2)]
+    return [_figure(request, part) for part in style.batch(request.histories, 2)]
 
 
 def _figure(request: PlotRequest, histories: Sequence[IterationHistory]) -> Figure:
     """Return histories one below the other."""
-    page = Page(PAGE_WIDTH)
+    page = style.Page(style.PAGE_WIDTH)
     top = page.write_heading(request.combined.model.title, ["Convergence"])
     for history in histories:
         top += ABOVE
         rows = [_changed, _in_contact] + ([_gamma] if any(step.gamma is not None for step in history.steps) else [])
         boxes = []
         for draw in rows:
-            axes = page.add_axes(LEFT, top, PAGE_WIDTH - LEFT - MARGIN - 3, HIGH)
+            axes = page.add_axes(LEFT, top, style.PAGE_WIDTH - LEFT - style.MARGIN - 3, HIGH)
             draw(axes, history.steps)
             boxes.append(axes)
             top += HIGH + BETWEEN
@@ -71,14 +56,14 @@ def draw_thumbnail(steps: Sequence[Step]) -> Figure:
     """Return a small figure of the nodes that change sides in each step, for a page with many of them."""
     from matplotlib.ticker import MaxNLocator
 
-    page = Page(66.0)
-    axes = page.add_axes(12.0, MARGIN, 51.0, 25.0)
+    page = style.Page(66.0)
+    axes = page.add_axes(12.0, style.MARGIN, 51.0, 25.0)
     if steps:
         _changed(axes, steps)
     axes.xaxis.set_major_locator(MaxNLocator(nbins=5, integer=True, min_n_ticks=1))
     axes.spines[["top", "right"]].set_visible(False)
     axes.set_xlabel("step")
-    return page.finish(25.0 + 8.0 + MARGIN, signed=False)
+    return page.finish(25.0 + 8.0 + style.MARGIN, signed=False)
 
 
 def meshes_of(steps: Sequence[Step]) -> list[tuple[int, slice]]:
@@ -98,21 +83,20 @@ def _numbers(part: slice) -> range:
 
 def _changed(axes: Axes, steps: Sequence[Step]) -> None:
     """Draw how many nodes change sides after each step, to a logarithmic scale that has a place for none."""
-    changed = [step.changed for step in steps]
+    changed, color = [step.changed for step in steps], style.CYCLE[2]
     for _, part in meshes_of(steps):
-        color = CYCLE[2]
         fill = color if steps[part.start].finest else "white"
         axes.plot(_numbers(part), changed[part], "o-", color=color, markersize=3, markerfacecolor=fill)
     axes.set_yscale("symlog", linthresh=1, linscale=0.5)
     axes.set(ylim=(-0.15, 2 * max(*changed, 1)), ylabel="changed nodes [-]")
-    axes.yaxis.set_major_formatter(lambda value, _: number(value))
+    axes.yaxis.set_major_formatter(lambda value, _: style.number(value))
 
 
 def _in_contact(axes: Axes, steps: Sequence[Step]) -> None:
     """Draw how many nodes are in contact at each step."""
     touching = [step.in_contact for step in steps]
     for _, part in meshes_of(steps):
-        axes.plot(_numbers(part), touching[part], "s-", color=CYCLE[1], markersize=2.6)
+        axes.plot(_numbers(part), touching[part], "s-", color=style.CYCLE[1], markersize=2.6)
     axes.set(ylim=(0, 1.1 * max(*touching, 1)), ylabel="nodes in contact [-]")
 
 
@@ -120,8 +104,8 @@ def _gamma(axes: Axes, steps: Sequence[Step]) -> None:
     """Draw the gamma of each step."""
     gammas = np.array([np.nan if step.gamma is None else step.gamma for step in steps])
     for _, part in meshes_of(steps):
-        axes.plot(_numbers(part), gammas[part], "^-", color=CYCLE[3], markersize=3)
-    axes.set_ylabel(f"{math_symbol('gamma')} [-]")
+        axes.plot(_numbers(part), gammas[part], "^-", color=style.CYCLE[3], markersize=3)
+    axes.set_ylabel(f"{style.math_symbol('gamma')} [-]")
     axes.margins(y=0.15)
 
 
@@ -134,30 +118,30 @@ def _share_axis(boxes: Sequence[Axes], history: IterationHistory, name: str) -> 
         for index, (_, part) in enumerate(meshes_of(history.steps)):
             if index % 2:
                 axes.axvspan(part.start + 0.5, part.stop + 0.5, color=STRIPE, linewidth=0, zorder=0)
-        for number_ in range(1, count):
-            if history.steps[number_].increment > history.steps[number_ - 1].increment:
-                axes.axvline(number_ + 0.5, color=GREY, linewidth=0.5, linestyle=(0, (1, 2)))
+        for number, (step, following) in enumerate(pairwise(history.steps), 1):
+            if following.increment > step.increment:
+                axes.axvline(number + 0.5, color=style.GREY, linewidth=0.5, linestyle=(0, (1, 2)))
         axes.set_xlim(0.5, count + 0.5)
         axes.xaxis.set_major_locator(MaxNLocator(nbins=12, integer=True, min_n_ticks=1))
-        axes.grid(axis="y", color=FAINT, linewidth=0.4)
+        axes.grid(axis="y", color=style.FAINT, linewidth=0.4)
         axes.set_axisbelow(True)
         axes.tick_params(labelbottom=axes is boxes[-1])
-        for spine in ("top", "right"):
-            axes.spines[spine].set_visible(False)
+        axes.spines[["top", "right"]].set_visible(False)
     boxes[-1].set_xlabel("step")
     head = boxes[0]
     for unknowns, part in meshes_of(history.steps):
         if unknowns and (part.stop - part.start) * 12 > count:
             head.annotate(
                 f"{unknowns} unknowns", ((part.start + part.stop + 1) / 2, 1), xycoords=("data", "axes fraction"),
-                xytext=(0, 1.2 / PT), textcoords="offset points", fontsize=SMALL - 1, color=GREY, ha="center",
+                xytext=(0, 1.2 / style.PT), textcoords="offset points", fontsize=style.SMALL - 1, ha="center",
+                color=style.GREY,
             )  # fmt: skip
     last = history.steps[-1]
     outcome = history.outcome or f"converged in {count} step{'s' if count > 1 else ''}"
-    words = ": ".join(filter(None, [plain_text(name, 80), outcome]))
+    words = ": ".join(filter(None, [style.plain_text(name, 80), outcome]))
     if last.gamma is not None:
         words += f"; gamma = {last.gamma:.5g}"
     head.annotate(
-        words, (0, 1), xycoords="axes fraction", xytext=(0, 5 / PT), textcoords="offset points", fontsize=BASE,
-        fontweight="bold", color=BAD if history.outcome else INK, parse_math=False,
+        words, (0, 1), xycoords="axes fraction", xytext=(0, 5 / style.PT), textcoords="offset points",
+        fontsize=style.BASE, fontweight="bold", color=style.BAD if history.outcome else style.INK, parse_math=False,
     )  # fmt: skip

@@ -14,7 +14,7 @@ from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.views.plots.annotations import draw_title, panel_title, title_height
 from groundslab.views.plots.contours import draw_color_bar, triangulation
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panel, shared_scales
-from groundslab.views.plots.style import GREY, INK, PAGE_HEIGHT, PAGE_WIDTH, PT, SMALL, WIDE, Page, number
+from groundslab.views.plots.style import GREY, INK, PAGE_HEIGHT, PAGE_WIDTH, PT, SMALL, WIDE, Page, batch, number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -54,21 +54,17 @@ def draw_sheet(request: PlotRequest) -> Figure:
     """Return all panels on one sheet."""
     surfaces = _surfaces(request)
     columns, width = (1, PAGE_WIDTH) if len(surfaces) == 1 else (2, WIDE)
-    return _figure(request.combined.model, surfaces, _scales(surfaces), columns, width)
+    return _figure(request.combined.model, surfaces, surfaces, columns, width)
 
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the panels on pages, two on each, a combination never on the page of another."""
     surfaces = _surfaces(request)
-    scales = _scales(surfaces)
-    found: list[Figure] = []
-    for source in dict.fromkeys(each.panel.source for each in surfaces):
-        own = [each for each in surfaces if each.panel.source == source]
-        found += [
-            _figure(request.combined.model, own[first : first + 2], scales, 1, PAGE_WIDTH)
-            for first in range(0, len(own), 2)
-        ]
-    return found
+    groups: dict[str, list[Surface]] = {}
+    for each in surfaces:
+        groups.setdefault(each.panel.source, []).append(each)
+    pages = [part for own in groups.values() for part in batch(own, 2)]
+    return [_figure(request.combined.model, part, surfaces, 1, PAGE_WIDTH) for part in pages]
 
 
 def _surfaces(request: PlotRequest) -> list[Surface]:
@@ -77,10 +73,6 @@ def _surfaces(request: PlotRequest) -> list[Surface]:
         for each in request.combinations
         for quantity in request.quantities
     ]
-
-
-def _scales(surfaces: Sequence[Surface]) -> dict[str, ColorScale]:
-    return shared_scales([each.panel for each in surfaces])
 
 
 def find_exaggeration(settlements: Sequence[Array], longest: float) -> float:
@@ -93,11 +85,9 @@ def find_exaggeration(settlements: Sequence[Array], longest: float) -> float:
     return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
 
 
-def _figure(
-    model: Model, surfaces: Sequence[Surface], scales: dict[str, ColorScale], columns: int, width: float
-) -> Figure:
-    """Return panels on one sheet of some width [mm], in columns, all with the same exaggeration."""
-    page = Page(width)
+def _figure(model: Model, surfaces: Sequence[Surface], among: Sequence[Surface], columns: int, width: float) -> Figure:
+    """Return some panels on one sheet of some width [mm], in columns, with one exaggeration and the scales of all."""
+    page, scales = Page(width), shared_scales([each.panel for each in among])
     panels = [each.panel for each in surfaces]
     alike = len({panel.source for panel in panels}) == 1
     factor = find_exaggeration([each.settlement for each in surfaces], max(model.plate.sides))
@@ -109,8 +99,7 @@ def _figure(
     wide, high = _projected_size(_sides(model, [surface.settlement for surface in surfaces], factor)[0])
     box_height = min(PART_WIDE * box_width / wide * high / PART_HIGH, PAGE_HEIGHT / 2 - 35)
     legend: dict[str, Any] = {}
-    for first in range(0, len(surfaces), columns):
-        row = surfaces[first : first + columns]
+    for row in batch(surfaces, columns):
         heads = [panel_title(surface.panel, box_width + RIGHT, with_source=not alike) for surface in row]
         top += max(map(title_height, heads))
         for column, (surface, head) in enumerate(zip(row, heads, strict=True)):
@@ -251,12 +240,10 @@ def _set_axes(axes: Any, model: Model, settlement: Array, factor: float, box: tu
         axis.set_major_locator(MaxNLocator(nbins=max(1, min(8, int(side * per_meter / TICK))), steps=steps))
     # labels as far apart as they are high, and a half more
     space = per_meter * sides[2] * np.cos(np.radians(ELEVATION)) / (1.5 * SMALL * PT)
-    ticks = MaxNLocator(nbins=max(1, min(5, int(space))), steps=steps).tick_values(
-        -high / factor * 1e3, -low / factor * 1e3
-    )
-    kept = [tick for tick in ticks if low - 1e-9 <= -tick * factor / 1e3 <= high + 1e-9]
-    axes.set_zticks([-tick * factor / 1e3 for tick in kept])
-    axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{number(round(-z / factor * 1e3, 9))} mm"))
+    locator, scale = MaxNLocator(nbins=max(1, min(5, int(space))), steps=steps), -1e3 / factor
+    heights = [tick / scale for tick in locator.tick_values(high * scale, low * scale)]
+    axes.set_zticks([z for z in heights if low - 1e-9 <= z <= high + 1e-9])
+    axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{number(round(z * scale, 9))} mm"))
     axes.set_xlabel("x [m]", labelpad=3)
     axes.set_ylabel("y [m]", labelpad=3)
     axes.patch.set_alpha(0.0)

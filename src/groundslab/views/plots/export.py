@@ -49,7 +49,11 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
     An existing file is replaced only if groundslab drew it. The file holds no date.
     """
     target = check(path)
-    content = to_bytes(figures, file_format(path), dpi)
+    write_file(path, target, to_bytes(figures, file_format(path), dpi))
+
+
+def write_file(path: str | Path, target: Path, content: bytes) -> None:
+    """Write a file completely or not at all; raises InputError, which calls it by the path that was given."""
     try:
         atomic.write(target, content)
     except OSError as error:

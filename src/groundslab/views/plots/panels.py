@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -34,22 +35,19 @@ class Panel:
     values: Array  # (n,), in units of display
     nodes: Array
     elements: Integers
-    line_force: tuple[float, tuple[float, float]] | None  # beside the pressure: the largest [kN/m] and its place [m]
-    contact: Array | None  # (n,): below zero in contact
-    share: float | None  # of the plate's area that is in contact
     takes_part: Callable[[AnyLoad], bool]
-    certified: bool
+    line_force: tuple[float, tuple[float, float]] | None  # beside the pressure: the largest [kN/m] and its place [m]
+    contact: Array | None = None  # (n,): below zero in contact
+    share: float | None = None  # of the plate's area that is in contact
+    certified: bool = True
     governs: tuple[tuple[str, ...], Integers] | None = None  # combinations, and the one that each value comes from
 
 
 def build_panels(request: PlotRequest) -> list[Panel]:
     """Return the panels of a request: by combination, then by quantity."""
     if request.envelope:
-        return [
-            panel
-            for quantity in request.quantities
-            for panel in _envelope_panels(quantity, request.combinations, request.envelope)
-        ]
+        panels = (_envelope_panels(each, request.combinations, request.envelope) for each in request.quantities)
+        return list(chain.from_iterable(panels))
     return [
         build_panel(quantity, each, request.names_combinations)
         for each in request.combinations
@@ -59,20 +57,12 @@ def build_panels(request: PlotRequest) -> list[Panel]:
 
 def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: bool) -> Panel:
     """Return the panel of a quantity in one combination."""
-    results = combination.results
-    plate = results.plate
-    return Panel(
-        quantity,
-        f"{combination.name} ({combination.limit_state})" if named else "",
-        nodal_values(results, quantity.name),
-        plate.nodes,
-        plate.elements,
-        _line_force(quantity, [results]),
-        contact_function(results),
-        plate.contact_share,
-        load_filter(results.factors),
-        combination.certified,
-    )
+    results, plate = combination.results, combination.results.plate
+    source = f"{combination.name} ({combination.limit_state})" if named else ""
+    values, takes_part = nodal_values(results, quantity.name), load_filter(results.factors)
+    force, contact = _line_force(quantity, [results]), contact_function(results)
+    shown = (quantity, source, values, plate.nodes, plate.elements, takes_part, force)
+    return Panel(*shown, contact, plate.contact_share, combination.certified)
 
 
 def _line_force(
@@ -102,19 +92,8 @@ def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombi
     ):
         if not nothing:
             source = f"{word} of the {len(combinations)} {state} combination{'s' if len(combinations) > 1 else ''}"
-            yield Panel(
-                quantity,
-                source,
-                values,
-                plate.nodes,
-                plate.elements,
-                line_force if word == "Largest" else None,
-                None,
-                None,
-                takes_part,
-                True,
-                (found.names, by),
-            )
+            force, governs = line_force if word == "Largest" else None, (found.names, by)
+            yield Panel(quantity, source, values, plate.nodes, plate.elements, takes_part, force, governs=governs)
 
 
 def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:

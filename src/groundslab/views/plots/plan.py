@@ -9,7 +9,7 @@ from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import draw_labels, draw_title, panel_title, title_height
 from groundslab.views.plots.contours import ColorScale, draw_color_bar, draw_contours, triangulation
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panels, shared_scales
-from groundslab.views.plots.style import BASE, GREY, PAGE_HEIGHT, PAGE_WIDTH, PT, WIDE, Page
+from groundslab.views.plots.style import BASE, GREY, PAGE_HEIGHT, PAGE_WIDTH, PT, WIDE, Page, batch
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -48,8 +48,7 @@ def draw_panels(
     box_width = min(each - LEFT - RIGHT, ((PAGE_HEIGHT - top) / rows - ABOVE - source_height - BELOW) / ratio)
     box_height = box_width * ratio
     legend: dict[str, Any] = {}
-    for first in range(0, len(panels), columns):
-        row = panels[first : first + columns]
+    for row in batch(panels, columns):
         heads = [panel_title(panel, box_width + RIGHT, with_source=not alike) for panel in row]
         top += max(map(title_height, heads))
         for column, (panel, head) in enumerate(zip(row, heads, strict=True)):
@@ -80,15 +79,11 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
     panels = build_panels(request)
     model, scales = request.combined.model, shared_scales(panels)
     columns, rows = panels_per_page(_ratio(model))
-    found = []
     groups: dict[str, list[Panel]] = {}
     for panel in panels:
         groups.setdefault(panel.quantity.name if request.envelope else panel.source, []).append(panel)
-    for own in groups.values():
-        for first in range(0, len(own), columns * rows):
-            part = own[first : first + columns * rows]
-            found.append(draw_panels(model, part, scales, min(columns, len(part)), PAGE_WIDTH, rows))
-    return found
+    parts = [part for own in groups.values() for part in batch(own, columns * rows)]
+    return [draw_panels(model, part, scales, min(columns, len(part)), PAGE_WIDTH, rows) for part in parts]
 
 
 def panels_per_page(ratio: float) -> tuple[int, int]:
@@ -123,10 +118,8 @@ def draw_panel(axes: Axes, model: Model, panel: Panel, scale: ColorScale, width:
     x0, x1, y0, y1 = _limits(model)
     triangles = triangulation(panel.nodes, panel.elements)
     draw_contours(axes, triangles, panel.values, scale)
-    legend: dict[str, Any] = {}
-    if panel.quantity.name == "pressure":
-        legend |= symbols.hatch_uplift(axes, triangles, panel.contact)
-    legend = symbols.draw_contact_boundary(axes, triangles, panel.contact) | legend
+    hatched = symbols.hatch_uplift(axes, triangles, panel.contact) if panel.quantity.name == "pressure" else {}
+    legend = symbols.draw_contact_boundary(axes, triangles, panel.contact) | hatched
     legend |= symbols.draw_plate(axes, model)
     legend |= symbols.draw_voids(axes, model)
     legend |= symbols.draw_columns(axes, model, panel.takes_part)
@@ -136,8 +129,7 @@ def draw_panel(axes: Axes, model: Model, panel: Panel, scale: ColorScale, width:
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(nbins=8 if width > 80 else 5, steps=[1, 2, 2.5, 5, 10]))
     axes.tick_params(which="both", length=2)
-    for spine in axes.spines.values():
-        spine.set(linewidth=0.4, color=GREY)
+    axes.spines[:].set(linewidth=0.4, color=GREY)
     height = width * _ratio(model)
     draw_color_bar(axes, scale, panel.quantity.label, (1 + GAP / width, 0.0, BAR / width, 1.0), height)
     draw_labels(axes, model, panel, width / (x1 - x0))

@@ -8,7 +8,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
+from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, ResultField
@@ -16,6 +16,7 @@ from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.views.plots.style import math_symbol
+from groundslab.views.summary.combinations import entries
 
 #: What is drawn downwards, as it lies.
 DOWNWARDS = frozenset({"settlement"})
@@ -35,6 +36,11 @@ class PlotQuantity:
             return math_symbol(self.field.symbol)
         face, _, axis = self.name.partition("_")
         return rf"$m^*_{{{axis},\mathrm{{{face}}}}}$"
+
+    @property
+    def title(self) -> str:
+        """Return what the quantity is, as a title."""
+        return self.field.meaning[0].upper() + self.field.meaning[1:]
 
     @property
     def label(self) -> str:
@@ -68,7 +74,6 @@ DEFAULT_QUANTITIES: dict[str, tuple[str, ...]] = {
     "deformed": ("settlement",),
     "lines": ("settlement", "moment_x", "moment_y"),
 }
-Line = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,13 +124,12 @@ class PlotRequest:
     @property
     def panel_count(self) -> int:
         """Return about how many panels there are."""
-        if self.kind == "convergence":
-            return len(self.histories)
-        if self.kind == "soil":
-            return len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1
-        if self.kind == "lines":
-            return len(self.quantities) * len(self.lines)
-        return len(self.quantities) * (2 if self.envelope else len(self.combinations))
+        panels = len(self.quantities) * (2 if self.envelope else len(self.combinations))
+        return {
+            "convergence": len(self.histories),
+            "soil": len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1,
+            "lines": len(self.quantities) * len(self.lines),
+        }.get(self.kind, panels)
 
 
 def parse_request(
@@ -145,20 +149,15 @@ def parse_request(
     names = (combination,) if isinstance(combination, str) else tuple(dict.fromkeys(combination or ()))
     issues = _find_conflicts(chosen_kind, fields, names, envelope, bool(lines))
     known = [each.name for each in combined.combinations]
-    issues += [
-        Issue("combination", describe(name), one_of(known), suggestion(name, known))
-        for name in names
-        if name not in known
-    ]
+    unknown = [name for name in names if name not in known]
+    issues += [Issue("combination", describe(name), one_of(known), suggestion(name, known)) for name in unknown]
     quantities: tuple[PlotQuantity, ...] = ()
     try:
         quantities = resolve(fields or DEFAULT_QUANTITIES.get(chosen_kind, ()))
     except InputError as error:
         issues += error.issues
-    section_lines = tuple(SectionLine(each.name, each.start, each.end) for each in combined.model.output.lines)
-    if lines:
-        section_lines = tuple(SectionLine("", (a, b), (c, d)) for a, b, c, d in lines)
-    elif chosen_kind == "lines" and not section_lines:
+    listed_lines = tuple(SectionLine(each.name, each.start, each.end) for each in combined.model.output.lines)
+    if chosen_kind == "lines" and not (lines or listed_lines):
         hint = "give one as x1,y1,x2,y2 in meters, or name it under [[output.lines]] in the case"
         issues.append(Issue("line", "no section line", "at least one", hint))
     if issues:
@@ -169,11 +168,11 @@ def parse_request(
     combinations = _select_combinations(combined, names, envelope)
     for each in combinations:
         require_finite(each.results)
-    return PlotRequest(combined, chosen_kind, quantities, combinations, (), section_lines, envelope or "")
+    return PlotRequest(combined, chosen_kind, quantities, combinations, (), lines or listed_lines, envelope or "")
 
 
-def _parse_lines(line: Sequence[Any] | None) -> tuple[Line, ...]:
-    """Return section lines of four coordinates [m] each, or of two places, given as one or as several."""
+def _parse_lines(line: Sequence[Any] | None) -> tuple[SectionLine, ...]:
+    """Return section lines without names of four coordinates [m] each, or of two places, given as one or several."""
     if line is None:
         return ()
     try:
@@ -188,7 +187,7 @@ def _parse_lines(line: Sequence[Any] | None) -> tuple[Line, ...]:
     if not good or (values[:, :2] == values[:, 2:]).all(axis=1).any():
         found = "two ends at one place" if good else describe(line)
         raise InputError([Issue("line", found, "x1, y1, x2, y2 of two different places, in meters")])
-    return tuple((a, b, c, d) for a, b, c, d in values.tolist())
+    return tuple(SectionLine("", (a, b), (c, d)) for a, b, c, d in values.tolist())
 
 
 def _find_conflicts(
@@ -219,11 +218,10 @@ def _select_combinations(
 ) -> tuple[PlottedCombination, ...]:
     """Return the combinations to draw: those named, those of an envelope, or all that are certified."""
     found = {}
-    for each in combined.combinations:
-        refused = combined.refused.get(each.name)
-        results = refused.results if isinstance(refused, NotCertified) else combined.results.get(each.name)
-        if results is not None:
-            found[each.name] = PlottedCombination(each.name, each.limit_state, results, refused is None)
+    for entry in entries(combined):
+        if entry.results is not None:
+            name, state = entry.combination.name, entry.combination.limit_state
+            found[name] = PlottedCombination(name, state, entry.results, entry.refused is None)
     missing = [name for name in names if name not in found]
     if missing:
         raise _without_results(combined, missing)
@@ -242,29 +240,22 @@ def _select_combinations(
 
 def _without_results(combined: Results, names: Sequence[str]) -> InputError:
     """Return the error for combinations that were refused, with the reason."""
-    reasons = [" ".join(str(combined.refused[name]).split()) for name in names]
-    return InputError(
-        [
-            Issue("combination", f"{describe(name)}, which was refused: {reason}", "one that has results")
-            for name, reason in zip(names, reasons, strict=True)
-        ]
-    )
+    reasons = {name: " ".join(str(combined.refused[name]).split()) for name in names}
+    words = [f"{describe(name)}, which was refused: {reason}" for name, reason in reasons.items()]
+    return InputError([Issue("combination", each, "one that has results") for each in words])
 
 
 def _iteration_histories(combined: Results, names: tuple[str, ...]) -> tuple[IterationHistory, ...]:
     """Return how the iteration went for the combinations named, or for all that have a history."""
     histories = []
-    for each in combined.combinations:
-        if names and each.name not in names:
+    for entry in entries(combined):
+        name, refused = entry.combination.name, entry.refused
+        if names and name not in names:
             continue
-        refused: GroundslabError | None = combined.refused.get(each.name)
-        results = refused.results if isinstance(refused, NotCertified) else combined.results.get(each.name)
-        if results is not None:
-            histories.append(IterationHistory(each.name, results.steps, "" if refused is None else "not certified"))
-        elif isinstance(refused, NotConverged):
-            steps = _contact_steps(refused.history)
-            if steps:
-                histories.append(IterationHistory(each.name, steps, "did not converge"))
+        if entry.results is not None:
+            histories.append(IterationHistory(name, entry.results.steps, "not certified" if refused else ""))
+        elif isinstance(refused, NotConverged) and (steps := _contact_steps(refused.history)):
+            histories.append(IterationHistory(name, steps, "did not converge"))
     if not histories:
         raise InputError([Issue("combination", "no history of an iteration", "a combination with steps to draw")])
     return tuple(histories)
@@ -272,9 +263,8 @@ def _iteration_histories(combined: Results, names: tuple[str, ...]) -> tuple[Ite
 
 def _contact_steps(history: Sequence[Any]) -> tuple[Step, ...]:
     """Return the steps of an iteration that did not converge, as far as they hold the contact zone."""
-    steps = []
-    for entry in history:
-        step = entry if isinstance(entry, dict) else {}
-        if {"iteration", "closed", "changed"} <= step.keys():
-            steps.append(Step(0, 1, None, step["iteration"], step["closed"], step["changed"], finest=False))
-    return tuple(steps)
+    return tuple(
+        Step(0, 1, None, step["iteration"], step["closed"], step["changed"], finest=False)
+        for step in history
+        if isinstance(step, dict) and {"iteration", "closed", "changed"} <= step.keys()
+    )

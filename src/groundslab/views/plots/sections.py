@@ -8,40 +8,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.envelope import envelope
 from groundslab.design.section_cuts import SectionCut, cut_along
 from groundslab.design.tables.quantities import point_values
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.results.fields import POINT_FIELDS
-from groundslab.views.plots import symbols
+from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.panels import NOT_CERTIFIED
 from groundslab.views.plots.request import DOWNWARDS, PlotQuantity
-from groundslab.views.plots.style import (
-    BASE,
-    CYCLE,
-    FAINT,
-    GREY,
-    INK,
-    MARGIN,
-    PAGE_HEIGHT,
-    PAGE_WIDTH,
-    SMALL,
-    STROKES,
-    Page,
-    format_place,
-    number,
-    plain_text,
-    text_width,
-)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from groundslab.arrays import Array
-    from groundslab.views.plots.request import PlotRequest, PlottedCombination, SectionLine
+    from groundslab.views.plots.request import PlotRequest, SectionLine
 
 #: Boxes of the curves [mm].
 LEFT, HIGH, ABOVE, BELOW = 17.0, 40.0, 9.5, 3.0
@@ -70,36 +52,24 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
     found: list[LineCurves] = []
     missed: list[Issue] = []
     for line in request.lines:
+        ends = np.array([line.start, line.end])
         try:
-            sections = [
-                cut_along(each.results.plate, np.array([line.start, line.end])) for each in request.combinations
-            ]
+            sections = [cut_along(each.results.plate, ends) for each in request.combinations]
         except InputError as error:
             missed += [replace(issue, location=f"line {line.name}".rstrip()) for issue in error.issues]
             continue
         values = [dict(zip(POINT_FIELDS, point_values(section.values), strict=True)) for section in sections]
         names = tuple(each.name for each in request.combinations)
         rows = {quantity.name: np.stack([each[quantity.name] for each in values]) for quantity in request.quantities}
-        band = bool(request.envelope) or len(names) > len(CYCLE)
+        band = bool(request.envelope) or len(names) > len(style.CYCLE)
         if band:
-            rows = {name: _extremes(names, each) for name, each in rows.items()}
-            names = tuple(
-                f"{word} of {_count(request.combinations, request.envelope)}" for word in ("largest", "smallest")
-            )
+            rows = {name: np.stack([each.max(axis=0), each.min(axis=0)]) for name, each in rows.items()}
+            state, plural = f"{request.envelope} ".lstrip(), "s" if len(names) > 1 else ""
+            names = tuple(f"{word} of {len(names)} {state}combination{plural}" for word in ("largest", "smallest"))
         found.append(LineCurves(line, sections[0], names, band, rows))
     if not found:
         raise InputError(missed)
     return found
-
-
-def _extremes(names: Sequence[str], rows: Array) -> Array:
-    """Return the largest and the smallest value of each sample, (2, samples), from (combinations, samples)."""
-    found = envelope(dict(zip(names, rows, strict=True)))
-    return np.stack([found.greatest, found.least])
-
-
-def _count(drawn: Sequence[PlottedCombination], state: str) -> str:
-    return f"{len(drawn)} {state + ' ' if state else ''}combination{'s' if len(drawn) > 1 else ''}"
 
 
 def draw_sheet(request: PlotRequest) -> Figure:
@@ -109,11 +79,11 @@ def draw_sheet(request: PlotRequest) -> Figure:
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return each line on a page of its own, on several if it has many amounts."""
-    rows = max(1, int((PAGE_HEIGHT - 50 - KEY_HEIGHT) // (HIGH + ABOVE + BELOW)))
+    rows = max(1, int((style.PAGE_HEIGHT - 50 - KEY_HEIGHT) // (HIGH + ABOVE + BELOW)))
     return [
-        _figure(request, [each], request.quantities[first : first + rows])
+        _figure(request, [each], quantities)
         for each in sample_lines(request)
-        for first in range(0, len(request.quantities), rows)
+        for quantities in style.batch(request.quantities, rows)
     ]
 
 
@@ -121,13 +91,13 @@ def _figure(
     request: PlotRequest, curves: Sequence[LineCurves], quantities: Sequence[PlotQuantity] | None = None
 ) -> Figure:
     """Return lines one below the other, of each some amounts."""
-    page = Page(PAGE_WIDTH)
+    page = style.Page(style.PAGE_WIDTH)
     certified = all(each.certified for each in request.combinations)
     first = request.combinations[0]
     source = f"{first.name} ({first.limit_state})" if len(curves[0].names) == 1 and request.names_combinations else ""
     top = page.write_heading(request.combined.model.title, [source], "" if certified else NOT_CERTIFIED)
     legend: dict[str, Any] = {}
-    width = PAGE_WIDTH - LEFT - MARGIN - 3
+    width = style.PAGE_WIDTH - LEFT - style.MARGIN - 3
     for each in curves:
         top = _draw_key_plan(page, request, each.line, top)
         shown = quantities or request.quantities
@@ -139,23 +109,21 @@ def _figure(
     return page.finish(top, legend if len(curves[0].names) > 1 else {})
 
 
-def _draw_key_plan(page: Page, request: PlotRequest, line: SectionLine, top: float) -> float:
+def _draw_key_plan(page: style.Page, request: PlotRequest, line: SectionLine, top: float) -> float:
     """Write which line it is, and draw a small plan with it on the right; return how far down they reach."""
     model = request.combined.model
-    words = plain_text(line.name, 80) or "Section line"
-    page.write(MARGIN, top + 4, words, fontsize=BASE + 0.5, fontweight="bold", color=INK)
-    page.write(
-        MARGIN, top + 8.2, f"from {format_place(line.start)} to {format_place(line.end)}", fontsize=SMALL, color=GREY
-    )
-    axes = page.add_axes(PAGE_WIDTH - MARGIN - 3 - KEY_WIDTH, top, KEY_WIDTH, KEY_HEIGHT)
+    words = style.plain_text(line.name, 80) or "Section line"
+    page.write(style.MARGIN, top + 4, words, fontsize=style.BASE + 0.5, fontweight="bold", color=style.INK)
+    ends = f"from {style.format_place(line.start)} to {style.format_place(line.end)}"
+    page.write(style.MARGIN, top + 8.2, ends, fontsize=style.SMALL, color=style.GREY)
+    axes = page.add_axes(style.PAGE_WIDTH - style.MARGIN - 3 - KEY_WIDTH, top, KEY_WIDTH, KEY_HEIGHT)
     axes.set_axis_off()
     chord = DRAWN_CHORD * max(model.plate.sides)
     for ring in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
-        symbols.draw_key_outline(axes, ring, chord)
-    (x0, y0), (x1, y1) = line.start, line.end
+        symbols.draw_ring(axes, np.array(ring.flat(chord)), edgecolor=style.FAINT, linewidth=0.8)
     axes.annotate(
-        "", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>,head_width=0.15,head_length=0.3", "color": INK,
-                                            "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0},
+        "", line.end, line.start, arrowprops={"arrowstyle": "-|>,head_width=0.15,head_length=0.3", "color": style.INK,
+                                              "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0},
         annotation_clip=False,
     )  # fmt: skip
     a, b, c, d = model.plate.bounds
@@ -167,31 +135,31 @@ def _draw_key_plan(page: Page, request: PlotRequest, line: SectionLine, top: flo
 def _draw_curves(axes: Axes, quantity: PlotQuantity, curves: LineCurves, *, last: bool) -> dict[str, Any]:
     """Draw one quantity along a line; return the entries in the legend."""
     s, values = curves.section.s, curves.values[quantity.name]
-    axes.axhline(0.0, color=GREY, linewidth=0.6, zorder=1)
+    axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=1)
     entries: dict[str, Any] = {}
     parts = curves.section.parts()
-    for number_, name in enumerate(curves.names):
-        color, stroke = (INK, ("-", "--")[number_]) if curves.band else (CYCLE[number_], STROKES[number_])
+    looks = [(style.INK, "-"), (style.INK, "--")] if curves.band else zip(style.CYCLE, style.STROKES, strict=True)
+    for name, row, (color, stroke) in zip(curves.names, values, looks, strict=False):
         for part in parts:
-            (line,) = axes.plot(s[part], values[number_, part], color=color, linestyle=stroke, linewidth=1.1)
-            entries.setdefault(plain_text(name, 60), line)
+            (line,) = axes.plot(s[part], row[part], color=color, linestyle=stroke, linewidth=1.1)
+            entries.setdefault(style.plain_text(name, 60), line)
     if curves.band:
         for part in parts:
-            axes.fill_between(s[part], values[0, part], values[1, part], color=FAINT, linewidth=0, zorder=0.5)
-    title = quantity.field.meaning[0].upper() + quantity.field.meaning[1:]
-    facts = plain_text(_describe_extremes(quantity, curves), int((PAGE_WIDTH - LEFT) / text_width("n", SMALL)))
-    draw_title(axes, [TitleLine(title, BASE, INK, "bold"), TitleLine(facts, SMALL, GREY, "normal")])
+            axes.fill_between(s[part], values[0, part], values[1, part], color=style.FAINT, linewidth=0, zorder=0.5)
+    letters = int((style.PAGE_WIDTH - LEFT) / style.text_width("n", style.SMALL))
+    facts = style.plain_text(_describe_extremes(quantity, curves), letters)
+    title = TitleLine(quantity.title, style.BASE, style.INK, "bold")
+    draw_title(axes, [title, TitleLine(facts, style.SMALL, style.GREY, "normal")])
     axes.set(xlim=(0.0, float(np.hypot(*np.subtract(curves.line.end, curves.line.start)))), ylabel=quantity.label)
     axes.margins(y=0.08)
     if quantity.name in DOWNWARDS:
         axes.invert_yaxis()
-    axes.grid(color=FAINT, linewidth=0.4)
+    axes.grid(color=style.FAINT, linewidth=0.4)
     axes.set_axisbelow(True)
     axes.tick_params(labelbottom=last)
     if last:
         axes.set_xlabel("distance s along the line [m]")
-    for spine in ("top", "right"):
-        axes.spines[spine].set_visible(False)
+    axes.spines[["top", "right"]].set_visible(False)
     return entries
 
 
@@ -201,7 +169,7 @@ def _describe_extremes(quantity: PlotQuantity, curves: LineCurves) -> str:
     facts = []
     for word, where in (("largest", int(values.argmax())), ("smallest", int(values.argmin()))):
         curve, sample = divmod(where, values.shape[1])
-        place = f"at s = {number(curves.section.s[sample])} m"
+        place = f"at s = {style.number(curves.section.s[sample])} m"
         whose = f" ({curves.names[curve]})" if len(curves.names) > 1 and not curves.band else ""
-        facts.append(f"{word} {number(values[curve, sample])} {quantity.field.unit} {place}{whose}")
+        facts.append(f"{word} {style.number(values[curve, sample])} {quantity.field.unit} {place}{whose}")
     return ";  ".join(facts)

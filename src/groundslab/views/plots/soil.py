@@ -12,24 +12,8 @@ import numpy as np
 from groundslab.discretize.ground import layer_of, sublayers, winkler_modulus
 from groundslab.fem.foundation import Layer
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
-from groundslab.results import soil_profile
-from groundslab.views.plots.style import (
-    BASE,
-    CYCLE,
-    FAINT,
-    GREY,
-    GROUND,
-    INK,
-    MARGIN,
-    PAGE_WIDTH,
-    SMALL,
-    STROKES,
-    Page,
-    format_place,
-    math_symbol,
-    number,
-    plain_text,
-)
+from groundslab.results.soil_profile import Profile, profiles_of
+from groundslab.views.plots import style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,24 +37,15 @@ class PlottedLayer:
 
 
 @dataclass(frozen=True, slots=True)
-class GroundConstants:
-    """What follows from the gamma of one combination."""
-
-    name: str  # of the combination
-    gamma: float
-    k0: Array  # [Pa/m], (1,) or one of each layer (L,)
-    k1: Array  # [Pa m]
-    z: Array | None  # depths [m] and the mode there, if the ground has one over its whole depth
-    psi: Array | None
-
-
-@dataclass(frozen=True, slots=True)
 class SoilColumn:
-    """The ground at one place: its name, its layers from the top downwards, what the combinations found."""
+    """The ground at one place: its name, its layers from the top downwards, what the combinations found.
+
+    The constants are the profiles that have a gamma, each under the name of its combination.
+    """
 
     name: str
     layers: tuple[PlottedLayer, ...]
-    constants: tuple[GroundConstants, ...]
+    constants: tuple[Profile, ...]
 
     @property
     def depth(self) -> float | None:
@@ -85,11 +60,13 @@ def soil_columns(model: Model, combinations: Sequence[PlottedCombination]) -> li
     if model.boreholes:
         kinds = [model.ground] * len(model.boreholes)
     given = [hole.layers for hole in model.boreholes] or [getattr(ground, "layers", ()) for ground in kinds]
-    profiles = zip(*(soil_profile.profiles_of(each.results) for each in combinations), strict=True)
+    profiles = zip(*(profiles_of(each.results) for each in combinations), strict=True)
     columns = []
     for ground, layers, own in zip(kinds, given, profiles, strict=True):
         found = tuple(
-            _ground_constants(*pair) for pair in zip(combinations, own, strict=True) if pair[1].gamma is not None
+            replace(profile, name=combination.name)
+            for combination, profile in zip(combinations, own, strict=True)
+            if profile.gamma is not None
         )
         if len(found) > 1 and len({each.gamma for each in found}) == 1:
             found = (replace(found[0], name="all combinations"),)
@@ -97,16 +74,8 @@ def soil_columns(model: Model, combinations: Sequence[PlottedCombination]) -> li
     return columns
 
 
-def _ground_constants(combination: PlottedCombination, profile: soil_profile.Profile) -> GroundConstants:
-    """Return what one combination found of a column of soil."""
-    assert profile.gamma is not None
-    k0, k1 = np.array(profile.k0), np.array(profile.k1)
-    z, psi = (profile.z, profile.psi) if len(profile.z) else (None, None)
-    return GroundConstants(combination.name, profile.gamma, k0, k1, z, psi)
-
-
 def _plotted_layers(
-    model: Model, ground: AnyGround, layers: Sequence[SoilLayer | InterfaceLayer], found: Sequence[GroundConstants]
+    model: Model, ground: AnyGround, layers: Sequence[SoilLayer | InterfaceLayer], found: Sequence[Profile]
 ) -> tuple[PlottedLayer, ...]:
     """Return the layers of a described ground."""
     if isinstance(ground, Winkler):
@@ -129,13 +98,13 @@ def _plotted_layers(
 
 
 def _own_constants(
-    ground: Vlasov | Layered, layer: Layer, index: int, found: Sequence[GroundConstants]
+    ground: Vlasov | Layered, layer: Layer, index: int, found: Sequence[Profile]
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return k0 and k1 of a layer of a stack: of its sublayers, or in each combination; nothing for Vlasov's ground."""
     if isinstance(ground, Vlasov):
         return (), ()
     if ground.coupling == "interface":
-        return tuple(float(each.k0[index]) for each in found), tuple(float(each.k1[index]) for each in found)
+        return tuple(each.k0[index] for each in found), tuple(each.k1[index] for each in found)
     alike = ground.replace(layers=(ground.layers[index],))
     k0, k1 = zip(*(part.stiffnesses for part in sublayers(alike, (layer,))), strict=True)
     return tuple(map(float, k0)), tuple(map(float, k1))
@@ -154,7 +123,7 @@ ENDS_FOUND = (30.0, 44.0, 64.0, 84.0)
 #: How strongly the layers are filled, weakly enough for the words on them.
 OPACITIES = (0.14, 0.26, 0.08, 0.34)
 #: Of more combinations than this only the range is listed.
-MOST = len(CYCLE)
+MOST = len(style.CYCLE)
 
 
 def draw_sheet(request: PlotRequest) -> Figure:
@@ -165,69 +134,60 @@ def draw_sheet(request: PlotRequest) -> Figure:
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the columns on pages, two rows on each."""
     columns = soil_columns(request.combined.model, request.combinations)
-    each = 2 * SIDE_BY_SIDE
-    return [_figure(request, columns[first : first + each]) for first in range(0, len(columns), each)]
+    return [_figure(request, part) for part in style.batch(columns, 2 * SIDE_BY_SIDE)]
 
 
 def _figure(request: PlotRequest, columns: Sequence[SoilColumn]) -> Figure:
     """Return rows of columns below the title."""
     model = request.combined.model
-    kind = model.ground.kind
-    coupling = getattr(model.ground, "coupling", "")
-    heading = [f"Ground: {kind}{', ' + coupling if coupling else ''}"]
-    return draw_columns(model, columns, model.title, heading, named=request.names_combinations)
+    words = ", ".join(filter(None, (model.ground.kind, getattr(model.ground, "coupling", ""))))
+    return draw_columns(model, columns, model.title, [f"Ground: {words}"], named=request.names_combinations)
 
 
 def draw_columns(
     model: Model, columns: Sequence[SoilColumn], title: str = "", heading: Sequence[str] = (), *, named: bool = False
 ) -> Figure:
     """Return rows of columns, with a legend of combinations if they are named."""
-    page = Page(PAGE_WIDTH)
+    page = style.Page(style.PAGE_WIDTH)
     top = page.write_heading(title, heading)
     high = HIGH if len(columns) <= SIDE_BY_SIDE else LOW
-    each = PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
+    each = style.PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
     legend: dict[str, Any] = {}
     places = {hole.name or f"borehole {n}": (hole.x, hole.y) for n, hole in enumerate(model.boreholes, 1)}
-    for first in range(0, len(columns), SIDE_BY_SIDE):
-        row = columns[first : first + SIDE_BY_SIDE]
+    for row in style.batch(columns, SIDE_BY_SIDE):
         bottoms = []
         for place, column in enumerate(row):
             left = place * each
-            where = f" at {format_place(places[column.name])}" if column.name in places else ""
-            words = plain_text(column.name, 30) + where
-            page.write(left + MARGIN, top, words, fontsize=BASE, fontweight="bold", color=INK)
-            legend |= _draw_column(page, column, columns, (left, top + 12.0), (each, high), named)
-            bottoms.append(_write_tables(page, column, (left + MARGIN, top + 12.0 + high + 6.0), each))
+            where = f" at {style.format_place(places[column.name])}" if column.name in places else ""
+            words = style.plain_text(column.name, 30) + where
+            page.write(left + style.MARGIN, top, words, fontsize=style.BASE, fontweight="bold", color=style.INK)
+            legend |= _draw_column(page, column, columns, (left, top + 12.0, each, high), named)
+            bottoms.append(_write_tables(page, column, (left + style.MARGIN, top + 12.0 + high + 6.0), each))
         top = max(bottoms) + 6.0
     return page.finish(top, legend if len(legend) > 1 else {})
 
 
 def _draw_column(
-    page: Page,
-    column: SoilColumn,
-    alike: Sequence[SoilColumn],
-    corner: tuple[float, float],
-    size: tuple[float, float],
-    named: bool,
+    page: style.Page, column: SoilColumn, alike: Sequence[SoilColumn], box: tuple[float, ...], named: bool
 ) -> dict[str, Any]:
-    """Draw layers, moduli and mode of a column below a corner, of some size [mm]; return the entries in the legend."""
-    (left, top), (wide, high) = corner, size
+    """Draw layers, moduli and mode of a column in a box [mm] (left, top, size); return the entries in the legend."""
+    left, top, wide, high = box
     deepest = max((each.depth or 0.0 for each in alike), default=0.0)
     to_scale = column.depth is not None
     depth = deepest if to_scale else float(len(column.layers))
-    band = COLUMN * wide * SIDE_BY_SIDE / PAGE_WIDTH
+    band = COLUMN * wide * SIDE_BY_SIDE / style.PAGE_WIDTH
     axes = page.add_axes(left + LEFT, top, band, high)
     _draw_layers(axes, column, depth, to_scale=to_scale)
     space = wide - LEFT - band - 3 * GAP
-    with_mode = any(each.psi is not None for each in column.constants)
+    with_mode = any(len(each.psi) for each in column.constants)
     width = space / 2 if with_mode else 0.7 * space
     entries: dict[str, Any] = {}
     if to_scale and any(layer.E for layer in column.layers):
         most = max(float(s.E[1].max()) for each in alike for s in each.layers if s.E is not None)
         _draw_moduli(page.add_axes(left + LEFT + band + GAP, top, width - GAP, high), column, depth, most)
     if with_mode:
-        box = page.add_axes(left + LEFT + band + GAP + width, top, width - GAP, high)
-        entries = _draw_modes(box, column, depth, named=named)
+        axes = page.add_axes(left + LEFT + band + GAP + width, top, width - GAP, high)
+        entries = _draw_modes(axes, column, depth, named=named)
     return entries
 
 
@@ -243,35 +203,32 @@ def _draw_layers(axes: Axes, column: SoilColumn, depth: float, *, to_scale: bool
 
     tops = _tops(column, to_scale=to_scale)
     for index, (upper, lower) in enumerate(pairwise(tops)):
-        corner, height, fill = (0, upper), lower - upper, (GROUND, OPACITIES[index % len(OPACITIES)])
-        axes.add_patch(Rectangle(corner, 1, height, facecolor=fill, edgecolor=INK, linewidth=0.6))
-        axes.text(0.5, (upper + lower) / 2, str(index + 1), fontsize=SMALL, ha="center", va="center", color=INK)
-    base = Rectangle((0, tops[-1]), 1, 0.035 * depth, facecolor="white", edgecolor=GREY, hatch="//////", linewidth=0.0)
-    base.set_clip_on(False)
-    axes.add_patch(base)
-    axes.plot([0, 1], [tops[-1]] * 2, color=INK, linewidth=1.2, clip_on=False)
+        corner, height, fill = (0, upper), lower - upper, (style.GROUND, OPACITIES[index % len(OPACITIES)])
+        axes.add_patch(Rectangle(corner, 1, height, facecolor=fill, edgecolor=style.INK, linewidth=0.6))
+        axes.text(
+            0.5, (upper + lower) / 2, str(index + 1), fontsize=style.SMALL, ha="center", va="center", color=style.INK
+        )
+    hatched: dict[str, Any] = {"facecolor": "white", "edgecolor": style.GREY, "hatch": "//////", "linewidth": 0.0}
+    axes.add_patch(Rectangle((0, tops[-1]), 1, 0.035 * depth, clip_on=False, **hatched))
+    axes.plot([0, 1], [tops[-1]] * 2, color=style.INK, linewidth=1.2, clip_on=False)
     axes.set(xlim=(0, 1), ylim=(depth, 0), xticks=[])
-    for spine in axes.spines.values():
-        spine.set_visible(False)
-    if to_scale:
-        axes.spines["left"].set_visible(True)
-        axes.set_ylabel("depth z [m]", labelpad=1)
-    else:
+    axes.spines[:].set_visible(False)
+    axes.spines["left"].set_visible(to_scale)
+    axes.set_ylabel("depth z [m]" if to_scale else "not to scale", labelpad=1)
+    if not to_scale:
         axes.set_yticks([])
-        axes.set_ylabel("not to scale", labelpad=1)
 
 
 def _set_depth_axes(axes: Axes, depth: float, label: str) -> None:
     """Give a diagram over the depth its axes: values above, depth downwards."""
     axes.set_ylim(depth, 0)
-    axes.xaxis.set_ticks_position("top")
+    axes.xaxis.tick_top()
     axes.xaxis.set_label_position("top")
     axes.set_xlabel(label)
     axes.tick_params(labelleft=False)
-    axes.grid(color=FAINT, linewidth=0.4)
+    axes.grid(color=style.FAINT, linewidth=0.4)
     axes.set_axisbelow(True)
-    for spine in ("right", "bottom"):
-        axes.spines[spine].set_visible(False)
+    axes.spines[["right", "bottom"]].set_visible(False)
 
 
 def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float) -> None:
@@ -285,8 +242,8 @@ def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float) -> N
             z.append(upper + layer.E[0] * (lower - upper))
             E.append(layer.E[1] / 1e6)
     depths, moduli = np.concatenate(z), np.concatenate(E)
-    axes.fill_betweenx(depths, 0, moduli, color=(GROUND, OPACITIES[0]), linewidth=0)
-    axes.plot(moduli, depths, color=INK, linewidth=1.2)
+    axes.fill_betweenx(depths, 0, moduli, color=(style.GROUND, OPACITIES[0]), linewidth=0)
+    axes.plot(moduli, depths, color=style.INK, linewidth=1.2)
     axes.set_xlim(0, 1.08 * most / 1e6)
     axes.xaxis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 2.5, 5, 10]))
     _set_depth_axes(axes, depth, "$E$ [MPa]")
@@ -295,85 +252,70 @@ def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float) -> N
 def _draw_modes(axes: Axes, column: SoilColumn, depth: float, *, named: bool) -> dict[str, Any]:
     """Draw the mode of each combination over the depth; of many the range."""
     entries: dict[str, Any] = {}
-    found = [(each.name, each.z, each.psi) for each in column.constants if each.psi is not None and each.z is not None]
+    found = [(each.name, each.z, each.psi) for each in column.constants if len(each.psi)]
     if len(found) > MOST:
         z = np.linspace(0, depth, 200)
         rows = np.stack([np.interp(z, depths, psi) for _, depths, psi in found])
-        axes.fill_betweenx(z, rows.min(axis=0), rows.max(axis=0), color=FAINT, linewidth=0.6, edgecolor=INK)
+        axes.fill_betweenx(z, rows.min(axis=0), rows.max(axis=0), color=style.FAINT, linewidth=0.6, edgecolor=style.INK)
     else:
         for index, (name, depths, psi) in enumerate(found):
-            (line,) = axes.plot(psi, depths, color=CYCLE[index], linestyle=STROKES[index], linewidth=1.1)
+            (line,) = axes.plot(psi, depths, color=style.CYCLE[index], linestyle=style.STROKES[index], linewidth=1.1)
             if named:
-                entries[plain_text(name, 60)] = line
+                entries[style.plain_text(name, 60)] = line
     axes.set(xlim=(0, 1.05), xticks=[0, 0.5, 1], xticklabels=["0", "0.5", "1"])
-    _set_depth_axes(axes, depth, rf"{math_symbol('psi')} [-]")
+    _set_depth_axes(axes, depth, rf"{style.math_symbol('psi')} [-]")
     return entries
 
 
-def _write_tables(page: Page, column: SoilColumn, corner: tuple[float, float], wide: float) -> float:
+def _write_tables(page: style.Page, column: SoilColumn, corner: tuple[float, float], wide: float) -> float:
     """Write the layers and what the combinations found below a corner [mm]; return how far down that reaches."""
-    (left, top), stretch = corner, (wide * SIDE_BY_SIDE / PAGE_WIDTH) ** 0.5
+    (left, top), stretch = corner, (wide * SIDE_BY_SIDE / style.PAGE_WIDTH) ** 0.5
     own = any(layer.k0 for layer in column.layers)
     heads = ["layer", "h [m]", "E [MPa]", "\N{GREEK SMALL LETTER NU} [-]"]
     heads += ["k0 [MPa/m]", "k1 [MPa m]"] if own else []
-    rows = [_row(index, layer, own=own) for index, layer in enumerate(column.layers, start=1)]
-    top = _write_table(page, left, top, heads, rows, [stretch * end for end in ENDS])
+    rows = [heads, *(_row(index, layer, own=own) for index, layer in enumerate(column.layers, start=1))]
+    top = _write_table(page, left, top, rows, [stretch * end for end in ENDS])
     if not column.constants:
         return top
-    one_mode = column.constants[0].psi is not None
     heads = ["combination", "\N{GREEK SMALL LETTER GAMMA} [-]"]
-    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if one_mode else []
-    lines: list[tuple[Any, ...]] = [
-        (each.name, each.gamma, *((float(each.k0[0]) / 1e6, float(each.k1[0]) / 1e6) if one_mode else ()))
-        for each in column.constants
-    ]
+    lines: list[tuple[Any, ...]] = [(each.name, each.gamma) for each in column.constants]
+    if len(column.constants[0].psi):
+        heads += ["k0 [MPa/m]", "k1 [MPa m]"]
+        lines = [(each.name, each.gamma, each.k0[0] / 1e6, each.k1[0] / 1e6) for each in column.constants]
     if len(lines) > MOST:
         values = list(zip(*(line[1:] for line in lines), strict=True))
         shown = [[f"{len(lines)} combinations", *(_range(each) for each in values)]]
     else:
-        shown = [[plain_text(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
+        shown = [[style.plain_text(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
     ends = [stretch * end for end in ENDS_FOUND]
-    return _write_table(page, left, top + 2.5, heads, shown, ends, first_left=True)
+    return _write_table(page, left, top + 2.5, [heads, *shown], ends, first_left=True)
 
 
 def _row(index: int, layer: PlottedLayer, *, own: bool) -> list[str]:
     """Return a layer as a row of the table."""
-    none = "\N{EN DASH}"
-    row = [
-        str(index),
-        none if layer.thickness is None else number(layer.thickness),
-        none if layer.E is None else _range(layer.E[1][[0, -1]] / 1e6),
-        none if layer.nu is None else number(layer.nu),
-    ]
-    if own:
-        row += [_range([k / 1e6 for k in values]) if values else none for values in (layer.k0, layer.k1)]
-    return row
+    h, nu = (None if each is None else style.number(each) for each in (layer.thickness, layer.nu))
+    E = None if layer.E is None else _range(layer.E[1][[0, -1]] / 1e6)
+    constants = (layer.k0, layer.k1) if own else ()
+    stiffnesses = (_range([k / 1e6 for k in values]) if values else None for values in constants)
+    return [str(index), *(each or "\N{EN DASH}" for each in (h, E, nu, *stiffnesses))]
 
 
 def _range(values: Sequence[float] | np.ndarray[Any, Any]) -> str:
     """Return one number, or the first and the last of those that differ, in words."""
-    first, last = (number(float(each)) for each in (values[0], values[-1]))
-    if len(values) > 2:
-        first, last = number(float(np.min(values))), number(float(np.max(values)))
+    ends = (np.min(values), np.max(values)) if len(values) > 2 else (values[0], values[-1])
+    first, last = (style.number(float(each)) for each in ends)
     return first if first == last else f"{first} \N{EN DASH} {last}"
 
 
 def _write_table(
-    page: Page,
-    left: float,
-    top: float,
-    heads: Sequence[str],
-    rows: Sequence[Sequence[str]],
-    ends: Sequence[float],
-    *,
-    first_left: bool = False,
+    page: style.Page, left: float, top: float, rows: list[list[str]], ends: list[float], *, first_left: bool = False
 ) -> float:
     """Write a table whose columns end at some distances [mm] from its left; return how far down [mm] it reaches."""
-    for index, row in enumerate([heads, *rows]):
+    for index, row in enumerate(rows):
         for column, (words, end) in enumerate(zip(row, ends, strict=False)):
             to_left = first_left and column == 0
             page.write(
-                left + (0.0 if to_left else end), top + index * ROW, words, fontsize=SMALL,
-                color=INK if index else GREY, ha="left" if to_left else "right",
+                left + (0.0 if to_left else end), top + index * ROW, words, fontsize=style.SMALL,
+                color=style.INK if index else style.GREY, ha="left" if to_left else "right",
             )  # fmt: skip
-    return top + (1 + len(rows)) * ROW
+    return top + len(rows) * ROW

@@ -9,7 +9,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
 
 from groundslab._version import __version__
 from groundslab.units import format_number
@@ -20,6 +22,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.text import Text
+
+Item = TypeVar("Item")
 
 #: Sizes of letters in points, for a figure that is placed as large as it is.
 FOOT, SMALL, BASE, TITLE = 5.5, 7.0, 8.0, 9.5
@@ -46,18 +50,15 @@ RC: dict[str, Any] = {
     "text.color": INK,
     "axes.edgecolor": INK,
     "axes.labelcolor": INK,
-    "xtick.color": INK,
-    "ytick.color": INK,
     "axes.titlesize": BASE,
     "axes.labelsize": BASE,
     "axes.linewidth": 0.6,
     "axes.formatter.use_mathtext": True,
-    "xtick.labelsize": SMALL,
-    "ytick.labelsize": SMALL,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-    "xtick.major.size": 2.5,
-    "ytick.major.size": 2.5,
+    **{
+        f"{axis}tick.{name}": value
+        for axis in "xy"
+        for name, value in {"color": INK, "labelsize": SMALL, "major.width": 0.6, "major.size": 2.5}.items()
+    },
     "legend.fontsize": SMALL,
     "legend.frameon": False,
     "hatch.linewidth": 0.35,
@@ -93,6 +94,11 @@ def plain_text(text: str, width: int = 200, lines: int = 1) -> str:
     """
     clean = "".join(letter if letter.isprintable() else " " for letter in text)
     return "\n".join(textwrap.wrap(clean, width, max_lines=lines, placeholder=" ..."))
+
+
+def batch(items: Sequence[Item], size: int) -> list[Sequence[Item]]:
+    """Return items in parts of some size, for rows and pages; the last one may be smaller."""
+    return [items[first : first + size] for first in range(0, len(items), size)]
 
 
 def number(value: float) -> str:
@@ -203,19 +209,16 @@ class Page:
         """
         words = list(legend or {})
         widths = [SAMPLE + text_width(each, SMALL) for each in words]
-        columns = next(
-            (k for k in range(len(words), 1, -1) if sum(_widest(widths, k)) <= self.width - 2 * MARGIN), 1
-        )  # fmt: skip
+        space = self.width - 2 * MARGIN
+        columns = next((k for k in range(len(words), 1, -1) if sum(_widest(widths, k)) <= space), 1)
         rows = -(-len(words) // columns)
         height = bottom + rows * ROW + (1.5 if rows else 0.0) + FOOT * PT + MARGIN
         self.figure.set_size_inches(self.width * MM, height * MM)
         for made, left, top, wide, high in self._axes:
             made.set_position((left / self.width, 1 - (top + high) / height, wide / self.width, high / height))
         if signed:
-            self.write(
-            self.width - MARGIN, height - MARGIN - FOOT * PT, f"groundslab {__version__}", fontsize=FOOT, color=GREY,
-            ha="right",
-        )  # fmt: skip
+            corner, words_of_ours = (self.width - MARGIN, height - MARGIN - FOOT * PT), f"groundslab {__version__}"
+            self.write(*corner, words_of_ours, fontsize=FOOT, color=GREY, ha="right")
         for written, left, top in self._texts:
             written.set_position((left / self.width, 1 - top / height))
         if legend:
@@ -230,10 +233,4 @@ class Page:
 
 def _widest(widths: Sequence[float], columns: int) -> list[float]:
     """Return how wide each column of a legend is, whose entries run down the columns."""
-    rows, more = divmod(len(widths), columns)
-    found, first = [], 0
-    for column in range(columns):
-        count = rows + (column < more)
-        found.append(max(widths[first : first + count], default=0.0))
-        first += count
-    return found
+    return [max(column, default=0.0) for column in np.array_split(widths, columns)]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.views.plots.style import FAINT, GREY, GROUND, INK, LOAD, SUPPORT
+from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SUPPORT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
     from groundslab.arrays import Array
-    from groundslab.geometry.plan import Ring
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
 
@@ -53,12 +52,9 @@ def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:
             axes.plot(*zip(a, b, strict=True), color=INK, linewidth=0.4, zorder=4.1)
     for zone in model.plate.zones:
         part = zone.shape.ring().polygon(chord).intersection(outline)
-        for piece in shapely.get_parts(part):
-            if piece.geom_type != "Polygon":
-                continue
-            drawn = draw_ring(axes, np.asarray(piece.exterior.coords), edgecolor=GREY, linewidth=0.8, zorder=3.5)
-            drawn.set_linestyle((0, (6, 2, 1, 2)))
-            entries["zone"] = drawn
+        for piece in (each for each in shapely.get_parts(part) if each.geom_type == "Polygon"):
+            look = {"edgecolor": GREY, "linewidth": 0.8, "linestyle": (0, (6, 2, 1, 2)), "zorder": 3.5}
+            entries["zone"] = draw_ring(axes, np.asarray(piece.exterior.coords), **look)
     return entries
 
 
@@ -89,9 +85,8 @@ def draw_voids(axes: Axes, model: Model) -> Entries:
     entries: Entries = {}
     for void in model.contact.voids:
         around = np.asarray(void.drawn(DRAWN_CHORD * max(model.plate.sides)).exterior.coords)
-        drawn = draw_ring(axes, around, edgecolor=GROUND, linewidth=0.9, zorder=3.2)
-        drawn.set_linestyle((0, (1.5, 1.5)))
-        entries["void in the ground"] = drawn
+        look = {"edgecolor": GROUND, "linewidth": 0.9, "linestyle": (0, (1.5, 1.5)), "zorder": 3.2}
+        entries["void in the ground"] = draw_ring(axes, around, **look)
     return entries
 
 
@@ -99,9 +94,7 @@ def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
     """Outline the loaded areas, draw line loads and mark point loads beside columns, those that take part."""
     entries: Entries = {}
     chord = DRAWN_CHORD * max(model.plate.sides)
-    for load in model.loads:
-        if not takes_part(load):
-            continue
+    for load in filter(takes_part, model.loads):
         if load.kind == "point" and load.x is not None and load.y is not None:
             (mark,) = axes.plot(load.x, load.y, "v", color=LOAD, markeredgecolor="white", markersize=6.5, zorder=5.5)
             mark.set(linestyle="none", clip_on=False, markeredgewidth=0.5)
@@ -110,14 +103,13 @@ def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
             (line,) = axes.plot(*load.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
             line.set(path_effects=white_outline(2.6))
             entries["line load"] = line
-        elif load.kind == "uniform" or load.kind == "patch" or load.kind == "area":
-            everywhere = load.kind == "uniform"
-            for ring in [model.plate.ring().flat(chord)] if load.kind == "uniform" else _borders(load.drawn(chord)):
-                drawn = draw_ring(
-                    axes, np.array(ring), edgecolor=LOAD, linewidth=0.9 if everywhere else 1.2, zorder=4.5
-                )
-                drawn.set_linestyle((0, (3, 5) if everywhere else (4, 2)))
-                entries["load on the entire plate" if everywhere else "loaded area"] = drawn
+        elif load.kind == "uniform":
+            look = {"edgecolor": LOAD, "linewidth": 0.9, "linestyle": (0, (3, 5)), "zorder": 4.5}
+            entries["load on the entire plate"] = draw_ring(axes, np.array(model.plate.ring().flat(chord)), **look)
+        elif load.kind == "patch" or load.kind == "area":
+            look = {"edgecolor": LOAD, "linewidth": 1.2, "linestyle": (0, (4, 2)), "zorder": 4.5}
+            for ring in _borders(load.drawn(chord)):
+                entries["loaded area"] = draw_ring(axes, ring, **look)
     return entries
 
 
@@ -186,11 +178,12 @@ def _supported_edges(model: Model) -> list[Array]:
     ]
 
 
-def draw_ring(axes: Axes, around: Array, *, facecolor: str = "none", **look: Any) -> Polygon:
-    """Draw a closed curve (k, 2)."""
+def draw_ring(axes: Axes, around: Array, **look: Any) -> Polygon:
+    """Draw a closed curve (k, 2), not filled unless a color is given."""
     from matplotlib.patches import Polygon
 
-    drawn = Polygon(around, facecolor=facecolor, clip_on=False, joinstyle="miter", **look)
+    usual: dict[str, Any] = {"facecolor": "none", "clip_on": False, "joinstyle": "miter"}
+    drawn = Polygon(around, **(usual | look))
     axes.add_patch(drawn)
     return drawn
 
@@ -202,8 +195,3 @@ def _diagonals(around: Array) -> list[tuple[Array, Array]]:
         middle, half = (low + high) / 2, (high - low) / np.sqrt(8)
         around = middle + half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     return [(around[0], around[2]), (around[1], around[3])]
-
-
-def draw_key_outline(axes: Axes, ring: Ring, chord: float) -> None:
-    """Draw a curve faintly, as a key to where things are."""
-    draw_ring(axes, np.array(ring.flat(chord)), edgecolor=FAINT, linewidth=0.8)

@@ -8,22 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.views.plots import symbols
+from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
-from groundslab.views.plots.style import (
-    ACCENT,
-    GREY,
-    GROUND,
-    INK,
-    LOAD,
-    PANEL,
-    PT,
-    SMALL,
-    SUPPORT,
-    Page,
-    plain_text,
-    text_width,
-)
 from groundslab.views.scene.plan import plan_of
 
 if TYPE_CHECKING:
@@ -55,14 +41,14 @@ def draw_case_plan(model: Model) -> Figure:
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
     per_meter = min(WIDTH / (x1 - x0), HEIGHT / (y1 - y0))
     width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
-    page = Page(max(LEFT + width + RIGHT, NARROW))
+    page = style.Page(max(LEFT + width + RIGHT, NARROW))
     axes = page.add_axes(LEFT, TOP, width, height)
     axes.set(xlim=(x0, x1), ylim=(y0, y1))
     axes.set_axis_off()
     labels = _Labels(axes, per_meter, (x0, x1, y0, y1))
     for column in plan["columns"]:
         labels.reserve((column["x"], column["y"]), 1.3)
-    legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=PANEL)
+    legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True)
     legend |= symbols.draw_loads(axes, model, lambda load: load.kind != "uniform")
@@ -77,9 +63,8 @@ def draw_case_plan(model: Model) -> Figure:
 def describe_omissions(model: Model) -> tuple[str, ...]:
     """Return how to read the plan of a model, and what it does not show, in sentences."""
     plan = plan_of(model)
-    notes = [
-        "Dimensions in meters. L and a number: the load of that number in the case; loads on columns have no label."
-    ]
+    labels = "L and a number: the load of that number in the case; loads on columns have no label."
+    notes = ["Dimensions in meters.", labels]
     everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if load["kind"] not in PLACED]
     if everywhere:
         notes.append(f"Not drawn, as they act on the entire plate or on a support: {', '.join(everywhere)}.")
@@ -120,12 +105,12 @@ class _Labels:
         """Write a text beside a place, or at the border of the drawing beside one outside."""
         x0, x1, y0, y1 = self._limits
         x, y = (self._per_meter * each for each in place)
-        text = plain_text(text)
-        half = text_width(text, SMALL) / 2, 0.6 * SMALL * PT
+        text = style.plain_text(text)
+        half = style.text_width(text, style.SMALL) / 2, 0.6 * style.SMALL * style.PT
         inside = min(max(x, x0), x1), min(max(y, y0), y1)
         u, v = (each / self._per_meter for each in self._placement.place_beside(inside, half, distance, SIDES))
         self._axes.text(
-            u, v, text, fontsize=SMALL, ha="center", va="center", color=color, parse_math=False, zorder=8,
+            u, v, text, fontsize=style.SMALL, ha="center", va="center", color=color, parse_math=False, zorder=8,
             bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.4},
         )  # fmt: skip
 
@@ -134,16 +119,15 @@ def _draw_ground(axes: Axes, plan: Data, labels: _Labels) -> dict[str, Any]:
     """Draw zones of soil and boreholes; return the entries in the legend."""
     entries: dict[str, Any] = {}
     for zone in plan["soil_zones"]:
-        ring = symbols.draw_ring(axes, np.array(zone["ring"]), edgecolor=GROUND, linewidth=0.8, zorder=0.5)
+        ring = symbols.draw_ring(axes, np.array(zone["ring"]), edgecolor=style.GROUND, linewidth=0.8, zorder=0.5)
         ring.set(linestyle=(0, (6, 3)), clip_on=True)
         entries["zone of soil"] = ring
     for hole in plan["boreholes"]:
-        (mark,) = axes.plot(
-            hole["x"], hole["y"], "o", markersize=6, markerfacecolor="white", markeredgecolor=GROUND, zorder=6
-        )
-        axes.plot(hole["x"], hole["y"], "+", markersize=9, color=GROUND, zorder=6)
+        place, color = (hole["x"], hole["y"]), style.GROUND
+        (mark,) = axes.plot(*place, "o", markersize=6, markerfacecolor="white", markeredgecolor=color, zorder=6)
+        axes.plot(*place, "+", markersize=9, color=color, zorder=6)
         entries["borehole"] = mark
-        labels.add((hole["x"], hole["y"]), hole["name"], GROUND)
+        labels.add(place, hole["name"], color)
     return entries
 
 
@@ -152,28 +136,28 @@ def _draw_outputs(axes: Axes, plan: Data, labels: _Labels) -> dict[str, Any]:
     entries: dict[str, Any] = {}
     for each in (*plan["lines"], *plan["strips"]):
         ends = np.array([each["start"], each["end"]])
-        (line,) = axes.plot(*ends.T, color=ACCENT, linewidth=0.9, linestyle=(0, (9, 3, 2, 3)), zorder=6)
+        (line,) = axes.plot(*ends.T, color=style.ACCENT, linewidth=0.9, linestyle=(0, (9, 3, 2, 3)), zorder=6)
         if "width" in each:
             u = (ends[1] - ends[0]) / max(float(np.hypot(*(ends[1] - ends[0]))), 1e-9)
             across = np.array([-u[1], u[0]]) * each["width"] / 2
             corners = np.array([ends[0] + across, ends[1] + across, ends[1] - across, ends[0] - across])
-            symbols.draw_ring(axes, corners, edgecolor=ACCENT, linewidth=0.5, linestyle=(0, (3, 3)), zorder=6)
+            symbols.draw_ring(axes, corners, edgecolor=style.ACCENT, linewidth=0.5, linestyle=(0, (3, 3)), zorder=6)
         entries["strip" if "width" in each else "section line"] = line
-        labels.add(ends.mean(axis=0) if "width" in each else ends[0], each["name"], ACCENT)
+        labels.add(ends.mean(axis=0) if "width" in each else ends[0], each["name"], style.ACCENT)
     for point in plan["points"]:
-        (entries["point"],) = axes.plot(point["x"], point["y"], "x", markersize=6, color=ACCENT, zorder=6)
-        labels.add((point["x"], point["y"]), point["name"], ACCENT)
+        (entries["point"],) = axes.plot(point["x"], point["y"], "x", markersize=6, color=style.ACCENT, zorder=6)
+        labels.add((point["x"], point["y"]), point["name"], style.ACCENT)
     return entries
 
 
 def _label_parts(plan: Data, labels: _Labels) -> None:
     """Name columns and supports, and write the thickness of zones."""
     for column in plan["columns"]:
-        labels.add((column["x"], column["y"]), column["name"], INK)
+        labels.add((column["x"], column["y"]), column["name"], style.INK)
     for support in plan["supports"]:
-        labels.add(_middle(support["points"]), support["name"], SUPPORT, 3.0)
+        labels.add(_middle(support["points"]), support["name"], style.SUPPORT, 3.0)
     for zone in plan["zones"]:
-        labels.add(_upper_left(zone["ring"]), f"t = {_meters(zone['thickness'])}", GREY, 1.0)
+        labels.add(_upper_left(zone["ring"]), f"t = {_meters(zone['thickness'])}", style.GREY, 1.0)
 
 
 def _label_loads(axes: Axes, plan: Data, labels: _Labels) -> None:
@@ -182,7 +166,7 @@ def _label_loads(axes: Axes, plan: Data, labels: _Labels) -> None:
     columns = {(each["x"], each["y"]) for each in plan["columns"]}
     for number, load in enumerate(plan["loads"], 1):
         if "footprint" in load:
-            symbols.draw_ring(axes, np.array(load["footprint"]), edgecolor=LOAD, linewidth=0.6, zorder=5)
+            symbols.draw_ring(axes, np.array(load["footprint"]), edgecolor=style.LOAD, linewidth=0.6, zorder=5)
         if load["kind"] in PLACED:
             curves = [load.get("ring") or load["points"], *load.get("holes", ())]
             key = (load["kind"], *(tuple(tuple(place) for place in curve) for curve in curves))
@@ -193,7 +177,7 @@ def _label_loads(axes: Axes, plan: Data, labels: _Labels) -> None:
         if kind != "point" or places[0] not in columns:
             name = ", ".join(f"L{number}" for number in numbers[:3]) + (" ..." if len(numbers) > 3 else "")
             place = places[0] if kind == "point" else _middle(places) if kind == "line" else _upper_left(places)
-            labels.add(place, name, LOAD)
+            labels.add(place, name, style.LOAD)
 
 
 def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) -> None:
@@ -214,13 +198,13 @@ def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) 
 
 def _draw_dimension(axes: Axes, axis: int, ends: tuple[float, float], level: float, per_meter: float) -> None:
     """Draw a dimension line along x (axis 0) or y (1) with ticks at its ends and its length."""
-    look: dict[str, Any] = {"color": GREY, "linewidth": 0.6, "clip_on": False}
+    look: dict[str, Any] = {"color": style.GREY, "linewidth": 0.6, "clip_on": False}
     length, middle, tick = _meters(ends[1] - ends[0]), (ends[0] + ends[1]) / 2, 0.8 / per_meter
     line = np.array([ends, (level, level)])[:: -1 if axis else 1]
     axes.plot(*line, **look)
     for x, y in line.T:
         axes.plot((x - tick, x + tick), (y - tick, y + tick), **look)
-    font: dict[str, Any] = {"fontsize": SMALL, "color": INK, "parse_math": False}
+    font: dict[str, Any] = {"fontsize": style.SMALL, "color": style.INK, "parse_math": False}
     if axis:
         axes.text(level - 0.5 / per_meter, middle, length, ha="right", va="center", rotation=90, **font)
     else:
@@ -230,12 +214,13 @@ def _draw_dimension(axes: Axes, axis: int, ends: tuple[float, float], level: flo
 def _draw_axes(axes: Axes, corner: Point, per_meter: float) -> None:
     """Draw the directions of x and y at the lower left, and the origin."""
     x, y = corner[0] - (LEFT - 4) / per_meter, corner[1] - (BOTTOM - 4) / per_meter
-    arrow = {"arrowstyle": "->", "color": GREY, "linewidth": 0.7, "shrinkA": 0, "shrinkB": 0}
+    arrow = {"arrowstyle": "->", "color": style.GREY, "linewidth": 0.7, "shrinkA": 0, "shrinkB": 0}
     for name, (u, v) in (("x", (1, 0)), ("y", (0, 1))):
         tip = x + u * 8 / per_meter, y + v * 8 / per_meter
         axes.annotate("", tip, (x, y), arrowprops=arrow, annotation_clip=False)
-        axes.text(tip[0] + u / per_meter, tip[1] + v / per_meter, name, fontsize=SMALL, ha="left" if u else "center")
-    axes.plot(0.0, 0.0, "o", markersize=3, markerfacecolor="none", markeredgecolor=GREY, zorder=3)
+        place = tip[0] + u / per_meter, tip[1] + v / per_meter
+        axes.text(*place, name, fontsize=style.SMALL, ha="left" if u else "center")
+    axes.plot(0.0, 0.0, "o", markersize=3, markerfacecolor="none", markeredgecolor=style.GREY, zorder=3)
 
 
 def _meters(value: float) -> str:

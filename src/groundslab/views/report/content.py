@@ -3,41 +3,20 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.design.tables import tables_of
-from groundslab.design.tables.design_checks import Design, design_of
+from groundslab.design.tables.design_checks import design_of
 from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
-from groundslab.units import format_number
-from groundslab.views.report.drawings import (
-    MOST_COLUMNS,
-    MOST_HISTORIES,
-    Drawing,
-    draw_case,
-    draw_histories,
-    draw_pictures,
-    draw_soil,
-    find_governing,
-)
-from groundslab.views.report.input_tables import InputTable, input_tables
-from groundslab.views.report.table_layout import (
-    KEYS,
-    MOST_IN_FILE,
-    MOST_ROWS,
-    Cell,
-    TableHeader,
-    TableLayout,
-    drop_empty_columns,
-    layout_table,
-    split_columns,
-    summarize_table,
-)
+from groundslab.views.report import drawings, table_layout
+from groundslab.views.report.input_tables import input_tables
+from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
-from groundslab.views.summary.terminal import shown_row
+from groundslab.views.summary.terminal import shown_row, step_texts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -48,6 +27,7 @@ if TYPE_CHECKING:
     from groundslab.views.summary.sections import Row
 
 
+_VALUE = ("", "symbol", "#value", "unit")
 CERTIFICATE_NOTES = (
     "All but the sums are ratios, computed afresh from the solution with none of the factorized matrices. Each must "
     f"be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
@@ -56,85 +36,36 @@ CERTIFICATE_NOTES = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Verdict:
-    """Whether the results may be used, in words."""
-
-    good: bool
-    words: str
-
-
-@dataclass(frozen=True, slots=True)
-class TableParts:
-    """A table of the results, cut so that it fits on paper; too long a one is empty."""
-
-    name: str
-    title: str
-    grids: tuple[TableLayout, ...]
-    digest: TableLayout | None
-    length: int
-
-    @property
-    def complete(self) -> bool:
-        """Return whether all of its rows are there."""
-        return self.length <= MOST_IN_FILE
-
-
-@dataclass(frozen=True, slots=True)
-class Page:
-    """All that the template prints."""
-
-    title: str
-    version: str
-    file: str
-    text: str
-    sha256: str
-    facts: tuple[tuple[str, str], ...]
-    verdict: Verdict
-    design: Design
-    case: tuple[InputTable, ...]
-    drawings: tuple[Drawing, ...]
-    constants: TableLayout | None
-    analysed: TableLayout | None
-    certificates: tuple[TableLayout, ...]
-    extremes: tuple[TableLayout, ...]
-    tables: tuple[TableParts, ...]
-    history: TableLayout
-    histories: tuple[Drawing, ...]
-    history_notes: tuple[str, ...]
-    pictures: tuple[Drawing, ...]
-    refused: tuple[tuple[str, str], ...]
-
-
-def build_page(combined: Results, text: str | None = None, file: str = "case.toml") -> Page:
-    """Return what the report of a solved model says; text and file are those of its input."""
+def build_page(combined: Results, text: str | None = None, file: str = "case.toml") -> dict[str, Any]:
+    """Return what the report of a solved model says, for the template; text and file are those of its input."""
     combinations.require_finite(combined)
     found = combinations.entries(combined)
     there = [entry.results for entry in found if entry.results is not None]
     text = casefile.to_toml(combined.model) if text is None else text
-    leading = combined.results.get(find_governing(combined).get("settlement", "")) or (there[0] if there else None)
-    return Page(
-        title=combined.model.title,
-        version=__version__,
-        file=file,
-        text=text,
-        sha256=hashlib.sha256(text.encode()).hexdigest(),
-        facts=tuple(_facts(combined, there)),
-        verdict=_verdict(found),
-        design=design_of(combined),
-        case=tuple(input_tables(combined.model)),
-        drawings=tuple(_drawings(combined, leading)),
-        constants=_constants(found) if there else None,
-        analysed=_section(combinations.description(combined)[0]) if there else None,
-        certificates=tuple(_certificates(found)),
-        extremes=tuple(_extremes(combined, found)),
-        tables=tuple(map(_table, tables_of(combined))),
-        history=_history(found),
-        histories=tuple(draw_histories(there)),
-        history_notes=tuple(_history_notes(len(there))),
-        pictures=tuple(draw_pictures(combined)),
-        refused=tuple((entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None),
-    )
+    governing = drawings.find_governing(combined).get("settlement", "")
+    leading = combined.results.get(governing) or (there[0] if there else None)
+    return {
+        "title": combined.model.title,
+        "version": __version__,
+        "file": file,
+        "text": text,
+        "sha256": hashlib.sha256(text.encode()).hexdigest(),
+        "facts": list(_facts(combined, there)),
+        "verdict": dict(zip(("good", "words"), _verdict(found), strict=True)),
+        "design": design_of(combined),
+        "case": input_tables(combined.model),
+        "drawings": list(_drawings(combined, leading)),
+        "constants": _constants(found) if there else None,
+        "analysed": _section(combinations.description(combined)[0]) if there else None,
+        "certificates": _certificates(found),
+        "extremes": list(_extremes(combined, found)),
+        "tables": list(map(_table, tables_of(combined))),
+        "history": _history(found),
+        "histories": list(drawings.draw_histories(there)),
+        "history_notes": list(_history_notes(len(there))),
+        "pictures": list(drawings.draw_pictures(combined)),
+        "refused": [(entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None],
+    }
 
 
 def _facts(combined: Results, there: Sequence[CombinationResult]) -> Iterator[tuple[str, str]]:
@@ -145,23 +76,23 @@ def _facts(combined: Results, there: Sequence[CombinationResult]) -> Iterator[tu
         yield "Mesh", f"{len(there[0].plate.elements)} elements on the plate, {there[0].unknowns} unknowns"
 
 
-def _verdict(found: Sequence[Entry]) -> Verdict:
-    """Return the verdict over all combinations."""
+def _verdict(found: Sequence[Entry]) -> tuple[bool, str]:
+    """Return whether the results of all combinations may be used, and that in words."""
     numbers = [str(entry.number) for entry in found if entry.refused is not None]
     if not numbers:
-        return Verdict(True, sections.certified_words(len(found)))
+        return (True, sections.certified_words(len(found)))
     if len(found) == 1:
-        return Verdict(False, "FAILED: there is no certified result; use nothing of it.")
+        return (False, "FAILED: there is no certified result; use nothing of it.")
     if len(numbers) == len(found):
-        return Verdict(False, "FAILED: no combination has a certified result; use nothing of it.")
+        return (False, "FAILED: no combination has a certified result; use nothing of it.")
     words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
-    return Verdict(False, f"FAILED: {words} The results of the others are certified.")
+    return (False, f"FAILED: {words} The results of the others are certified.")
 
 
 def _section(section: sections.SummarySection) -> TableLayout:
     """Return a section of the summary."""
-    heads = (TableHeader(""), TableHeader("symbol"), TableHeader("value", number=True), TableHeader("unit"))
-    return drop_empty_columns(TableLayout(section.title, heads, tuple(map(_row, section.rows)), section.notes))
+    rows = tuple(map(_row, section.rows))
+    return drop_empty_columns(TableLayout(section.title, headers(*_VALUE), rows, section.notes))
 
 
 def _row(row: Row) -> tuple[Cell, ...]:
@@ -173,21 +104,14 @@ def _row(row: Row) -> tuple[Cell, ...]:
 def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout]:
     """Yield the extremes over all certified combinations, each with its place and the one that governs."""
     names = {entry.number: entry.combination.name for entry in found}
-    heads = [
-        TableHeader(""),
-        TableHeader("symbol"),
-        TableHeader("value", number=True),
-        TableHeader("unit"),
-        TableHeader("at (x, y)", "m", number=True),
-    ]
-    if len(found) > 1:
-        heads.append(TableHeader("combination"))
+    heads = (*headers(*_VALUE), TableHeader("at (x, y)", "m", number=True), TableHeader("combination"))
+    several = len(found) > 1
     for section, rows in combinations.extremes(combined):
-        cells = []
-        for each in rows:
-            line = [*_row(each.row), Cell(shown_row(each.row).place, "number")]
-            cells.append(tuple([*line, Cell(names[each.number])] if len(found) > 1 else line))
-        yield drop_empty_columns(TableLayout(section.title, tuple(heads), tuple(cells), section.notes))
+        cells = tuple(
+            (*_row(row), Cell(shown_row(row).place, "number"), Cell(names[number] if several else ""))
+            for row, number in ((each.row, each.number) for each in rows)
+        )
+        yield drop_empty_columns(TableLayout(section.title, heads, cells, section.notes))
 
 
 def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
@@ -205,11 +129,10 @@ def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
         shown = [(row, shown_row(row)) for row in section.rows]
         heads = heads or [TableHeader(row.label, each.unit, number=True) for row, each in shown]
         cells = [Cell(each.figure, "bad" if row.ok is False else "number") for row, each in shown]
-        rows.append((Cell(name), *cells, _holds(section)))
-    grid = TableLayout(
-        "", (TableHeader("combination"), *heads, TableHeader("certificate")), tuple(rows), CERTIFICATE_NOTES
-    )
-    return split_columns(drop_empty_columns(grid), 1)
+        rows.append((Cell(name), *cells, _holds(all(row.ok is not False for row in section.rows))))
+    heads = [TableHeader("combination"), *heads, TableHeader("certificate")]
+    grid = TableLayout("", tuple(heads), tuple(rows), CERTIFICATE_NOTES)
+    return table_layout.split_columns(drop_empty_columns(grid), 1)
 
 
 def _certificate(section: sections.SummarySection) -> TableLayout:
@@ -218,33 +141,25 @@ def _certificate(section: sections.SummarySection) -> TableLayout:
     for row in section.rows:
         shown = shown_row(row)
         limit = "" if row.tolerance is None else f"{row.tolerance:.0e}"
-        verdict = Cell("") if row.ok is None else Cell("holds", "good") if row.ok else Cell("FAILED", "bad")
+        verdict = Cell("") if row.ok is None else _holds(row.ok)
         rows.append((Cell(row.label), Cell(shown.figure, "number"), Cell(shown.unit), Cell(limit, "number"), verdict))
-    heads = (
-        TableHeader(""),
-        TableHeader("value", number=True),
-        TableHeader("unit"),
-        TableHeader("at most", number=True),
-        TableHeader("certificate"),
-    )
-    return TableLayout("", heads, tuple(rows))
+    return TableLayout("", headers("", "#value", "unit", "#at most", "certificate"), tuple(rows))
 
 
-def _holds(section: sections.SummarySection) -> Cell:
-    """Return the verdict on a certificate."""
-    return Cell("holds", "good") if all(row.ok is not False for row in section.rows) else Cell("FAILED", "bad")
+def _holds(ok: bool) -> Cell:
+    """Return the verdict on a certificate or on one of its figures."""
+    return Cell("holds", "good") if ok else Cell("FAILED", "bad")
 
 
-def _table(table: Table) -> TableParts:
-    """Return a table of the results; of too long a one its heads and notes alone."""
-    grid = layout_table(table if len(table) <= MOST_IN_FILE else _without_rows(table))
-    parts = tuple(split_columns(grid, KEYS.get(table.name, 1)))
-    return TableParts(table.name, table.title, parts, summarize_table(table), len(table))
-
-
-def _without_rows(table: Table) -> Table:
-    """Return the heads and notes of a table."""
-    return replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
+def _table(table: Table) -> dict[str, Any]:
+    """Return a table of the results, cut so that it fits on paper; of too long a one its heads and notes alone."""
+    complete = len(table) <= table_layout.MOST_IN_FILE
+    fitting = table
+    if not complete:
+        fitting = replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
+    grids = table_layout.split_columns(table_layout.layout_table(fitting), table_layout.KEYS.get(table.name, 1))
+    about = {"name": table.name, "title": table.title, "length": len(table), "complete": complete}
+    return about | {"grids": grids, "digest": table_layout.summarize_table(table)}
 
 
 def _constants(found: Sequence[Entry]) -> TableLayout:
@@ -260,10 +175,10 @@ def _constants(found: Sequence[Entry]) -> TableLayout:
     return TableLayout("", (TableHeader("combination"), *heads), tuple(rows))
 
 
-def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[Drawing]:
+def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
     """Yield the plan of the case and the ground in section."""
-    yield draw_case(combined.model)
-    soil = None if leading is None else draw_soil(leading)
+    yield drawings.draw_case(combined.model)
+    soil = None if leading is None else drawings.draw_soil(leading)
     if soil is None or leading is None:
         return
     notes = ["Ground below the plate, to scale in depth."]
@@ -277,30 +192,21 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
     if combined.model.boreholes or combined.model.soil_zones:
         notes.append("The table's constants are means over the plate's area.")
     count = len(list_columns(combined.model))
-    if count > MOST_COLUMNS:
-        notes.append(f"The first {MOST_COLUMNS} of {count} columns are drawn.")
+    if count > drawings.MOST_COLUMNS:
+        notes.append(f"The first {drawings.MOST_COLUMNS} of {count} columns are drawn.")
     yield replace(soil, caption=" ".join(notes))
 
 
 def _history(found: Sequence[Entry]) -> TableLayout:
     """Return all steps of all combinations that have results."""
-    numbers = (
-        "unknowns of the mesh",
-        "load increment",
-        "gamma",
-        "contact iteration",
-        "nodes in contact",
-        "nodes changed",
+    numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#nodes in contact")
+    heads = headers("combination", *numbers, "#nodes changed", "")
+    rows = tuple(
+        (Cell(results.combination), *(Cell(text, "number") for text in step_texts(step)), Cell("*" * step.finest))
+        for results in (entry.results for entry in found if entry.results is not None)
+        for step in results.steps
     )
-    heads = (TableHeader("combination"), *(TableHeader(each, number=True) for each in numbers), TableHeader(""))
-    rows = []
-    for results in (entry.results for entry in found if entry.results is not None):
-        for step in results.steps:
-            gamma = "-" if step.gamma is None else format_number(step.gamma)
-            counts = (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)
-            cells = (Cell(str(each), "number") for each in counts)
-            rows.append((Cell(results.combination), *cells, Cell("*" if step.finest else "")))
-    return TableLayout("", heads, tuple(rows), ("* on the final mesh.",), folded=len(rows) > MOST_ROWS)
+    return TableLayout("", heads, rows, ("* on the final mesh.",), folded=len(rows) > table_layout.MOST_ROWS)
 
 
 def _history_notes(count: int) -> Iterator[str]:
@@ -309,5 +215,5 @@ def _history_notes(count: int) -> Iterator[str]:
         "Nodes that change sides in each step, on a logarithmic scale; full marks are steps on the final mesh, empty "
         "ones on coarser meshes. The last step changes none."
     )
-    if count > MOST_HISTORIES:
-        yield f"The first {MOST_HISTORIES} of {count} combinations are drawn."
+    if count > drawings.MOST_HISTORIES:
+        yield f"The first {drawings.MOST_HISTORIES} of {count} combinations are drawn."

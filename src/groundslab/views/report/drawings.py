@@ -20,20 +20,20 @@ from groundslab.views.report.case_plan import describe_omissions, draw_case_plan
 if TYPE_CHECKING:
     from markupsafe import Markup
 
+    from groundslab.arrays import Array
     from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, Results
 
 #: More columns of soil and more histories than these are not drawn.
 MOST_COLUMNS, MOST_HISTORIES = 6, 12
-#: Which field shows what governs, and what that is called.
-FIELDS = {
-    "settlement": "settlement", "uplift": "settlement", "pressure": "pressure", "moment_x": "moment_x",
-    "moment_y": "moment_y",
-}  # fmt: skip
-GOVERNS = {
-    "settlement": "largest settlement", "uplift": "largest uplift", "pressure": "largest contact pressure",
-    "moment_x": "largest moment along x", "moment_y": "largest moment along y",
-}  # fmt: skip
+#: What governs: the field that shows it, what it is called, and its size at each node.
+GOVERNS: dict[str, tuple[str, str, Callable[[Array], Array]]] = {
+    "settlement": ("settlement", "largest settlement", np.positive),
+    "uplift": ("settlement", "largest uplift", np.negative),
+    "pressure": ("pressure", "largest contact pressure", np.positive),
+    "moment_x": ("moment_x", "largest moment along x", np.abs),
+    "moment_y": ("moment_y", "largest moment along y", np.abs),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,18 +73,12 @@ def find_governing(combined: Results) -> dict[str, str]:
 
     Uplift only if the plate lifts somewhere. Of a moment its size counts.
     """
-    wanted: dict[str, Callable[[CombinationResult], float]] = {
-        "settlement": lambda results: float(results.plate.settlement.max()),
-        "uplift": lambda results: float(-results.plate.settlement.min()),
-        "pressure": lambda results: float(results.plate.pressure.max()),
-        "moment_x": lambda results: float(np.abs(results.plate.moment_x).max()),
-        "moment_y": lambda results: float(np.abs(results.plate.moment_y).max()),
-    }
     if not combined.results:
         return {}
-    found = {
-        what: max(combined.results, key=lambda name: size(combined.results[name])) for what, size in wanted.items()
-    }
+    found = {}
+    for what, (field, _, size) in GOVERNS.items():
+        largest = {name: size(getattr(each.plate, field)).max() for name, each in combined.results.items()}
+        found[what] = max(largest, key=largest.__getitem__)
     if all(results.plate.in_contact.all() for results in combined.results.values()):
         del found["uplift"]
     return found
@@ -94,12 +88,11 @@ def draw_pictures(combined: Results) -> Iterator[Drawing]:
     """Yield the governing settlement, contact pressure and moments; where the plate lifts, its settlement then too."""
     drawn: dict[tuple[str, str], list[str]] = {}
     for what, name in find_governing(combined).items():
-        drawn.setdefault((FIELDS[what], name), []).append(what)
+        drawn.setdefault((GOVERNS[what][0], name), []).append(GOVERNS[what][1])
     several = len(combined.combinations) > 1
     for number, ((field, name), reasons) in enumerate(drawn.items(), 1):
         about = PLATE_FIELDS[field]
-        words = " and ".join(GOVERNS[each] for each in reasons)
-        governs = f", {name}; this combination governs the {words}" if several else ""
+        governs = f", {name}; this combination governs the {' and '.join(reasons)}" if several else ""
         caption = f"{about.meaning[0].upper()}{about.meaning[1:]}, {about.symbol} [{about.unit}]{governs}."
         svg = to_inline_svg(partial(plot, combined.results[name], field), f"picture{number}", caption)
         yield Drawing(svg, caption)

@@ -13,22 +13,20 @@ import os
 import re
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.case import casefile
-from groundslab.errors import GroundslabError, InputError, Issue
+from groundslab.errors import GroundslabError, InputError
 from groundslab.results.results import CombinationResult, Results, results_of
-from groundslab.storage import atomic
 from groundslab.storage.ownership import check_replaceable, is_page
+from groundslab.views.plots.export import write_file
 from groundslab.views.report.content import build_page
 from groundslab.views.report.table_layout import split_symbol, split_words
 from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
 
 if TYPE_CHECKING:
-    from jinja2 import Environment
-
     from groundslab.model.model import Model
 
 HERE = Path(__file__).parent
@@ -46,24 +44,21 @@ def render_report(results: CombinationResult | Results, *, text: str | None = No
     Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
     """
     combined = results if isinstance(results, Results) else results_of(results)
+    from markupsafe import Markup
+
     page = build_page(combined, text, file)
     scene, left_out = _scene(combined)
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
     script = read_asset("report.js")
-    from markupsafe import Markup
-
-    return (
-        _templates()
-        .get_template("report.html")
-        .render(
-            page=page,
-            left_out=left_out,
-            scene=scene,
-            style=Markup(style),
-            script=Markup(script),
-            policy=content_security_policy(style, script),
-            mark=f"{MARK} {__version__}",
-        )
+    return render_page(
+        HERE / "templates" / "report.html",
+        page=page,
+        left_out=left_out,
+        scene=scene,
+        style=Markup(style),
+        script=Markup(script),
+        policy=content_security_policy(style, script),
+        mark=f"{MARK} {__version__}",
     )
 
 
@@ -106,15 +101,7 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
-    content = render_report(results, text=text, file=file)
-    try:
-        atomic.write(target, content.encode())
-    except OSError as error:
-        expected, hint = (
-            "a file that can be written",
-            "free some space or choose another place; what was there is as it was",
-        )
-        raise InputError([Issue(str(target), error.strerror or str(error), expected, hint)]) from error
+    write_file(target, target, render_report(results, text=text, file=file).encode())
     return Path(path)
 
 
@@ -178,12 +165,12 @@ def _hash(content: str) -> str:
     return f"sha256-{base64.b64encode(hashlib.sha256(content.encode()).digest()).decode()}"
 
 
-def _templates() -> Environment:
-    """Return what renders the templates: every value is escaped, a missing one is an error."""
+def render_page(template: Path, **values: Any) -> str:
+    """Return a page of a template, which may use those here: values are escaped, a missing one is an error."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-    templates = Environment(
-        loader=FileSystemLoader(HERE / "templates"),
+    found = Environment(
+        loader=FileSystemLoader([template.parent, HERE / "templates"]),
         autoescape=True,
         undefined=StrictUndefined,
         finalize=_plain,
@@ -191,8 +178,8 @@ def _templates() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    templates.filters |= {"pieces": split_symbol, "word_pieces": split_words}
-    return templates
+    found.filters |= {"pieces": split_symbol, "word_pieces": split_words}
+    return found.get_template(template.name).render(values)
 
 
 def _plain(value: object) -> object:

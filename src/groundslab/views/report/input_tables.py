@@ -15,7 +15,15 @@ from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, nested
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
 from groundslab.units import coordinate, together
-from groundslab.views.report.table_layout import GREEK, Cell, Kind, TableHeader, TableLayout, drop_empty_columns
+from groundslab.views.report.table_layout import (
+    GREEK,
+    Cell,
+    Kind,
+    TableHeader,
+    TableLayout,
+    drop_empty_columns,
+    headers,
+)
 from groundslab.views.summary.combinations import factors_text
 
 if TYPE_CHECKING:
@@ -46,7 +54,7 @@ SECTIONS = {
 ONE = {"soil_zones": "Zone of soil", "boreholes": "Borehole", "zones": "Zone", "gaps": "Measured gap"}
 #: Keys that are listed even if all of a list have what a case has that says nothing; and what nothing then means.
 ALWAYS = {"psi_0": "", "psi_1": "", "psi_2": "", "stiffness": "rigid"}
-_ITEM = (TableHeader("key"), TableHeader("symbol"), TableHeader("value"), TableHeader("meaning"))
+_ITEM = headers("key", "symbol", "value", "meaning")
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,11 +77,8 @@ def input_tables(model: Model) -> list[InputTable]:
             grids = list(_part(value, ""))
         else:
             grids = list(_list(value or (), name, ""))
-        remarks = (
-            tuple(each.words() for each in find_clipped_loads(model.plate, model.loads)) if name == "loads" else ()
-        )
-        if remarks:
-            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *remarks))
+        if name == "loads" and (clipped := find_clipped_loads(model.plate, model.loads)):
+            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *(each.words() for each in clipped)))
         if grids:
             found.append(InputTable(name, title, tuple(grids)))
     return found
@@ -169,9 +174,7 @@ def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayo
         own = f"{tag.default}, {get_meaning(tag)}" if tag is not None and get_field_type(tag) is None else ""
         yield _columns(kind, numbered, ": ".join(filter(None, (title, own))))
     for number, part in enumerate(parts, 1):
-        called = f"{ONE.get(name, _words(name))} {number}"
-        if getattr(part, "name", ""):
-            called += f", {getattr(part, 'name', '')}"
+        called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
             value = getattr(part, inner)
             if nested(field).many and value:
@@ -219,12 +222,7 @@ def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, 
 
 def _combinations(model: Model) -> TableLayout:
     """Return what is solved: the combinations that the case lists and those made by EN 1990, or each case."""
-    heads = (
-        TableHeader("no.", number=True),
-        TableHeader("name"),
-        TableHeader("limit state"),
-        TableHeader("loads that act together"),
-    )
+    heads = headers("#no.", "name", "limit state", "loads that act together")
     rows = tuple(
         (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))
         for number, each in enumerate(list_combinations(model), 1)

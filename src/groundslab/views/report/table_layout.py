@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from operator import itemgetter
 from typing import Literal
 
 from groundslab.design.tables.table import Cell as RawCell
@@ -30,20 +31,33 @@ KEYS = {
 
 @dataclass(frozen=True, slots=True)
 class TableHeader:
-    """What stands above a column: words, a symbol, a unit; numbers stand at the right."""
+    """What stands above a column: words, a symbol, a unit; numbers stand at the right.
+
+    Underscores in words make subscripts, but not in plain ones, which are a user's.
+    """
 
     text: str
     unit: str = ""
     number: bool = False
     symbol: str = ""
+    plain: bool = False
+
+
+def headers(*texts: str) -> tuple[TableHeader, ...]:
+    """Return headers of words alone; those of numbers are marked by "#" before the words."""
+    return tuple(TableHeader(text.removeprefix("#"), number=text.startswith("#")) for text in texts)
 
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """A text and what it is: a number, a verdict, an aside, a symbol, or words of ours that hold symbols."""
+    """A text and what it is: a number, a verdict, an aside, a symbol, or words of ours that hold symbols.
+
+    What is under it stands small on a line below.
+    """
 
     text: str
     kind: Kind = ""
+    under: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,17 +73,20 @@ class TableLayout:
 
 def drop_empty_columns(grid: TableLayout) -> TableLayout:
     """Return a grid without the columns in which nothing stands."""
-    at = [i for i in range(len(grid.heads)) if any(row[i].text for row in grid.rows)]
-    heads, rows = tuple(grid.heads[i] for i in at), tuple(tuple(row[i] for i in at) for row in grid.rows)
-    return replace(grid, heads=heads, rows=rows)
+    return _select_columns(grid, [i for i in range(len(grid.heads)) if any(row[i].text for row in grid.rows)])
+
+
+def _select_columns(grid: TableLayout, at: list[int]) -> TableLayout:
+    """Return a grid with the columns at some places alone."""
+    rows = tuple(tuple(row[i] for i in at) for row in grid.rows)
+    return replace(grid, heads=tuple(grid.heads[i] for i in at), rows=rows)
 
 
 def layout_table(table: Table) -> TableLayout:
     """Return a table with its numbers as the summary prints them."""
-    numeric = [any(isinstance(value, int | float) for value in column.values) for column in table.columns]
     heads = tuple(
-        TableHeader(column.name, column.unit, of_numbers)
-        for column, of_numbers in zip(table.columns, numeric, strict=True)
+        TableHeader(column.name, column.unit, any(isinstance(value, int | float) for value in column.values))
+        for column in table.columns
     )
     columns = [[_cell(value, column.name) for value in column.values] for column in table.columns]
     rows = tuple(zip(*columns, strict=True))
@@ -95,22 +112,15 @@ def summarize_table(table: Table) -> TableLayout | None:
             if not known:
                 continue
             row = [Cell(str(one)), Cell(column.name, "words"), Cell(column.unit)]
-            for value, i in (min(known, key=_first), max(known, key=_first)):
+            for value, i in (min(known, key=itemgetter(0)), max(known, key=itemgetter(0))):
                 place = [] if along is None else [_cell(along.values[i])]
                 row += [Cell(format_number(value), "number"), *place, Cell(str(combination[i]))]
             rows.append(tuple(row))
     s = [] if along is None else [TableHeader("s", along.unit, number=True)]
-    ends = [
-        head
-        for end in ("least", "greatest")
-        for head in (TableHeader(end, number=True), *s, TableHeader("combination"))
-    ]
-    heads = (TableHeader(table.columns[1].name), TableHeader("quantity"), TableHeader("unit"), *ends)
+    (least, greatest), (combined,) = headers("#least", "#greatest"), headers("combination")
+    heads = headers(table.columns[1].name, "quantity", "unit")
+    heads = (*heads, least, *s, combined, greatest, *s, combined)
     return TableLayout("", heads, tuple(rows), ("Extremes over all combinations.",))
-
-
-def _first(pair: tuple[float, int]) -> float:
-    return pair[0]
 
 
 def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:
@@ -121,15 +131,8 @@ def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:
     parts = []
     for n, (first, last) in enumerate(pairwise(cuts)):
         at = [*range(keys), *range(first, last)]
-        parts.append(
-            replace(
-                grid,
-                title=grid.title if n == 0 else "",
-                heads=tuple(grid.heads[i] for i in at),
-                rows=tuple(tuple(row[i] for i in at) for row in grid.rows),
-                notes=grid.notes if n == count - 1 else (),
-            )
-        )
+        title, notes = grid.title if n == 0 else "", grid.notes if n == count - 1 else ()
+        parts.append(replace(_select_columns(grid, at), title=title, notes=notes))
     return parts or [grid]
 
 

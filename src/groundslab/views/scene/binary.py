@@ -67,17 +67,11 @@ class Blocks:
 
     def _add(self, values: Any, kind: str, scale: float, shift: float) -> dict[str, Any]:
         raw = np.ascontiguousarray(values, dtype=TYPES[kind]).tobytes()
-        block = {
-            "offset": self._length,
-            "shape": list(values.shape),
-            "type": kind,
-            "scale": scale,
-            "shift": shift,
-        }
+        about = {"offset": self._length, "shape": list(values.shape), "type": kind}
         padding = -len(raw) % 8
         self._parts += [raw, bytes(padding)]
         self._length += len(raw) + padding
-        return block
+        return about | {"scale": scale, "shift": shift}
 
 
 def pack(scene: Scene) -> bytes:

@@ -41,11 +41,11 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     _require_one_mesh(plates)
     names = _fields_of(plates)
     blocks = Blocks()
-    mesh = {
-        "nodes": blocks.put(plates[0].nodes if plates else np.zeros((0, 2)), "f32"),
-        "elements": blocks.put(plates[0].elements if plates else np.zeros((0, 9), dtype=np.int64), "u32"),
-        "section": blocks.put(there[0].elements.section if there else np.zeros(0, dtype=np.int64), "u16"),
-    }
+    nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
+    if there:
+        nodes, elements, section = plates[0].nodes, plates[0].elements, there[0].elements.section
+    mesh = {"nodes": blocks.put(nodes, "f32"), "elements": blocks.put(elements, "u32")}
+    mesh["section"] = blocks.put(section, "u16")
     kept = _kept(found, names, len(found) if most is None else most)
     head = {
         "format": FORMAT,
@@ -82,14 +82,8 @@ def _about(name: str, plates: list[PlateResult]) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
     about = PLATE_FIELDS[name]
     signed = about.sign == "any" or any(goes_below_zero(getattr(plate, name)) for plate in plates)
-    return {
-        "name": name,
-        "symbol": about.symbol,
-        "unit": about.unit,
-        "meaning": about.meaning,
-        "averaged": about.averaged,
-        "signed": signed,
-    }
+    words = {each: getattr(about, each) for each in ("symbol", "unit", "meaning", "averaged")}
+    return {"name": name, **words, "signed": signed}
 
 
 def _combination(entry: Entry, names: list[str], blocks: Blocks, kept: bool) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,10 +13,13 @@ from groundslab.model.loads.load_types import SettlementLoad
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.geometry.plan import Place, Ring
+    from groundslab.model.columns import Column
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
+    from groundslab.model.outputs import OutputLine, OutputPoint, OutputStrip
+    from groundslab.model.plate import Zone
     from groundslab.model.supports import AnySupport
-    from groundslab.model.varying_ground import Void
+    from groundslab.model.varying_ground import Borehole, Void
 
 #: Digits after the point of a length in meters.
 DIGITS = 9
@@ -33,50 +36,30 @@ def plan_of(model: Model) -> Data:
     def ring(curve: Ring) -> list[list[float]]:
         return _rounded(curve.flat(chord))
 
+    def listed(path: str, parts: Iterable[Any], describe: Callable[[Any], Data]) -> list[Data]:
+        return [{"path": f"{path}[{number}]", **describe(part)} for number, part in enumerate(parts, 1)]
+
+    def thickness(zone: Zone) -> float:
+        return plate.thickness if zone.thickness is None else zone.thickness
+
     output = model.output
     return {
         "bounds": [value for place in _rounded([(x0, y0), (x1, y1)]) for value in place],
         "thickness": plate.thickness,
         "outline": ring(plate.ring()),
-        "openings": [
-            {"path": f"plate.openings[{n}]", "ring": ring(each.ring())} for n, each in enumerate(plate.openings, 1)
-        ],
-        "zones": [
-            {
-                "path": f"plate.zones[{n}]",
-                "ring": ring(zone.shape.ring()),
-                "thickness": plate.thickness if zone.thickness is None else zone.thickness,
-            }
-            for n, zone in enumerate(plate.zones, 1)
-        ],
-        "columns": [
-            {"path": f"columns[{n}]", "name": each.name, **_at(each.x, each.y), "ring": ring(each.ring())}
-            for n, each in enumerate(model.columns, 1)
-        ],
-        "supports": [_support(n, support) for n, support in enumerate(model.supports, 1)],
-        "loads": [_load(n, load, model, chord) for n, load in enumerate(model.loads, 1)],
-        "boreholes": [
-            {"path": f"boreholes[{n}]", "name": each.name, **_at(each.x, each.y)}
-            for n, each in enumerate(model.boreholes, 1)
-        ],
-        "soil_zones": [
-            {"path": f"soil_zones[{n}]", "ring": ring(zone.shape.ring())} for n, zone in enumerate(model.soil_zones, 1)
-        ],
-        "voids": [
-            {"path": f"contact.voids[{n}]", "ring": ring(_void(void))} for n, void in enumerate(model.contact.voids, 1)
-        ],
-        "lines": [
-            {"path": f"output.lines[{n}]", "name": each.name, **_ends(each.start, each.end)}
-            for n, each in enumerate(output.lines, 1)
-        ],
-        "strips": [
-            {"path": f"output.strips[{n}]", "name": each.name, **_ends(each.start, each.end), "width": each.width}
-            for n, each in enumerate(output.strips, 1)
-        ],
-        "points": [
-            {"path": f"output.points[{n}]", "name": each.name, **_at(each.x, each.y)}
-            for n, each in enumerate(output.points, 1)
-        ],
+        "openings": listed("plate.openings", plate.openings, lambda hole: {"ring": ring(hole.ring())}),
+        "zones": listed(
+            "plate.zones", plate.zones, lambda zone: {"ring": ring(zone.shape.ring()), "thickness": thickness(zone)}
+        ),
+        "columns": listed("columns", model.columns, lambda each: _place(each) | {"ring": ring(each.ring())}),
+        "supports": listed("supports", model.supports, _support),
+        "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),
+        "boreholes": listed("boreholes", model.boreholes, _place),
+        "soil_zones": listed("soil_zones", model.soil_zones, lambda zone: {"ring": ring(zone.shape.ring())}),
+        "voids": listed("contact.voids", model.contact.voids, lambda void: {"ring": ring(_void(void))}),
+        "lines": listed("output.lines", output.lines, _ends),
+        "strips": listed("output.strips", output.strips, lambda strip: _ends(strip) | {"width": strip.width}),
+        "points": listed("output.points", output.points, _place),
     }
 
 
@@ -105,10 +88,9 @@ def _tidied(value: float) -> float:
     return float(f"{value:.12g}") + 0.0
 
 
-def _support(number: int, support: AnySupport) -> Data:
+def _support(support: AnySupport) -> Data:
     """Return a support; one without stiffness is rigid."""
     return {
-        "path": f"supports[{number}]",
         "name": support.name,
         "kind": support.kind,
         "points": _rounded(_places(support)),
@@ -122,9 +104,9 @@ def _places(support: AnySupport) -> Sequence[Place]:
     return ((support.x, support.y),) if support.kind == "point" else support.points
 
 
-def _load(number: int, load: AnyLoad, model: Model, chord: float) -> Data:
+def _load(load: AnyLoad, model: Model, chord: float) -> Data:
     """Return a load with points or a ring, whichever it has; self-weight and temperature have neither."""
-    about: Data = {"path": f"loads[{number}]", "name": load.name, "kind": load.kind, "case": load.case}
+    about: Data = {"name": load.name, "kind": load.kind, "case": load.case}
     if load.kind == "point":
         placed = load.on(model.columns)
         assert placed.x is not None
@@ -174,16 +156,16 @@ def _box(x: tuple[float, float], y: tuple[float, float]) -> Ring:
     return rectangle(*x, *y)
 
 
-def _at(x: float, y: float) -> Data:
-    """Return a place."""
-    ((x, y),) = _rounded([(x, y)])
-    return {"x": x, "y": y}
+def _place(part: Column | Borehole | OutputPoint) -> Data:
+    """Return the name of a part and where it is."""
+    ((x, y),) = _rounded([(part.x, part.y)])
+    return {"name": part.name, "x": x, "y": y}
 
 
-def _ends(start: Place, end: Place) -> Data:
-    """Return the ends of a line."""
-    first, last = _rounded([start, end])
-    return {"start": first, "end": last}
+def _ends(line: OutputLine | OutputStrip) -> Data:
+    """Return the name of a line and its ends."""
+    start, end = _rounded([line.start, line.end])
+    return {"name": line.name, "start": start, "end": end}
 
 
 def _rounded(places: Sequence[Place] | Array) -> list[list[float]]:

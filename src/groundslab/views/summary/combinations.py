@@ -6,13 +6,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.errors import NotCertified
-from groundslab.results.contact_zone import goes_below_zero
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import sections
 from groundslab.views.summary.sections import Row, SummarySection
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from groundslab.errors import GroundslabError
     from groundslab.model.loads.load_cases import Combination
@@ -27,17 +26,6 @@ class Entry:
     combination: Combination
     results: CombinationResult | None  # of one that is refused only if it has results that are not certified
     refused: GroundslabError | None
-
-
-@dataclass(frozen=True, slots=True)
-class Figures:
-    """The figures of a combination in a table: load [N], settlement and uplift [m], share of contact, steps."""
-
-    load: float
-    settlement: float
-    uplift: float
-    contact: float
-    iterations: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,19 +58,6 @@ def require_finite(combined: Results) -> None:
             require_one_finite(entry.results)
 
 
-def figures(results: CombinationResult) -> Figures:
-    """Return the figures of one combination; uplift is zero where none of the plate rises."""
-    plate = results.plate
-    low = float(plate.settlement.min())
-    return Figures(
-        load=results.certificate.load,
-        settlement=float(plate.settlement.max()),
-        uplift=-low if goes_below_zero(plate.settlement) else 0.0,
-        contact=plate.contact_share,
-        iterations=len(results.steps),
-    )
-
-
 def factors_text(combination: Combination) -> str:
     """Return what acts together in words, such as "1.35 dead + 1.5 live"."""
     return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
@@ -106,17 +81,27 @@ def extremes(combined: Results) -> list[tuple[SummarySection, tuple[Extreme, ...
     The largest governs, of a row called smallest and of the share in contact the smallest; the first of equal ones.
     """
     found: dict[str, tuple[SummarySection, dict[str, Extreme]]] = {}
-    for entry in entries(combined):
-        if entry.results is None or entry.refused is not None:
-            continue
-        for section in sections.figures(entry.results):
+    for number, results in _certified(combined):
+        for section in sections.figures(results):
             known, rows = found.setdefault(section.key, (section, {}))
             notes = tuple(dict.fromkeys((*known.notes, *section.notes)))
             found[section.key] = replace(known, notes=notes), rows
-            for row in section.rows:
-                if row.key not in rows or _governs(row, rows[row.key].row):
-                    rows[row.key] = Extreme(row, entry.number)
+            _collect_extremes(rows, section.rows, number)
     return [(section, tuple(rows.values())) for section, rows in found.values()]
+
+
+def _certified(combined: Results) -> Iterator[tuple[int, CombinationResult]]:
+    """Yield the certified results with the numbers of their combinations."""
+    for entry in entries(combined):
+        if entry.results is not None and entry.refused is None:
+            yield entry.number, entry.results
+
+
+def _collect_extremes(found: dict[str, Extreme], rows: Iterable[Row], number: int) -> None:
+    """Put the rows of a combination among the extremes by their keys, each that governs the one there."""
+    for row in rows:
+        if row.key not in found or _governs(row, found[row.key].row):
+            found[row.key] = Extreme(row, number)
 
 
 def _governs(row: Row, other: Row) -> bool:
@@ -129,13 +114,8 @@ def _governs(row: Row, other: Row) -> bool:
 
 def worst(combined: Results) -> tuple[Extreme, ...]:
     """Return of each figure that must vanish, and of the margin's effect, the largest over the certified ones."""
-    rows: dict[str, Extreme] = {}
-    for entry in entries(combined):
-        if entry.results is None or entry.refused is not None:
-            continue
-        for row in sections.certificate_section(entry.results.certificate).rows:
-            if row.key in ("load", "reaction"):
-                continue
-            if row.key not in rows or _governs(row, rows[row.key].row):
-                rows[row.key] = Extreme(row, entry.number)
-    return tuple(rows.values())
+    found: dict[str, Extreme] = {}
+    for number, results in _certified(combined):
+        rows = sections.certificate_section(results.certificate).rows
+        _collect_extremes(found, (row for row in rows if row.key not in ("load", "reaction")), number)
+    return tuple(found.values())

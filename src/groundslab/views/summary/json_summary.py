@@ -69,7 +69,7 @@ def design(combined: Results) -> dict[str, Any]:
 
 def _only(results: CombinationResult) -> dict[str, Any]:
     """Return the results of an only combination."""
-    document: dict[str, Any] = {"combination": results.combination, "limit_state": results.limit_state}
+    document = {"combination": results.combination, "limit_state": results.limit_state}
     return document | _sections(sections.summary(results)) | _analysis(results)
 
 
@@ -101,16 +101,10 @@ def _sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
 
 def _analysis(results: CombinationResult) -> dict[str, Any]:
     """Return the constants that an analysis ended with and its steps as data for JSON."""
-    constants = results.constants
-    return {
-        "constants": {
-            "k0": [_quantity(value, UNITS["MPa/m"]) for value in constants.k0],
-            "k1": [_quantity(value, UNITS["MPa m"]) for value in constants.k1],
-            "gamma": constants.gamma,
-            "gamma_iterations": constants.gamma_iterations,
-        },
-        "history": [asdict(step) for step in results.steps],
-    }
+    constants = asdict(results.constants)
+    for name, unit in (("k0", "MPa/m"), ("k1", "MPa m")):
+        constants[name] = [_quantity(value, UNITS[unit]) for value in constants[name]]
+    return {"constants": constants, "history": [asdict(step) for step in results.steps]}
 
 
 def _named(extreme: Extreme, names: dict[int, str]) -> dict[str, Any]:

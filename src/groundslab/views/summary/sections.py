@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -129,10 +130,8 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
     rows = [Row("kind", "model", results.model.ground.kind)]
     if results.model.beyond.kind != "none" and not results.model.ground_reaches:
         rows.append(Row("beyond", "beyond the plate", "no effect, as the ground carries no shear"))
-    for name, unit, meaning, values in (
-        ("k0", UNITS["MPa/m"], "compression", constants.k0),
-        ("k1", UNITS["MPa m"], "shear", constants.k1),
-    ):
+    k0, k1 = (UNITS["MPa/m"], "compression", constants.k0), (UNITS["MPa m"], "shear", constants.k1)
+    for name, (unit, meaning, values) in {"k0": k0, "k1": k1}.items():
         for number, value in enumerate(values, 1):
             key, where = (f"{name}_{number}", f", layer {number}") if several else (name, "")
             rows.append(Row(key, meaning + where, value, unit, key))
@@ -146,14 +145,11 @@ def _borders(results: CombinationResult) -> tuple[Row, ...]:
     """Return the areas of soil zones and voids whose borders the mesh does not follow."""
     from groundslab.results.soil_profile import crossed_borders
 
+    words = {"drawn": "{} as drawn", "meshed": "{} on the mesh", "crossed": "elements across the border of {}"}
     return tuple(
-        row
+        Row(f"{each.name}.{key}", label.format(each.name), getattr(each, key), UNITS["m2"])
         for each in crossed_borders(results)
-        for row in (
-            Row(f"{each.name}.drawn", f"{each.name} as drawn", each.drawn, UNITS["m2"]),
-            Row(f"{each.name}.meshed", f"{each.name} on the mesh", each.meshed, UNITS["m2"]),
-            Row(f"{each.name}.crossed", f"elements across the border of {each.name}", each.crossed, UNITS["m2"]),
-        )
+        for key, label in words.items()
     )
 
 
@@ -253,7 +249,7 @@ def _supports(results: CombinationResult) -> SummarySection:
         for number, (total, support) in enumerate(totals, start=1)
     ]
     if len(totals) > MOST_SUPPORTS:
-        (low, least), (high, most) = min(totals, key=lambda each: each[0]), max(totals, key=lambda each: each[0])
+        (low, least), (high, most) = min(totals, key=itemgetter(0)), max(totals, key=itemgetter(0))
         rows = [
             Row("largest_force", f"largest force, of {most.name}", high, UNITS["kN"], "", _middle(most)),
             Row("smallest_force", f"smallest force, of {least.name}", low, UNITS["kN"], "", _middle(least)),

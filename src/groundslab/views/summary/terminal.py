@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
+from groundslab.results.contact_zone import goes_below_zero
 from groundslab.units import format_number
 from groundslab.views.summary import combinations
 from groundslab.views.summary.sections import Row, SummarySection, certified_words, summary
@@ -93,16 +94,16 @@ def _entry(entry: Entry) -> Iterator[Text]:
     """Yield the lines of one combination: name and factors, figures, and why it is refused."""
     from rich.text import Text
 
-    about = (
-        f"{entry.combination.name} ({entry.combination.limit_state}): {combinations.factors_text(entry.combination)}"
-    )
-    name, *more = textwrap.wrap(about, 74)
+    about, factors = entry.combination, combinations.factors_text(entry.combination)
+    name, *more = textwrap.wrap(f"{about.name} ({about.limit_state}): {factors}", 74)
     yield Text(f"{entry.number:>3} {name}", style="bold")
     yield from (Text(f"    {line}", style="bold") for line in more)
     if entry.results is not None:
-        f = combinations.figures(entry.results)
-        figures = (f.load / 1e3, f.settlement * 1e3, f.uplift * 1e3, f.contact * 100)
-        line = Text("   " + "".join(f"{value:>12}" for value in (*map(format_number, figures), f.iterations)))
+        w, contact = entry.results.plate.settlement, entry.results.plate.contact_share
+        uplift = -w.min() if goes_below_zero(w) else 0.0
+        figures = (entry.results.certificate.load / 1e3, w.max() * 1e3, uplift * 1e3, contact * 100)
+        texts = [*map(format_number, figures), str(len(entry.results.steps))]
+        line = Text("   " + "".join(f"{text:>12}" for text in texts))
         if entry.refused is None:
             line.append("  ok", style="green")
         yield line
@@ -166,12 +167,16 @@ def print_history(steps: Sequence[Step], console: Console) -> None:
     ):  # fmt: skip
         table.add_column(heading, justify="right", no_wrap=True)
     for step in steps:
-        gamma = "-" if step.gamma is None else format_number(step.gamma)
-        counts = map(str, (step.iteration, step.in_contact, step.changed))
-        table.add_row(str(step.unknowns), str(step.increment), gamma, *counts, "*" if step.finest else "")
+        table.add_row(*step_texts(step), "*" if step.finest else "")
     console.print(Padding(table, (0, 0, 0, 2)))
     if any(step.finest for step in steps):
         _print_lines(["  * on the finest mesh"], "dim", console)
+
+
+def step_texts(step: Step) -> list[str]:
+    """Return the numbers of a step as text: unknowns, increment, gamma, iteration, nodes in contact, nodes changed."""
+    gamma = "-" if step.gamma is None else format_number(step.gamma)
+    return [str(each) for each in (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)]
 
 
 def _line(row: Row, taken: int = 0) -> Text:

@@ -469,10 +469,7 @@ class TestSize:
         assert rows[0][6] == format_number(max(settlements))
         assert rows[0][8] == combined.combinations[1].name
         assert len(list(found.all("details"))) > 0
-        monkeypatch.setattr("groundslab.views.report.content.MOST_IN_FILE", 50)
-        monkeypatch.setattr(
-            "groundslab.views.report.content.TableParts.complete", property(lambda each: each.length <= 50)
-        )
+        monkeypatch.setattr("groundslab.views.report.table_layout.MOST_IN_FILE", 50)
         cut = page(render_report(combined)).one("section", id="table-lines")
         assert "tables/lines.csv" in cut.text
         assert not list(cut.all("details"))
