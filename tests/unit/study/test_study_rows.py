@@ -34,10 +34,9 @@ class TestOutputs:
     combined = solved(CASE + '[reinforcement]\nf_ck = "30 MPa"\nf_yk = "500 MPa"\nbottom = ["40 mm", "50 mm"]\n'
                       'top = ["40 mm", "50 mm"]\n')  # fmt: skip
 
-    def output(self, of: str, take: str | None = None, **more: object) -> outputs.Output:
+    def output(self, of: str, take: str | None = None, **more: object) -> outputs.RequestedOutput:
         """Return an output."""
-        given = {"x": None, "y": None, "combination": "", "support": "", "layer": None} | more
-        return outputs.Output(name=of, of=of, statistic=take, **given)  # type: ignore[arg-type]
+        return outputs.RequestedOutput(name=of, of=of, take=take, **more)  # type: ignore[arg-type]
 
     def test_fields_of_the_plate(self) -> None:
         """Largest, smallest and value at a node are those of the result's own arrays, the worst over combinations."""

@@ -15,7 +15,7 @@ from groundslab.study.execution.variant import SOLVED
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from groundslab.study.definition.outputs import Output as StudyOutput
+    from groundslab.study.definition.outputs import RequestedOutput
     from groundslab.study.definition.setup import Setup, Variable
     from groundslab.study.evaluation.study import Study
 
@@ -71,7 +71,7 @@ def _labelled(name: str, values: Sequence[Any], chosen: bool = False) -> Input:
     return Input(name, PURE, np.array([number[label] for label in labels], dtype=float), None, chosen, labels)
 
 
-def _output(output: StudyOutput, values: Sequence[float | None]) -> Output:
+def _output(output: RequestedOutput, values: Sequence[float | None]) -> Output:
     """Return an output with its values; what is missing is nan."""
     numeric = np.array(values, dtype=float)  # None becomes nan
     return Output(output.name, choose_unit(output.dimension, numeric), numeric)

@@ -10,17 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.errors import (
-    GroundslabError,
-    IllConditioned,
-    InputError,
-    Issue,
-    NeutralEquilibrium,
-    NoEquilibrium,
-    NotCertified,
-    NotConverged,
-    SingularMatrix,
-)
+from groundslab import errors
+from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_cases import Combination, has_ultimate_combination
@@ -32,22 +23,20 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.model import Model
     from groundslab.results.results import Results
-    from groundslab.study.definition.outputs import Output
+    from groundslab.study.definition.outputs import RequestedOutput
     from groundslab.study.definition.setup import Setup
     from groundslab.study.sampling.designs import Variant
 
 SOLVED, FAILED = "solved", "failed"
 
 #: Errors that a variant fails with whenever it is solved: its row has the reason and is final.
-REASONS: dict[type[GroundslabError], str] = {
-    InputError: "input",
-    IllConditioned: "IllConditioned",
-    NeutralEquilibrium: "NeutralEquilibrium",
-    NoEquilibrium: "NoEquilibrium",
-    NotConverged: "NotConverged",
-    NotCertified: "NotCertified",
-    SingularMatrix: "SingularMatrix",
-}
+REASONS: dict[type[GroundslabError], str] = {InputError: "input"} | {
+    kind: kind.__name__
+    for kind in (
+        errors.IllConditioned, errors.NeutralEquilibrium, errors.NoEquilibrium, errors.NotConverged,
+        errors.NotCertified, errors.SingularMatrix,
+    )
+}  # fmt: skip
 MAX_MESSAGE_LENGTH = 2000  # characters
 
 
@@ -125,7 +114,7 @@ class Worker:
             tuple(results), tuple(arrays), mesh, meshes,
         )  # fmt: skip
 
-    def _names_for(self, output: Output, names: dict[str, str]) -> list[str]:
+    def _names_for(self, output: RequestedOutput, names: dict[str, str]) -> list[str]:
         """Return the names of the combinations of a variant that an output is of."""
         own = [output.combination] if output.combination else self._all
         return [names[each] for each in own if each in self._ultimate or not output.is_steel]
