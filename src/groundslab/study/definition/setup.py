@@ -21,7 +21,7 @@ from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 from groundslab.study.definition import schema
 from groundslab.study.definition.case_paths import Place, place_of
-from groundslab.study.definition.distributions import AnyDistribution, Distribution, distribution_of
+from groundslab.study.definition.distributions import AnyDistribution, distribution_of
 from groundslab.study.definition.field_types import Raw
 from groundslab.study.definition.issues import issues_below
 from groundslab.study.definition.outputs import FIELDS, SCALARS, RequestedOutput
@@ -53,7 +53,7 @@ class Variable:
     name: str
     place: Place
     values: tuple[Any, ...] | None
-    distribution: Distribution | None
+    distribution: Any  # one of scipy.stats, frozen; None for listed values
     times: bool
     chosen: bool  # by the designer, out of the values; not drawn
 
@@ -85,7 +85,7 @@ class Variable:
                 return 0.0
             # a negative number turns the range around
             ends = sorted(end / self.place.value for end in ends)
-        low, high = self.distribution.frozen.cdf(ends)
+        low, high = self.distribution.cdf(ends)
         return float(low + (1 - high))
 
     def value_in_case(self, value: Any) -> Any:
@@ -99,7 +99,7 @@ class Field:
 
     name: str
     path: str
-    distribution: Distribution
+    distribution: Any  # one of scipy.stats, frozen
     lengths: tuple[float, float]  # [m]
     model: str
 
@@ -222,7 +222,7 @@ def _variable(vary: schema.VariedQuantity, model: Model, from_file: bool) -> Var
     return Variable(vary.column, place, values, distribution, vary.times, vary.choose)
 
 
-def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Distribution:
+def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Any:
     """Return a distribution of values of a key; raises FieldError. Its ends need not lie in the key's range."""
     key = Quantity(key.dimension, key.symbol, key.meaning) if isinstance(key, Quantity) else Number("", "")
 

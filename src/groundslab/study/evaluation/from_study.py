@@ -60,7 +60,7 @@ def _input(variable: Variable, values: Sequence[Any], setup: Setup) -> Input:
     dimension = key.dimension if isinstance(key, Quantity) and not variable.times else None
     density = None
     if variable.distribution is not None and setup.sampling.kind in RANDOM:
-        density = variable.distribution.frozen.pdf
+        density = variable.distribution.pdf
     return Input(variable.name, choose_unit(dimension, numeric), numeric, density, variable.chosen)
 
 

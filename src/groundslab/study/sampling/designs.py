@@ -135,7 +135,7 @@ def quantiles(variable: Variable, probability: Array) -> list[Any]:
     """Return the values (n,) of a variable with the given probabilities of not being exceeded; listed ones alike."""
     probability = np.clip(probability, _END, 1 - _END)
     if variable.distribution is not None:
-        found: list[Any] = variable.distribution.frozen.ppf(probability).tolist()
+        found: list[Any] = variable.distribution.ppf(probability).tolist()
         return found
     assert variable.values is not None
     return [variable.values[i] for i in (probability * len(variable.values)).astype(int)]

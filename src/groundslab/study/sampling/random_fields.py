@@ -80,7 +80,7 @@ def factors(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     def at(x: Array, y: Array) -> Array:
         from scipy.special import ndtr
 
-        values: Array = field.distribution.frozen.ppf(ndtr(gaussian(x, y)))
+        values: Array = field.distribution.ppf(ndtr(gaussian(x, y)))
         return values
 
     return at
