@@ -7,7 +7,7 @@ follow from the moments (Johnson, Kotz and Balakrishnan 1994, Johnson, Kotz and 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -32,14 +32,10 @@ Low = Annotated[Raw, Amount("a", "smallest value")]
 High = Annotated[Raw, Amount("b", "largest value")]
 
 
-def _cov_or_std(cov: float | None, std: Raw | None) -> Iterator[RelativeIssue]:
-    yield from require_one(cov=cov, std=std)
-
-
 class _Moments(Section):
     """A distribution by its mean and its standard deviation or coefficient of variation."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+    checks: ClassVar[tuple[Check, ...]] = (require_one("cov", "std"),)
 
     kind: str
     mean: Annotated[Raw, Amount("mu", "mean")]

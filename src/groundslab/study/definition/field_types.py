@@ -7,7 +7,6 @@ from typing import Any
 
 from groundslab.schema.fields import FieldType, ListOf
 from groundslab.schema.issues import field_error
-from groundslab.schema.wording import quote
 
 #: A value as the file or Python gives it, before its key is known.
 Raw = str | float | int | bool | tuple[Any, ...]
@@ -34,14 +33,6 @@ class Amount(FieldType):
     def expected(self) -> str:
         """Return where the unit comes from."""
         return f"a value {self.like}"
-
-    def write(self, value: Raw) -> str:
-        """Return the value as TOML."""
-        if isinstance(value, tuple):
-            return f"[{', '.join(map(self.write, value))}]"
-        if isinstance(value, bool):
-            return "true" if value else "false"
-        return quote(value) if isinstance(value, str) else repr(value)
 
     def type_text(self) -> str:
         """Return where the unit comes from."""

@@ -67,14 +67,10 @@ def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[
         yield RelativeIssue(("choose",), "true", "values to choose from")
 
 
-def _values_or_distribution(values: tuple[Raw, ...] | None, distribution: Section | None) -> Iterator[RelativeIssue]:
-    yield from require_one(values=values, distribution=distribution)
-
-
 class VariedQuantity(Section):
     """A quantity of the case that varies."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_values_or_distribution, _choice_of_values)
+    checks: ClassVar[tuple[Check, ...]] = (require_one("values", "distribution"), _choice_of_values)
 
     path: Annotated[str, Text("key of the case; positions count from 1, as in ground.layers[1].E")]
     name: Annotated[str, Text("its name in the study; the path by default")] = ""
@@ -126,14 +122,10 @@ class RandomField(Section):
         return self.name or f"{self.path} field"
 
 
-def _one_limit(at_most: Raw | None, at_least: Raw | None) -> Iterator[RelativeIssue]:
-    yield from require_one(at_most=at_most, at_least=at_least)
-
-
 class LimitState(Section):
     """A limit that a kept result should not pass."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_limit,)
+    checks: ClassVar[tuple[Check, ...]] = (require_one("at_most", "at_least"),)
 
     name: Annotated[str, Text("its name")]
     keep: Annotated[str, Text("name of the kept result")]

@@ -120,7 +120,7 @@ def _solving(
         count = found.threads
         progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", found.dashboard
         # of a folder that is locked no other run can have the same name
-        mark = sha256(f"{folder.resolve()} {study.study_sha256} {study.case_sha256}".encode()).hexdigest()[:12]
+        mark = sha256(f"{folder.resolve()} {' '.join(study.checksums.values())}".encode()).hexdigest()[:12]
         outcomes = dask_cluster.rows(found, f"groundslab-{mark}", study.setup, todo, known_meshes)
         with closing(outcomes):
             yield outcomes
@@ -173,8 +173,7 @@ def _about(study: files.StudyInput) -> dict[str, Any]:
         "made": datetime.now(UTC).isoformat(timespec="seconds"),
         "seed": study.setup.seed,
         "variants": study.setup.count,
-        "study_sha256": study.study_sha256,
-        "case_sha256": study.case_sha256,
+        **study.checksums,
         "versions": versions.versions(RECORDED),
         "units": dict(column_units(study.setup)),
     }
@@ -182,14 +181,13 @@ def _about(study: files.StudyInput) -> dict[str, Any]:
 
 def _differences(about: Mapping[str, Any], study: files.StudyInput) -> list[Issue]:
     """Return the differences between the study in a folder and this one."""
-    issues = []
     hint = "restore it, or choose another folder with --out"
-    for key, now, what in (
-        ("study_sha256", study.study_sha256, "study file"),
-        ("case_sha256", study.case_sha256, "case file"),
-    ):
-        if about[key] != now:
-            issues.append(Issue(what, "a file that was changed", "the one that the rows in the folder are of", hint))
+    expected = "the one that the rows in the folder are of"
+    issues = [
+        Issue(name.replace("_sha256", " file"), "a file that was changed", expected, hint)
+        for name, now in study.checksums.items()
+        if about[name] != now
+    ]
     before = about["versions"].get("groundslab")
     if before != __version__:
         expected = f"version {before}, which the rows in the folder are of"
