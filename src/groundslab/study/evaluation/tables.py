@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.special import ndtri
 
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.study.evaluation import sensitivity, statistics
@@ -135,8 +136,6 @@ def failure_probability(sample: Samples, group: Group, limit: Limit, level: floa
 
 def _probability_cells(sample: Samples, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
     """Return the probability of failure, the index, the effect of missing results, and the verdict."""
-    from scipy.special import ndtri
-
     p = statistics.probability(failed, n, level)
     lost = int(sample.drawn[group.rows].sum()) - n
     high = statistics.probability(failed + lost, n + lost, level).high

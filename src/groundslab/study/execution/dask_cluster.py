@@ -181,6 +181,8 @@ def rows(
 
     `name` is the study's on the cluster. Raises LostScheduler. Closing the generator early cancels pending tasks.
     """
+    import distributed
+
     from groundslab.study.execution.dask_plugin import Plugin, solve
 
     client = cluster.client
@@ -189,25 +191,19 @@ def rows(
     run, left = secrets.token_hex(4), iter(variants)
     pending: dict[Any, int] = {}
     updated, limit = -UPDATE_INTERVAL, 0
-    import distributed
-
-    def submit(variants: list[Variant]) -> list[tuple[Any, int]]:
-        if not variants:
-            return []
-        keys = [f"{name}-{run}-{variant.number}" for variant in variants]
-        row_of = functools.partial(solve, name, known_meshes=known_meshes())
-        futures = client.map(row_of, variants, key=keys, pure=False)
-        return [(future, variant.number) for future, variant in zip(futures, variants, strict=True)]
-
     pool = distributed.as_completed([])
     try:
         while True:
             if time.monotonic() - updated > UPDATE_INTERVAL:
                 updated, limit = time.monotonic(), TASKS_PER_THREAD * max(1, _count_threads(cluster))
-            if len(pending) <= limit // 2:
-                for future, number in submit(list(itertools.islice(left, limit - len(pending)))):
-                    pending[future] = number
-                    pool.add(future)
+            room = limit - len(pending) if len(pending) <= limit // 2 else 0
+            if more := list(itertools.islice(left, room)):
+                row_of = functools.partial(solve, name, known_meshes=known_meshes())
+                numbers = [variant.number for variant in more]
+                keys = [f"{name}-{run}-{number}" for number in numbers]
+                futures = client.map(row_of, more, key=keys, pure=False)
+                pending |= zip(futures, numbers, strict=True)
+                pool.update(futures)
             if not pending:
                 return
             done = []
