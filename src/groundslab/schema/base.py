@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, Self, get_args, get_origin
 from pydantic import (
     BaseModel,
     ConfigDict,
+    GetCoreSchemaHandler,
     TypeAdapter,
     ValidationError,
     ValidationInfo,
@@ -18,6 +19,7 @@ from pydantic import (
 )
 from pydantic.fields import FieldInfo
 from pydantic.functional_validators import ModelWrapValidatorHandler
+from pydantic_core import CoreSchema, core_schema
 
 from groundslab.errors import InputError
 from groundslab.schema.fields import MOST_ISSUES, FieldType, is_from_file
@@ -201,6 +203,15 @@ def get_kind(value: Any) -> str | None:
     kind = value.get("kind") if isinstance(value, Mapping) else getattr(value, "kind", None)
     # only text is returned: pydantic would print anything else, however deep it is nested
     return kind if isinstance(kind, str) else None
+
+
+class ByKind:
+    """Annotation of a union of sections, of which the kind that a table states says which one it is."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Let pydantic choose the section by its kind."""
+        choices = {part.model_fields["kind"].default: handler.generate_schema(part) for part in get_args(source)}
+        return core_schema.tagged_union_schema(choices, get_kind)
 
 
 @cache

@@ -11,10 +11,9 @@ from collections.abc import Callable
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Discriminator, Tag
 from scipy import optimize, stats
 
-from groundslab.schema.base import Check, Section, Table, get_kind
+from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Factors, Number, Text
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.ranges import Range
@@ -121,19 +120,7 @@ class Scipy(Section):
 
 
 AnyDistribution = Normal | TruncatedNormal | Lognormal | Gamma | Weibull | Gumbel | Uniform | Triangular | Beta | Scipy
-DistributionOf = Annotated[
-    Annotated[Normal, Tag("normal")]
-    | Annotated[TruncatedNormal, Tag("truncated normal")]
-    | Annotated[Lognormal, Tag("lognormal")]
-    | Annotated[Gamma, Tag("gamma")]
-    | Annotated[Weibull, Tag("weibull")]
-    | Annotated[Gumbel, Tag("gumbel")]
-    | Annotated[Uniform, Tag("uniform")]
-    | Annotated[Triangular, Tag("triangular")]
-    | Annotated[Beta, Tag("beta")]
-    | Annotated[Scipy, Tag("scipy")],
-    Discriminator(get_kind),
-]
+DistributionOf = Annotated[AnyDistribution, ByKind()]
 
 
 def distribution_of(part: AnyDistribution, read: Read) -> Any:

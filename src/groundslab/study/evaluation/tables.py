@@ -118,13 +118,8 @@ def tabulate_limit_states(sample: Samples, level: float = LEVEL) -> Table | None
 
     rows = []
     for group, limit in itertools.product(sample.groups, sample.limits):
-        output = sample.output(limit.output)
-        x = sample.there(output, group)
-        failed = int(limit.fails(x).sum())
-        row: list[Cell] = [group.label, limit.name, condition(limit, output), len(x), failed]
-        if sample.random:
-            row += _probability_cells(sample, group, limit, failed, len(x), level)[: None if aimed else -2]
-        rows.append(row)
+        cells = _limit_cells(sample, group, limit, level)
+        rows.append([group.label, limit.name, *cells[: len(heads) - 2]])
     return _tabulate(sample, "limit_states", "Limit states", heads, rows, notes)
 
 
@@ -134,14 +129,18 @@ def failure_probability(sample: Samples, group: Group, limit: Limit, level: floa
     return statistics.probability(int(limit.fails(x).sum()), len(x), level)
 
 
-def _probability_cells(sample: Samples, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
-    """Return the probability of failure, the index, the effect of missing results, and the verdict."""
+def _limit_cells(sample: Samples, group: Group, limit: Limit, level: float) -> list[Cell]:
+    """Return condition and failures; then, if chance decides, probability, index, missing results, and the verdict."""
+    output = sample.output(limit.output)
+    x = sample.there(output, group)
+    failed, n = int(limit.fails(x).sum()), len(x)
     p = statistics.probability(failed, n, level)
     lost = int(sample.drawn[group.rows].sum()) - n
     high = statistics.probability(failed + lost, n + lost, level).high
     index = -float(ndtri(p.value)) if 0 < failed < n else None
     verdict = None if limit.target is None else ("yes" if high < limit.target else "no")
-    return [*_estimate_cells(p), index, lost, high, limit.target, verdict]
+    shown = condition(limit, output)
+    return [shown, n, failed, *_estimate_cells(p), index, lost, high, limit.target, verdict]
 
 
 def tabulate_exceedance(sample: Samples, level: float = LEVEL) -> Table | None:

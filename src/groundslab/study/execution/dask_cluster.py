@@ -79,8 +79,11 @@ class Cluster:
 
     @property
     def threads(self) -> int:
-        """Return the number of threads of all current workers."""
-        return sum(self.client.nthreads().values())
+        """Return the number of threads of all current workers; raises LostScheduler."""
+        try:
+            return sum(self.client.nthreads().values())
+        except Exception as error:
+            raise _lost(error) from error
 
 
 @contextmanager
@@ -195,7 +198,7 @@ def rows(
     try:
         while True:
             if time.monotonic() - updated > UPDATE_INTERVAL:
-                updated, limit = time.monotonic(), TASKS_PER_THREAD * max(1, _count_threads(cluster))
+                updated, limit = time.monotonic(), TASKS_PER_THREAD * max(1, cluster.threads)
             room = limit - len(pending) if len(pending) <= limit // 2 else 0
             if more := list(itertools.islice(left, room)):
                 row_of = functools.partial(solve, name, known_meshes=known_meshes())
@@ -221,14 +224,6 @@ def rows(
             with suppress(Exception):
                 client.cancel(list(pending), force=True)
                 client.unregister_worker_plugin(name)
-
-
-def _count_threads(cluster: Cluster) -> int:
-    """Return the number of threads of a cluster; raises LostScheduler."""
-    try:
-        return cluster.threads
-    except Exception as error:
-        raise _lost(error) from error
 
 
 def _outcome(future: Any, number: int) -> Row | WorkerFailure:

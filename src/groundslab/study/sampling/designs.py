@@ -16,7 +16,7 @@ import numpy as np
 from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Integers
 from groundslab.study.definition.setup import Setup, Variable
 
 #: Probabilities are kept this far from 0 and 1, where distributions may be infinite.
@@ -69,25 +69,23 @@ def list_variants(setup: Setup) -> VariantList:
         return _saltelli(setup)
     if kind == "tornado":
         return VariantList(_columns(setup, _one_at_a_time(len(setup.variables))), _seeds(setup, n, 0))
-    chosen = np.array([variable.chosen for variable in setup.variables], dtype=bool)
-    if not chosen.any():
-        return VariantList(_columns(setup, unit_points(setup, len(chosen))), _seeds(setup, n, 0))
-    return _designs(setup, chosen)
+    return _designs(setup)
 
 
 def _one_at_a_time(d: int) -> Array:
     """Return points (1 + 2 d, d) in the unit cube: the middle, then two for each variable, SWING below and above."""
     points = np.full((1 + 2 * d, d), 0.5)
-    for i in range(d):
-        points[1 + 2 * i : 3 + 2 * i, i] = 0.5 - SWING, 0.5 + SWING
+    points[1::2] -= SWING * np.eye(d)
+    points[2::2] += SWING * np.eye(d)
     return points
 
 
-def _designs(setup: Setup, chosen: Flags) -> VariantList:
+def _designs(setup: Setup) -> VariantList:
     """Return the drawn variants once for each design, always the same ones, and one design after the other.
 
-    chosen (d,) says which variables the designer chooses; of these the last one changes first.
+    Of the variables that the designer chooses the last one changes first; without any there is one design.
     """
+    chosen = np.array([variable.chosen for variable in setup.variables], dtype=bool)
     count = setup.sampling.count
     assert count is not None
     points = np.full((count, len(chosen)), 0.5)
