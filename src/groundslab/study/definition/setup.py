@@ -34,13 +34,10 @@ MAX_VARIANTS = 10_000_000
 #: Expected number of values outside a key's range above which a study warns.
 MAX_OUTSIDE = 0.5
 
-#: Constants of the ground that a random field can multiply, by the kind of ground.
-_GROUND_CONSTANTS = {
-    "winkler": ("ground.k",),
-    "pasternak": ("ground.k0", "ground.k1"),
-    "vlasov": ("ground.layers[1].E", "..."),
-    "layered": ("ground.layers[1].E", "ground.layers[1].k0", "..."),
-}
+#: A constant of the ground that a random field can multiply, by the kind of ground.
+_GROUND_CONSTANTS = {"winkler": "ground.k", "pasternak": "ground.k0"} | dict.fromkeys(
+    ("vlasov", "layered"), "ground.layers[1].E"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,7 +232,7 @@ def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Any
 
 def _field(field: schema.RandomField, model: Model) -> Field:
     """Return a random field; raises FieldError."""
-    expected = f"a constant of the ground such as {_GROUND_CONSTANTS[model.ground.kind][0]}"
+    expected = f"a constant of the ground such as {_GROUND_CONSTANTS[model.ground.kind]}"
     with issues_below("path"):
         place = place_of(model, field.path)
     last = place.steps[-1]

@@ -9,7 +9,6 @@ import numpy as np
 
 from groundslab.schema.fields import Quantity
 from groundslab.study.evaluation.samples import PURE, RANDOM, Input, Output, Samples, choose_unit
-from groundslab.study.execution import store
 from groundslab.study.execution.variant import SOLVED
 
 if TYPE_CHECKING:
@@ -27,8 +26,8 @@ def read_samples(study: Study) -> Samples:
         names = kept.columns.scalars
         rows = kept.rows(names)
     table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in names]
-    number, status, reason, message, seconds = table[: len(store.FIXED)]
-    own = iter(table[len(store.FIXED) :])
+    number, status, reason, message, seconds, *columns = table
+    own = iter(columns)
     return Samples(
         kind=setup.sampling.kind,
         seed=setup.seed,
@@ -37,7 +36,7 @@ def read_samples(study: Study) -> Samples:
         seconds=np.array(seconds, dtype=float),
         inputs=(
             *(_input(variable, next(own), setup) for variable in setup.variables),
-            *(_labelled(field.name, next(own)) for field in setup.fields),
+            *(_label(field.name, next(own)) for field in setup.fields),
         ),
         outputs=tuple(_output(each, next(own)) for each in setup.scalar_outputs),
         limits=setup.limits,
@@ -55,7 +54,7 @@ def _failure_reason(status: str, reason: str, message: str) -> str:
 def _input(variable: Variable, values: Sequence[Any], setup: Setup) -> Input:
     """Return a variable with its values."""
     if any(isinstance(value, bool) or not isinstance(value, numbers.Real) for value in values):
-        return _labelled(variable.name, values, variable.chosen)
+        return _label(variable.name, values, variable.chosen)
     key, numeric = variable.place.key, np.array(values, dtype=float)
     dimension = key.dimension if isinstance(key, Quantity) and not variable.times else None
     density = None
@@ -64,7 +63,7 @@ def _input(variable: Variable, values: Sequence[Any], setup: Setup) -> Input:
     return Input(variable.name, choose_unit(dimension, numeric), numeric, density, variable.chosen)
 
 
-def _labelled(name: str, values: Sequence[Any], chosen: bool = False) -> Input:
+def _label(name: str, values: Sequence[Any], chosen: bool = False) -> Input:
     """Return an input that is not a number, numbered in the order in which its values first occur."""
     labels = tuple(map(str, values))
     number = {label: place for place, label in enumerate(dict.fromkeys(labels))}

@@ -101,10 +101,7 @@ def exceedance(x: Array, level: float = LEVEL, *, below: bool = False) -> tuple[
     itself, not for the curve as a whole.
     """
     n, ordered = len(x), np.sort(x)
-    if below:
-        beyond = np.searchsorted(ordered, ordered, side="left")
-    else:
-        beyond = n - np.searchsorted(ordered, ordered, side="right")
+    beyond = rankdata(ordered, "min") - 1 if below else n - rankdata(ordered, "max")
     return ordered, *wilson(beyond, n, level)
 
 
