@@ -177,12 +177,9 @@ def _scalar_quantity(output: RequestedOutput, results: CombinationResult) -> flo
     """Return one of SCALARS of a combination's results."""
     certificate, constants = results.certificate, results.constants
     match output.of:
-        case "load":
-            return certificate.load
-        case "reaction":
-            return certificate.reaction
-        case "margin effect":
-            return certificate.margin_effect
+        case "load" | "reaction" | "margin effect":
+            value: float | None = getattr(certificate, output.of.replace(" ", "_"))
+            return value
         case "settlement difference":
             return float(np.ptp(results.plate.settlement))
         case "in contact":
@@ -242,7 +239,7 @@ def _required_bars(results: CombinationResult, name: str, design: Any, thickness
     assert steel is not None
     concrete, bars = materials(steel)
     found = slab(design, thickness, Axes(*steel.bottom, *steel.top), concrete, bars)
-    layers = {layer: getattr(found, layer) for layer in ("bottom_x", "bottom_y", "top_x", "top_y")}
+    layers = {layer: getattr(found, layer) for layer in LAYERS}
     wanted = name.removeprefix("reinforcement").strip().replace(" ", "_")
     area: Array = layers[wanted] if wanted else np.max(list(layers.values()), axis=0)
     return area

@@ -12,7 +12,7 @@ from scipy.special import ndtr
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
 from groundslab.schema.wording import describe, one_of, suggestion
-from groundslab.study.evaluation.samples import Input, Output, condition, show_value
+from groundslab.study.evaluation.samples import Input, Output, condition, read_samples, show_value
 from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
@@ -170,7 +170,6 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     >>> found.point.beta  # doctest: +SKIP
     1.72
     """
-    from groundslab.study.evaluation import from_study
     from groundslab.study.evaluation import tables as evaluation
     from groundslab.study.evaluation.study import Study
 
@@ -178,7 +177,7 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     setup = study.setup
     limit = _limit(setup, limit_state)
     point = design_point(margin_of(setup, limit), setup.correlation)
-    sample = from_study.read_samples(study)
+    sample = read_samples(study)
     inputs = tuple(
         Input(each.name, each.unit, np.array([value]))
         for each, value in zip(sample.inputs, values_of(setup, point.scores), strict=True)

@@ -91,7 +91,9 @@ class Worker:
         try:
             model, names = self._model(variant.values)
             with factorization.one_thread():
-                combined = self._solve(model, self._factors(variant.seeds))
+                fields = zip(self._setup.fields, variant.seeds, strict=True)
+                factors = {each.path: random_fields.factors(each, seed) for each, seed in fields}
+                combined = self._solve(model, factors)
             failure: GroundslabError | None = next(iter(combined.refused.values()), None)
         except GroundslabError as error:
             failure = error
@@ -138,12 +140,6 @@ class Worker:
         chosen = tuple(there[n] for n in self._solved)
         reinforcement = model.reinforcement if has_ultimate_combination(chosen, None) else None
         return model.replace(combinations=chosen, combine=None, reinforcement=reinforcement)
-
-    def _factors(self, seeds: Sequence[int]) -> dict[str, Any]:
-        """Return the random fields of a variant by the constants of the ground that they multiply."""
-        return {
-            each.path: random_fields.factors(each, seed) for each, seed in zip(self._setup.fields, seeds, strict=True)
-        }
 
     def _solver(self) -> Callable[[Model, dict[str, Any]], Results]:
         """Return the function that solves a variant of the case."""
