@@ -12,7 +12,7 @@ from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
 from groundslab.design.reinforcement import Concrete
 from groundslab.study.definition import files
-from groundslab.study.evaluation.form import Margin, design_point, values_of
+from groundslab.study.evaluation.form import design_point, margin_of, values_of
 from groundslab.study.execution.variant import Worker
 from groundslab.study.sampling.designs import list_variants
 from helpers.paths import EXAMPLES
@@ -83,7 +83,7 @@ def test_the_design_point_that_the_page_quotes() -> None:
     pytest.importorskip("openturns")
     setup = files.read(STUDIES / "first_plate_reliability.toml").setup
     (limit,) = setup.limits
-    point = design_point(Margin(setup, limit), setup.correlation)
+    point = design_point(margin_of(setup, limit), setup.correlation)
     values = values_of(setup, point.scores)
     page = re.sub(r"\s+", " ", (STUDIES.parents[1] / "docs" / "study-results.md").read_text(encoding="utf-8"))
     assert f"first order, {point.solves} solutions | {point.probability:.4f} | beta = {point.beta:.3f} |" in page

@@ -129,9 +129,9 @@ def _describe_variable(variable: Variable) -> str:
     if variable.distribution is None:
         parts.append(f"{len(variable.values or ())} values")
     else:
-        frozen = variable.distribution.frozen
-        parts.append(f"{variable.distribution.name}, mean {frozen.mean():.5g} {variable.unit}".strip())
-        parts.append(f"standard deviation {frozen.std():.5g} {variable.unit}".strip())
+        found = variable.distribution
+        parts.append(f"{found.dist.name}, mean {found.mean():.5g} {variable.unit}".strip())
+        parts.append(f"standard deviation {found.std():.5g} {variable.unit}".strip())
     return ", ".join(filter(None, parts))
 
 

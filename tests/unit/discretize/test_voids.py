@@ -12,7 +12,7 @@ from groundslab.design.tables import tables_of
 from groundslab.fem.shape_functions import areas
 from groundslab.results.results import results_of
 from groundslab.results.soil_profile import crossed_borders
-from groundslab.study.definition.outputs import Output, scalar_of
+from groundslab.study.definition.outputs import RequestedOutput, scalar_of
 from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.summary import sections
 from groundslab.views.summary.json_summary import to_json
@@ -71,7 +71,7 @@ def test_all_readers_give_the_same_contact() -> None:
     data = plate_mesh(results).point_data
     share = data["area of the node in contact [m2]"].sum() / data["area of the node [m2]"].sum()
     assert share == pytest.approx(22 / 24)
-    output = Output("share", "in contact", None, None, None, "", "", None)
+    output = RequestedOutput(name="share", of="in contact")
     assert scalar_of(output, combined, list(combined.results)) == pytest.approx(22 / 24)
     texts = [cell for table in tables_of(combined) for row in table.rows() for cell in row if isinstance(cell, float)]
     assert any(value == pytest.approx(100 * 22 / 24) for value in texts)

@@ -11,7 +11,7 @@ from scipy import stats
 from groundslab import Model, Plate, PointLoad, Winkler
 from groundslab.analysis.driver import solve_combinations
 from groundslab.errors import InputError
-from groundslab.study.definition.outputs import Output, nodal_values_of, scalar_of
+from groundslab.study.definition.outputs import RequestedOutput, nodal_values_of, scalar_of
 from groundslab.study.definition.schema import StudyFile
 from groundslab.study.definition.setup import Setup, setup_of
 from groundslab.study.sampling.designs import list_variants
@@ -52,7 +52,7 @@ def test_tornado_takes_one_variable_after_the_other() -> None:
     """Of d variables there are 1 + 2 d variants: the medians, then each one's 10 % and 90 % quantile by itself."""
     setup = described("tornado", [K, P])
     made = list_variants(setup)
-    k, p = (variable.distribution.frozen for variable in setup.variables if variable.distribution is not None)
+    k, p = (variable.distribution for variable in setup.variables if variable.distribution is not None)
     assert setup.count == len(made) == 5
     assert made.values[0] == pytest.approx(k.ppf([0.5, 0.1, 0.9, 0.5, 0.5]), rel=1e-12)
     assert made.values[1] == pytest.approx(p.ppf([0.5, 0.5, 0.5, 0.1, 0.9]), rel=1e-12)
@@ -111,7 +111,7 @@ def test_tensile_stress_and_settlement_difference() -> None:
 
     def kept(of: str, take: Any, x: float | None = None, y: float | None = None) -> Any:
         made = nodal_values_of if take == "everywhere" else scalar_of
-        return made(Output("s", of, take, x, y, "", "", None), combined, names)
+        return made(RequestedOutput(name="s", of=of, take=take, x=x, y=y), combined, names)
 
     stress = kept("tensile stress", "everywhere")
     assert stress[inside] == pytest.approx(6 * m[inside] / 0.6**2, rel=1e-12)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy import stats
 
 import groundslab
 from groundslab.case import casefile
@@ -14,7 +15,6 @@ from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.study.definition import outputs
-from groundslab.study.definition.distributions import Distribution
 from groundslab.study.definition.setup import Field
 from groundslab.study.execution import variant
 from groundslab.study.sampling import designs, random_fields
@@ -34,10 +34,9 @@ class TestOutputs:
     combined = solved(CASE + '[reinforcement]\nf_ck = "30 MPa"\nf_yk = "500 MPa"\nbottom = ["40 mm", "50 mm"]\n'
                       'top = ["40 mm", "50 mm"]\n')  # fmt: skip
 
-    def output(self, of: str, take: str | None = None, **more: object) -> outputs.Output:
+    def output(self, of: str, take: str | None = None, **more: object) -> outputs.RequestedOutput:
         """Return an output."""
-        given = {"x": None, "y": None, "combination": "", "support": "", "layer": None} | more
-        return outputs.Output(name=of, of=of, statistic=take, **given)  # type: ignore[arg-type]
+        return outputs.RequestedOutput(name=of, of=of, take=take, **more)  # type: ignore[arg-type]
 
     def test_fields_of_the_plate(self) -> None:
         """Largest, smallest and value at a node are those of the result's own arrays, the worst over combinations."""
@@ -242,7 +241,7 @@ correlation_length = "2 m"
     @pytest.mark.parametrize("model", ["gaussian", "exponential", "matern32"])
     def test_correlation(self, model: str) -> None:
         """Over 1000 seeds the scores have mean 0, variance 1 and the formula's correlation, along x and along y."""
-        field = Field("f", "ground.k", Distribution("norm", (("loc", 1.0), ("scale", 0.1))), (4.0, 1.0), model)
+        field = Field("f", "ground.k", stats.norm(loc=1.0, scale=0.1), (4.0, 1.0), model)
         x, y = np.array([[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [0.0, 0.5], [0.0, 1.0], [8.0, 2.0]]).T
         drawn = np.array([random_fields.scores(field, seed)(x, y) for seed in range(1000)])
         r = np.hypot((x[:, None] - x) / 4, (y[:, None] - y) / 1)
@@ -259,7 +258,7 @@ correlation_length = "2 m"
     @pytest.mark.parametrize("model", ["gaussian", "exponential", "matern32"])
     def test_correlation_of_the_library(self, model: str) -> None:
         """The library's own correlation is the formula's, so that the length means what the page says."""
-        field = Field("f", "ground.k", Distribution("norm", ()), (3.0, 3.0), model)
+        field = Field("f", "ground.k", stats.norm(), (3.0, 3.0), model)
         r = np.linspace(0, 3, 31)
         formulas = {
             "gaussian": np.exp(-(r**2)), "exponential": np.exp(-r),

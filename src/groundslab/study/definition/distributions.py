@@ -7,15 +7,13 @@ follow from the moments (Johnson, Kotz and Balakrishnan 1994, Johnson, Kotz and 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Callable
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Discriminator, Tag
+from scipy import optimize, stats
 
-from groundslab.schema.base import Check, Section, Table, get_kind
+from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Factors, Number, Text
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.ranges import Range
@@ -33,14 +31,10 @@ Low = Annotated[Raw, Amount("a", "smallest value")]
 High = Annotated[Raw, Amount("b", "largest value")]
 
 
-def _cov_or_std(cov: float | None, std: Raw | None) -> Iterator[RelativeIssue]:
-    yield from require_one(cov=cov, std=std)
-
-
 class _Moments(Section):
     """A distribution by its mean and its standard deviation or coefficient of variation."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_cov_or_std,)
+    checks: ClassVar[tuple[Check, ...]] = (require_one("cov", "std"),)
 
     kind: str
     mean: Annotated[Raw, Amount("mu", "mean")]
@@ -126,38 +120,11 @@ class Scipy(Section):
 
 
 AnyDistribution = Normal | TruncatedNormal | Lognormal | Gamma | Weibull | Gumbel | Uniform | Triangular | Beta | Scipy
-DistributionOf = Annotated[
-    Annotated[Normal, Tag("normal")]
-    | Annotated[TruncatedNormal, Tag("truncated normal")]
-    | Annotated[Lognormal, Tag("lognormal")]
-    | Annotated[Gamma, Tag("gamma")]
-    | Annotated[Weibull, Tag("weibull")]
-    | Annotated[Gumbel, Tag("gumbel")]
-    | Annotated[Uniform, Tag("uniform")]
-    | Annotated[Triangular, Tag("triangular")]
-    | Annotated[Beta, Tag("beta")]
-    | Annotated[Scipy, Tag("scipy")],
-    Discriminator(get_kind),
-]
+DistributionOf = Annotated[AnyDistribution, ByKind()]
 
 
-@dataclass(frozen=True)
-class Distribution:
-    """A distribution by its name in scipy.stats and its parameters there, in SI units."""
-
-    name: str
-    parameters: tuple[tuple[str, float], ...]
-
-    @cached_property
-    def frozen(self) -> Any:
-        """SciPy's frozen distribution."""
-        from scipy import stats
-
-        return getattr(stats, self.name)(**dict(self.parameters))
-
-
-def distribution_of(part: AnyDistribution, read: Read) -> Distribution:
-    """Return the distribution that a section describes, its amounts read by `read`; raises FieldError."""
+def distribution_of(part: AnyDistribution, read: Read) -> Any:
+    """Return SciPy's frozen distribution of a section, its amounts in SI units read by `read`; raises FieldError."""
     if isinstance(part, Scipy):
         return _from_scipy(part)
     amounts = _read_amounts(part, read)
@@ -165,24 +132,24 @@ def distribution_of(part: AnyDistribution, read: Read) -> Distribution:
     if not low < high:
         raise FieldError(RelativeIssue(("high",), f"{high:g}, where low is {low:g}", "more than low"))
     if isinstance(part, Uniform):
-        return _named("uniform", loc=low, scale=high - low)
+        return stats.uniform(loc=low, scale=high - low)
     if isinstance(part, Triangular):
         mode = amounts["mode"]
         if not low <= mode <= high:
             raise FieldError(RelativeIssue(("mode",), f"{mode:g}", f"a value from {low:g} to {high:g}"))
-        return _named("triang", c=(mode - low) / (high - low), loc=low, scale=high - low)
+        return stats.triang(c=(mode - low) / (high - low), loc=low, scale=high - low)
     if part.cov is not None and mean == 0:
         raise FieldError(RelativeIssue(("cov",), repr(part.cov), "std, as the mean is 0"))
     std = part.cov * abs(mean) if part.cov is not None else amounts["std"]
     if not std > 0:
         raise FieldError(RelativeIssue(("std",), f"{std:g}", "more than 0"))
     if isinstance(part, Normal):
-        return _named("norm", loc=mean, scale=std)
+        return stats.norm(loc=mean, scale=std)
     if isinstance(part, TruncatedNormal):
-        return _named("truncnorm", a=(low - mean) / std, b=(high - mean) / std, loc=mean, scale=std)
+        return stats.truncnorm(a=(low - mean) / std, b=(high - mean) / std, loc=mean, scale=std)
     if isinstance(part, Gumbel):
         scale = std * math.sqrt(6) / math.pi
-        return _named("gumbel_r", loc=mean - np.euler_gamma * scale, scale=scale)
+        return stats.gumbel_r(loc=mean - np.euler_gamma * scale, scale=scale)
     if isinstance(part, Beta):
         return _beta(mean, std, low, high)
     if not mean > 0:
@@ -203,11 +170,7 @@ def _read_amounts(part: AnyDistribution, read: Read) -> dict[str, float]:
     return found
 
 
-def _named(name: str, **parameters: float) -> Distribution:
-    return Distribution(name, tuple(parameters.items()))
-
-
-def _beta(mean: float, std: float, low: float, high: float) -> Distribution:
+def _beta(mean: float, std: float, low: float, high: float) -> Any:
     """Return the beta distribution with given moments on (low, high) (Johnson, Kotz and Balakrishnan 1995, 25)."""
     if not low < mean < high:
         raise FieldError(RelativeIssue(("mean",), f"{mean:g}", f"a value between {low:g} and {high:g}"))
@@ -218,23 +181,22 @@ def _beta(mean: float, std: float, low: float, high: float) -> Distribution:
             RelativeIssue((), f"a standard deviation of {std:g}", f"less than {most:g} with this mean and ends")
         )
     nu = m * (1 - m) / v - 1
-    return _named("beta", a=m * nu, b=(1 - m) * nu, loc=low, scale=high - low)
+    return stats.beta(a=m * nu, b=(1 - m) * nu, loc=low, scale=high - low)
 
 
-def _positive(part: AnyDistribution, mean: float, cov: float) -> Distribution:
+def _positive(part: AnyDistribution, mean: float, cov: float) -> Any:
     """Return a distribution on the positive numbers by its mean and its coefficient of variation."""
     if isinstance(part, Lognormal):
         variance = math.log1p(cov**2)
-        return _named("lognorm", s=math.sqrt(variance), scale=mean * math.exp(-variance / 2))
+        return stats.lognorm(s=math.sqrt(variance), scale=mean * math.exp(-variance / 2))
     if isinstance(part, Gamma):
-        return _named("gamma", a=cov**-2, scale=mean * cov**2)
+        return stats.gamma(a=cov**-2, scale=mean * cov**2)
     shape = _weibull_shape(cov)
-    return _named("weibull_min", c=shape, scale=mean / math.gamma(1 + 1 / shape))
+    return stats.weibull_min(c=shape, scale=mean / math.gamma(1 + 1 / shape))
 
 
 def _weibull_shape(cov: float) -> float:
     """Return c with 1 + cov^2 = Gamma(1 + 2/c) / Gamma(1 + 1/c)^2 (Johnson, Kotz and Balakrishnan 1994, 21)."""
-    from scipy.optimize import brentq
 
     def off(log_c: float) -> float:
         c = math.exp(log_c)
@@ -246,19 +208,17 @@ def _weibull_shape(cov: float) -> float:
         raise FieldError(
             RelativeIssue((), f"a cov of {cov:g}", "one between 0.0002 and 1000 for Weibull's distribution")
         )
-    return math.exp(float(brentq(off, low, high, xtol=1e-14)))
+    return math.exp(float(optimize.brentq(off, low, high, xtol=1e-14)))
 
 
-def _from_scipy(part: Scipy) -> Distribution:
+def _from_scipy(part: Scipy) -> Any:
     """Return a distribution of scipy.stats by its own name and parameters."""
-    from scipy import stats
-
     known = [name for name in dir(stats) if isinstance(getattr(stats, name), stats.rv_continuous)]
     if part.name not in known:
         expected = "a continuous distribution of scipy.stats"
         raise FieldError(RelativeIssue(("name",), describe(part.name), expected, suggestion(part.name, known)))
-    found = Distribution(part.name, part.parameters)
-    shapes = getattr(stats, part.name).shapes
+    family = getattr(stats, part.name)
+    shapes = family.shapes
     names = [*(shapes.split(", ") if shapes else []), "loc", "scale"]
     for name, _ in part.parameters:
         if name not in names:
@@ -269,7 +229,8 @@ def _from_scipy(part: Scipy) -> Distribution:
     missing = [name for name in names[:-2] if name not in dict(part.parameters)]
     if missing:
         raise FieldError(RelativeIssue(("parameters",), f"none called {missing[0]}", f"all of {', '.join(names[:-2])}"))
-    if not math.isfinite(float(found.frozen.ppf(0.5))):
+    found = family(**dict(part.parameters))
+    if not math.isfinite(float(found.ppf(0.5))):
         raise FieldError(
             RelativeIssue(("parameters",), "parameters outside their range", "those that scipy.stats takes")
         )

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from groundslab.schema.fields import FieldType, ListOf
 from groundslab.schema.issues import field_error
-from groundslab.schema.wording import quote
 
 #: A value as the file or Python gives it, before its key is known.
 Raw = str | float | int | bool | tuple[Any, ...]
@@ -35,14 +35,6 @@ class Amount(FieldType):
         """Return where the unit comes from."""
         return f"a value {self.like}"
 
-    def write(self, value: Raw) -> str:
-        """Return the value as TOML."""
-        if isinstance(value, tuple):
-            return f"[{', '.join(map(self.write, value))}]"
-        if isinstance(value, bool):
-            return "true" if value else "false"
-        return quote(value) if isinstance(value, str) else repr(value)
-
     def type_text(self) -> str:
         """Return where the unit comes from."""
         return self.like
@@ -53,39 +45,29 @@ class Amount(FieldType):
 
 
 @dataclass(frozen=True)
-class OneOrTwo(FieldType):
+class OneOrTwo(ListOf):
     """One value for both directions, or two, along x and along y; kept as a pair."""
 
-    each: FieldType
-    symbol: str
-    meaning: str
+    length: int | None = 2
 
-    def read(self, value: Any, from_file: bool) -> tuple[Any, Any]:
+    def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
         """Return the pair."""
         if isinstance(value, list | tuple):
-            x, y = ListOf(self.each, "", "", 2).read(value, from_file)
-            return x, y
-        one = self.each.read(value, from_file)
-        return one, one
+            return super().read(value, from_file)
+        return (self.each.read(value, from_file),) * 2
 
     def expected(self) -> str:
         """Return both ways to write it."""
         return f"{self.each.expected()}, or a list of two, along x and y"
 
-    def write(self, value: tuple[Any, Any]) -> str:
+    def write(self, value: Sequence[Any]) -> str:
         """Return one value if both are the same, else the list."""
-        x, y = map(self.each.write, value)
-        return x if x == y else f"[{x}, {y}]"
+        return self.each.write(value[0]) if value[0] == value[1] else super().write(value)
 
     def type_text(self) -> str:
         """Return what each is."""
         return f"{self.each.type_text()}, or a list of two"
 
-    def range_text(self) -> str:
-        """Return each one's range."""
-        return self.each.range_text()
-
     def json_schema(self) -> dict[str, Any]:
         """Return one or an array of two."""
-        each = self.each.json_schema()
-        return {"anyOf": [each, {"type": "array", "items": each, "minItems": 2, "maxItems": 2}]}
+        return {"anyOf": [self.each.json_schema(), super().json_schema()]}

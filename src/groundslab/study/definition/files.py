@@ -26,19 +26,10 @@ class StudyInput:
     setup: Setup
 
     @property
-    def study_sha256(self) -> str:
-        """Return the SHA-256 of the study file's text."""
-        return sha256(self.study_text)
-
-    @property
-    def case_sha256(self) -> str:
-        """Return the SHA-256 of the case file's text."""
-        return sha256(self.case_text)
-
-
-def sha256(text: str) -> str:
-    """Return the SHA-256 of a text in UTF-8."""
-    return hashlib.sha256(text.encode()).hexdigest()
+    def checksums(self) -> dict[str, str]:
+        """Return the SHA-256 of both texts in UTF-8, as about.json calls them."""
+        texts = {"study_sha256": self.study_text, "case_sha256": self.case_text}
+        return {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
 
 
 def read(path: str | Path, case: Model | str | Path | None = None) -> StudyInput:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from inspect import Parameter, Signature
 
+from groundslab.schema.base import Check
 from groundslab.schema.issues import FieldError, RelativeIssue
 
 
@@ -20,9 +22,14 @@ def issues_below(*place: str | int, collected: list[RelativeIssue] | None = None
         collected += issues
 
 
-def require_one(**given: object) -> Iterator[RelativeIssue]:
-    """Yield an issue unless exactly one of two keys is given."""
-    one, other = given
-    if sum(value is not None for value in given.values()) != 1:
-        found = f"neither {one} nor {other}" if given[one] is None else f"both {one} and {other}"
-        yield RelativeIssue((), found, f"exactly one of {one} and {other}")
+def require_one(one: str, other: str) -> Check:
+    """Return the check of a section that exactly one of two keys is given."""
+
+    def check(**given: object) -> Iterator[RelativeIssue]:
+        if sum(value is not None for value in given.values()) != 1:
+            found = f"neither {one} nor {other}" if given[one] is None else f"both {one} and {other}"
+            yield RelativeIssue((), found, f"exactly one of {one} and {other}")
+
+    keys = [Parameter(name, Parameter.KEYWORD_ONLY) for name in (one, other)]
+    check.__signature__ = Signature(keys)  # type: ignore[attr-defined]
+    return check

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -13,7 +12,8 @@ from groundslab.design.tilt import tilt
 from groundslab.errors import InputError, Issue
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
-from groundslab.schema.fields import FieldType, Number, Quantity
+from groundslab.schema.base import Section
+from groundslab.schema.fields import Choice, FieldType, Integer, Number, Quantity, Text
 from groundslab.units import DIMENSIONS
 
 if TYPE_CHECKING:
@@ -22,11 +22,9 @@ if TYPE_CHECKING:
 Statistic = Literal["largest", "smallest", "mean", "at", "everywhere"]
 
 
-@dataclass(frozen=True, slots=True)
-class OutputQuantity:
-    """A quantity that can be kept: its name, its dimension (empty for a pure number), its meaning."""
+class OutputQuantity(NamedTuple):
+    """A quantity that can be kept: its dimension (empty for a pure number), its meaning."""
 
-    name: str
     dimension: str
     meaning: str
 
@@ -39,21 +37,18 @@ _STEEL = "area per length"
 
 #: Fields, by name.
 FIELDS: dict[str, OutputQuantity] = {
-    each.name: each
-    for each in (
-        *(
-            OutputQuantity(name, RANGED_FIELDS[field].dimension, RANGED_FIELDS[field].meaning)
-            for name, field in _RESULT_FIELDS.items()
-        ),
-        OutputQuantity("shear", "force per length", "transverse shear force in its own direction, never negative"),
-        OutputQuantity("tensile stress", "pressure", "largest tension by bending at either face, 6 m / t^2"),
-        OutputQuantity("reinforcement bottom x", _STEEL, "bars along x at the bottom by EN 1992-1-1, infinite where "
-             "the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
-        OutputQuantity("reinforcement bottom y", _STEEL, "the same along y"),
-        OutputQuantity("reinforcement top x", _STEEL, "the same along x at the top"),
-        OutputQuantity("reinforcement top y", _STEEL, "the same along y at the top"),
-        OutputQuantity("reinforcement", _STEEL, "the largest of these four"),
-    )
+    **{
+        name: OutputQuantity(RANGED_FIELDS[field].dimension, RANGED_FIELDS[field].meaning)
+        for name, field in _RESULT_FIELDS.items()
+    },
+    "shear": OutputQuantity("force per length", "transverse shear force in its own direction, never negative"),
+    "tensile stress": OutputQuantity("pressure", "largest tension by bending at either face, 6 m / t^2"),
+    "reinforcement bottom x": OutputQuantity(_STEEL, "bars along x at the bottom by EN 1992-1-1, infinite where "
+        "the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
+    "reinforcement bottom y": OutputQuantity(_STEEL, "the same along y"),
+    "reinforcement top x": OutputQuantity(_STEEL, "the same along x at the top"),
+    "reinforcement top y": OutputQuantity(_STEEL, "the same along y at the top"),
+    "reinforcement": OutputQuantity(_STEEL, "the largest of these four"),
 }  # fmt: skip
 
 #: Fields that depend on the thickness of the plate.
@@ -61,38 +56,54 @@ _NEEDS_THICKNESS = {name for name in FIELDS if name.startswith("reinforcement")}
 
 #: Quantities of the whole plate, by name.
 SCALARS: dict[str, OutputQuantity] = {
-    each.name: each
-    for each in (
-        OutputQuantity("load", "force", "sum of the loads"),
-        OutputQuantity("reaction", "force", "sum of the reactions of ground and supports"),
-        OutputQuantity("settlement difference", "length", "largest settlement less the smallest"),
-        OutputQuantity("in contact", "", "share of the plate's area that rests on the ground"),
-        OutputQuantity("tilt", "slope", "largest slope of the plane that fits the settlement best"),
-        OutputQuantity("tilt x", "slope", "its slope along x, positive where the side of larger x is lower"),
-        OutputQuantity("tilt y", "slope", "its slope along y"),
-        OutputQuantity("deflection", "length", "deflection of the largest size from that plane, positive downwards"),
-        OutputQuantity("support force", "force", "force of the support named by support, upwards positive"),
-        OutputQuantity("k0", "pressure per length", "final stiffness of a layer against compression"),
-        OutputQuantity("k1", "pressure times length", "stiffness of a layer against shear"),
-        OutputQuantity("gamma", "", "decay of the mode over the depth; none if the ground has no such mode"),
-        OutputQuantity("margin effect", "", "largest change of the settlement when the margin of infinite ground is "
-         "wider, over the largest settlement; none if the ground is not infinite"),
-    )
+    "load": OutputQuantity("force", "sum of the loads"),
+    "reaction": OutputQuantity("force", "sum of the reactions of ground and supports"),
+    "settlement difference": OutputQuantity("length", "largest settlement less the smallest"),
+    "in contact": OutputQuantity("", "share of the plate's area that rests on the ground"),
+    "tilt": OutputQuantity("slope", "largest slope of the plane that fits the settlement best"),
+    "tilt x": OutputQuantity("slope", "its slope along x, positive where the side of larger x is lower"),
+    "tilt y": OutputQuantity("slope", "its slope along y"),
+    "deflection": OutputQuantity("length", "deflection of the largest size from that plane, positive downwards"),
+    "support force": OutputQuantity("force", "force of the support named by support, upwards positive"),
+    "k0": OutputQuantity("pressure per length", "final stiffness of a layer against compression"),
+    "k1": OutputQuantity("pressure times length", "stiffness of a layer against shear"),
+    "gamma": OutputQuantity("", "decay of the mode over the depth; none if the ground has no such mode"),
+    "margin effect": OutputQuantity("", "largest change of the settlement when the margin of infinite ground is "
+        "wider, over the largest settlement; none if the ground is not infinite"),
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Output:
-    """A result that is kept of each variant."""
+class RequestedOutput(Section):
+    """A result to be kept of each variant."""
 
-    name: str
-    of: str  # name in FIELDS or SCALARS
-    statistic: Statistic | None
-    x: float | None
-    y: float | None
-    combination: str  # empty: all
-    support: str
-    layer: int | None
+    name: Annotated[str, Text("its name; made of what it is by default")] = ""
+    of: Annotated[str, Text("a field of the plate or a figure, see below")]
+    take: Annotated[
+        Statistic | None,
+        Choice(Statistic, "what to take of a field: its largest or smallest value, its mean over the area, the "
+               "value at a place, or all nodal values"),
+    ] = None  # fmt: skip
+    x: Annotated[float | None, Quantity("length", "x", "place, for at")] = None
+    y: Annotated[float | None, Quantity("length", "y", "place, for at")] = None
+    combination: Annotated[
+        str, Text("combination that it is of; by default all of them, and of these the worst one's")
+    ] = ""
+    support: Annotated[str, Text("name of the support, for support force")] = ""
+    layer: Annotated[int | None, Integer("layer of the ground from the top, for k0 and k1")] = None
+
+    @property
+    def column(self) -> str:
+        """Return its name in the study and its table."""
+        if self.name:
+            return self.name
+        words = [self.take or "", self.of]
+        if self.take == "at":
+            words = [self.of, f"at ({self.x:g}, {self.y:g}) m" if None not in (self.x, self.y) else ""]
+        if self.take == "everywhere":
+            words = [self.of, "everywhere"]
+        words += [f"of {self.support}" if self.support else "", f"of layer {self.layer}" if self.layer else ""]
+        words.append(f"under {self.combination}" if self.combination else "")
+        return " ".join(filter(None, words))
 
     @property
     def dimension(self) -> str:
@@ -117,10 +128,10 @@ class Output:
     @property
     def everywhere(self) -> bool:
         """Return whether all nodal values of the field are kept."""
-        return self.statistic == "everywhere"
+        return self.take == "everywhere"
 
 
-def scalar_of(output: Output, combined: Results, names: Sequence[str]) -> float | None:
+def scalar_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -> float | None:
     """Return the number that is kept of a variant, in SI units; None if a combination that it needs has none.
 
     `names` are the combinations that it is of. Of several the worst one's is taken: the largest of the largest, the
@@ -130,12 +141,12 @@ def scalar_of(output: Output, combined: Results, names: Sequence[str]) -> float 
     there = [value for value in values if value is not None]
     if len(there) < len(values):
         return None
-    if output.statistic == "largest":
+    if output.take == "largest":
         return max(there)
-    return min(there) if output.statistic == "smallest" else max(there, key=abs)
+    return min(there) if output.take == "smallest" else max(there, key=abs)
 
 
-def nodal_values_of(output: Output, combined: Results, names: Sequence[str]) -> Array | None:
+def nodal_values_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -> Array | None:
     """Return the nodal values that are kept of a variant (n,), in SI units; None if a combination has no results.
 
     Of several combinations each node has the value of the largest size, with its sign.
@@ -147,31 +158,28 @@ def nodal_values_of(output: Output, combined: Results, names: Sequence[str]) -> 
     return worst
 
 
-def _scalar(output: Output, results: CombinationResult) -> float | None:
+def _scalar(output: RequestedOutput, results: CombinationResult) -> float | None:
     """Return the number that is kept of a combination's results."""
     if output.of in SCALARS:
         return _scalar_quantity(output, results)
-    if output.statistic == "at":
+    if output.take == "at":
         return _value_at(results, output)
     values, weights = field_of(results, output.of), results.plate.area
     if output.of == "line force":
         on_edge = results.plate.edge_length > 0
         values, weights = values[on_edge], results.plate.edge_length[on_edge]
-    if output.statistic == "mean":
+    if output.take == "mean":
         return float(values @ weights / weights.sum())
-    return float(values.max() if output.statistic == "largest" else values.min())
+    return float(values.max() if output.take == "largest" else values.min())
 
 
-def _scalar_quantity(output: Output, results: CombinationResult) -> float | None:
+def _scalar_quantity(output: RequestedOutput, results: CombinationResult) -> float | None:
     """Return one of SCALARS of a combination's results."""
     certificate, constants = results.certificate, results.constants
     match output.of:
-        case "load":
-            return certificate.load
-        case "reaction":
-            return certificate.reaction
-        case "margin effect":
-            return certificate.margin_effect
+        case "load" | "reaction" | "margin effect":
+            value: float | None = getattr(certificate, output.of.replace(" ", "_"))
+            return value
         case "settlement difference":
             return float(np.ptp(results.plate.settlement))
         case "in contact":
@@ -191,7 +199,7 @@ def field_of(results: CombinationResult, name: str) -> Array:
     return _derive(results, name, fields_of(results.plate), thickness)
 
 
-def _value_at(results: CombinationResult, output: Output) -> float:
+def _value_at(results: CombinationResult, output: RequestedOutput) -> float:
     """Return a field at a point; what derives from moments is computed there, as it has kinks between the nodes."""
     from groundslab.fem.mesh import Mesh, locate
     from groundslab.fem.shape_functions import q9
@@ -231,7 +239,7 @@ def _required_bars(results: CombinationResult, name: str, design: Any, thickness
     assert steel is not None
     concrete, bars = materials(steel)
     found = slab(design, thickness, Axes(*steel.bottom, *steel.top), concrete, bars)
-    layers = {layer: getattr(found, layer) for layer in ("bottom_x", "bottom_y", "top_x", "top_y")}
+    layers = {layer: getattr(found, layer) for layer in LAYERS}
     wanted = name.removeprefix("reinforcement").strip().replace(" ", "_")
     area: Array = layers[wanted] if wanted else np.max(list(layers.values()), axis=0)
     return area

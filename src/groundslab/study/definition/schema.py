@@ -17,7 +17,7 @@ from groundslab.schema.wording import describe, listed, one_of, quote, suggestio
 from groundslab.study.definition.distributions import DistributionOf
 from groundslab.study.definition.field_types import Amount, OneOrTwo, Raw
 from groundslab.study.definition.issues import require_one
-from groundslab.study.definition.outputs import FIELDS, SCALARS, Statistic
+from groundslab.study.definition.outputs import FIELDS, SCALARS, RequestedOutput
 
 SamplingKind = Literal["grid", "list", "latin hypercube", "sobol", "saltelli", "monte carlo", "tornado"]
 Correlogram = Literal["gaussian", "exponential", "matern32"]
@@ -67,14 +67,10 @@ def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[
         yield RelativeIssue(("choose",), "true", "values to choose from")
 
 
-def _values_or_distribution(values: tuple[Raw, ...] | None, distribution: Section | None) -> Iterator[RelativeIssue]:
-    yield from require_one(values=values, distribution=distribution)
-
-
 class VariedQuantity(Section):
     """A quantity of the case that varies."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_values_or_distribution, _choice_of_values)
+    checks: ClassVar[tuple[Check, ...]] = (require_one("values", "distribution"), _choice_of_values)
 
     path: Annotated[str, Text("key of the case; positions count from 1, as in ground.layers[1].E")]
     name: Annotated[str, Text("its name in the study; the path by default")] = ""
@@ -126,47 +122,10 @@ class RandomField(Section):
         return self.name or f"{self.path} field"
 
 
-class RequestedOutput(Section):
-    """A result to be kept of each variant."""
-
-    name: Annotated[str, Text("its name; made of what it is by default")] = ""
-    of: Annotated[str, Text("a field of the plate or a figure, see below")]
-    take: Annotated[
-        Statistic | None,
-        Choice(Statistic, "what to take of a field: its largest or smallest value, its mean over the area, the "
-               "value at a place, or all nodal values"),
-    ] = None  # fmt: skip
-    x: Annotated[float | None, Quantity("length", "x", "place, for at")] = None
-    y: Annotated[float | None, Quantity("length", "y", "place, for at")] = None
-    combination: Annotated[
-        str, Text("combination that it is of; by default all of them, and of these the worst one's")
-    ] = ""
-    support: Annotated[str, Text("name of the support, for support force")] = ""
-    layer: Annotated[int | None, Integer("layer of the ground from the top, for k0 and k1")] = None
-
-    @property
-    def column(self) -> str:
-        """Return its name in the study and its table."""
-        if self.name:
-            return self.name
-        words = [self.take or "", self.of]
-        if self.take == "at":
-            words = [self.of, f"at ({self.x:g}, {self.y:g}) m" if None not in (self.x, self.y) else ""]
-        if self.take == "everywhere":
-            words = [self.of, "everywhere"]
-        words += [f"of {self.support}" if self.support else "", f"of layer {self.layer}" if self.layer else ""]
-        words.append(f"under {self.combination}" if self.combination else "")
-        return " ".join(filter(None, words))
-
-
-def _one_limit(at_most: Raw | None, at_least: Raw | None) -> Iterator[RelativeIssue]:
-    yield from require_one(at_most=at_most, at_least=at_least)
-
-
 class LimitState(Section):
     """A limit that a kept result should not pass."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_one_limit,)
+    checks: ClassVar[tuple[Check, ...]] = (require_one("at_most", "at_least"),)
 
     name: Annotated[str, Text("its name")]
     keep: Annotated[str, Text("name of the kept result")]
@@ -289,35 +248,6 @@ class StudyFile(Section):
 
     Numbers are in SI units; text with a unit, such as ``"30 MPa"``, may stand for any quantity.
 
-    Attributes
-    ----------
-    case : str
-        Case file, relative to the study file's folder; `groundslab.study` takes a `Model` in its place.
-    sampling : Sampling or dict
-        Kind of sampling and number of variants.
-    vary : sequence of VariedQuantity or dict
-        Quantities of the case that vary: path in the case, values or distribution.
-    random_field : sequence of RandomField or dict
-        Factors on constants of the ground that vary over the plan.
-    correlation : sequence of Correlation or dict
-        Correlations between variables, in normal scores.
-    keep : sequence of RequestedOutput or dict
-        Results to keep of each variant.
-    limit_state : sequence of LimitState or dict
-        Limits of kept results, with target probabilities of failure.
-    seed : int
-        Seed of all random numbers.
-    title : str
-        Title of the study.
-
-    Raises
-    ------
-    InputError
-        If keys are missing, unknown, wrong or contradict each other; with all issues at once.
-
-    Examples
-    --------
-    >>> from groundslab.study import StudyFile
     >>> file = StudyFile(
     ...     case="slab.toml",
     ...     sampling={"kind": "monte carlo", "count": 100},
@@ -371,6 +301,6 @@ def outputs_table() -> str:
     lines = []
     for title, kept in (("fields: `take` says what of them", FIELDS), ("figures: without `take`", SCALARS)):
         lines += [f"| {title} | dimension | meaning |", "|---|---|---|"]
-        lines += [f"| `{each.name}` | {each.dimension or 'pure number'} | {each.meaning} |" for each in kept.values()]
+        lines += [f"| `{name}` | {each.dimension or 'pure number'} | {each.meaning} |" for name, each in kept.items()]
         lines.append("")
     return "\n".join(lines).strip() + "\n"

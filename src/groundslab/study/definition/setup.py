@@ -20,20 +20,12 @@ from groundslab.model.plate import PlateRegion
 from groundslab.schema.fields import FieldType, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
+from groundslab.study.definition import schema
 from groundslab.study.definition.case_paths import Place, place_of
-from groundslab.study.definition.distributions import AnyDistribution, Distribution, distribution_of
+from groundslab.study.definition.distributions import AnyDistribution, distribution_of
 from groundslab.study.definition.field_types import Raw
 from groundslab.study.definition.issues import issues_below
-from groundslab.study.definition.outputs import FIELDS, SCALARS, Output
-from groundslab.study.definition.schema import (
-    Correlation,
-    LimitState,
-    RandomField,
-    RequestedOutput,
-    Sampling,
-    StudyFile,
-    VariedQuantity,
-)
+from groundslab.study.definition.outputs import FIELDS, SCALARS, RequestedOutput
 
 T = TypeVar("T")
 
@@ -43,13 +35,10 @@ MAX_VARIANTS = 10_000_000
 #: Expected number of values outside a key's range above which a study warns.
 MAX_OUTSIDE = 0.5
 
-#: Constants of the ground that a random field can multiply, by the kind of ground.
-_GROUND_CONSTANTS = {
-    "winkler": ("ground.k",),
-    "pasternak": ("ground.k0", "ground.k1"),
-    "vlasov": ("ground.layers[1].E", "..."),
-    "layered": ("ground.layers[1].E", "ground.layers[1].k0", "..."),
-}
+#: A constant of the ground that a random field can multiply, by the kind of ground.
+_GROUND_CONSTANTS = {"winkler": "ground.k", "pasternak": "ground.k0"} | dict.fromkeys(
+    ("vlasov", "layered"), "ground.layers[1].E"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +51,7 @@ class Variable:
     name: str
     place: Place
     values: tuple[Any, ...] | None
-    distribution: Distribution | None
+    distribution: Any  # one of scipy.stats, frozen; None for listed values
     times: bool
     chosen: bool  # by the designer, out of the values; not drawn
 
@@ -94,7 +83,7 @@ class Variable:
                 return 0.0
             # a negative number turns the range around
             ends = sorted(end / self.place.value for end in ends)
-        low, high = self.distribution.frozen.cdf(ends)
+        low, high = self.distribution.cdf(ends)
         return float(low + (1 - high))
 
     def value_in_case(self, value: Any) -> Any:
@@ -108,7 +97,7 @@ class Field:
 
     name: str
     path: str
-    distribution: Distribution
+    distribution: Any  # one of scipy.stats, frozen
     lengths: tuple[float, float]  # [m]
     model: str
 
@@ -140,20 +129,20 @@ class Setup:
     title: str
     model: Model
     seed: int
-    sampling: Sampling
+    sampling: schema.Sampling
     variables: tuple[Variable, ...]
     correlation: Array  # (d, d), of the normal scores
     fields: tuple[Field, ...]
-    outputs: tuple[Output, ...]
+    outputs: tuple[RequestedOutput, ...]
     limits: tuple[Limit, ...]
 
     @property
-    def scalar_outputs(self) -> tuple[Output, ...]:
+    def scalar_outputs(self) -> tuple[RequestedOutput, ...]:
         """Return the outputs that are one number."""
         return tuple(each for each in self.outputs if not each.everywhere)
 
     @property
-    def nodal_outputs(self) -> tuple[Output, ...]:
+    def nodal_outputs(self) -> tuple[RequestedOutput, ...]:
         """Return the outputs that are a value at each node."""
         return tuple(each for each in self.outputs if each.everywhere)
 
@@ -173,7 +162,7 @@ class Setup:
         return self.sampling.count * blocks * designs
 
 
-def setup_of(file: StudyFile, model: Model, from_file: bool = True) -> Setup:
+def setup_of(file: schema.StudyFile, model: Model, from_file: bool = True) -> Setup:
     """Return a study with its case; raises InputError with all issues. Without `from_file` numbers are in SI units."""
     issues: list[RelativeIssue] = []
 
@@ -207,14 +196,14 @@ def setup_of(file: StudyFile, model: Model, from_file: bool = True) -> Setup:
         if setup.count <= MAX_VARIANTS:
             return setup
         issues.append(RelativeIssue(("sampling",), f"{setup.count:.3g} variants", f"at most {MAX_VARIANTS:,}"))
-    raise InputError([issue.issue(StudyFile.root()) for issue in issues])
+    raise InputError([issue.issue(schema.StudyFile.root()) for issue in issues])
 
 
 def _all(found: Sequence[T | None]) -> tuple[T, ...]:
     return tuple(each for each in found if each is not None)
 
 
-def _variable(vary: VariedQuantity, model: Model, from_file: bool) -> Variable:
+def _variable(vary: schema.VariedQuantity, model: Model, from_file: bool) -> Variable:
     """Return a variable; raises FieldError."""
     with issues_below("path"):
         place = place_of(model, vary.path)
@@ -231,7 +220,7 @@ def _variable(vary: VariedQuantity, model: Model, from_file: bool) -> Variable:
     return Variable(vary.column, place, values, distribution, vary.times, vary.choose)
 
 
-def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Distribution:
+def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Any:
     """Return a distribution of values of a key; raises FieldError. Its ends need not lie in the key's range."""
     key = Quantity(key.dimension, key.symbol, key.meaning) if isinstance(key, Quantity) else Number("", "")
 
@@ -242,9 +231,9 @@ def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Dis
         return distribution_of(part, read)
 
 
-def _field(field: RandomField, model: Model) -> Field:
+def _field(field: schema.RandomField, model: Model) -> Field:
     """Return a random field; raises FieldError."""
-    expected = f"a constant of the ground such as {_GROUND_CONSTANTS[model.ground.kind][0]}"
+    expected = f"a constant of the ground such as {_GROUND_CONSTANTS[model.ground.kind]}"
     with issues_below("path"):
         place = place_of(model, field.path)
     last = place.steps[-1]
@@ -256,13 +245,13 @@ def _field(field: RandomField, model: Model) -> Field:
     return Field(field.column, field.path, distribution, field.correlation_length, field.model)
 
 
-def _output(keep: RequestedOutput, model: Model) -> Output:
-    """Return an output; raises FieldError."""
+def _output(keep: RequestedOutput, model: Model) -> RequestedOutput:
+    """Return an output with its name; raises FieldError."""
     of = keep.of.replace("_", " ")
     issues = list(_output_issues(keep, of, model))
     if issues:
         raise FieldError(*issues)
-    return Output(keep.column, of, keep.take, keep.x, keep.y, keep.combination, keep.support, keep.layer)
+    return keep.replace(name=keep.column, of=of)
 
 
 def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[RelativeIssue]:
@@ -302,7 +291,7 @@ def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Rel
         yield RelativeIssue(("combination",), found, one_of(ultimate))
 
 
-def _limit(limit: LimitState, outputs: list[Output | None], from_file: bool) -> Limit | None:
+def _limit(limit: schema.LimitState, outputs: list[RequestedOutput | None], from_file: bool) -> Limit | None:
     """Return a limit state, None if its output has issues; raises FieldError."""
     output = next((each for each in outputs if each is not None and each.name == limit.keep), None)
     if output is None:
@@ -314,7 +303,7 @@ def _limit(limit: LimitState, outputs: list[Output | None], from_file: bool) -> 
     return Limit(limit.name, limit.keep, sense, float(bound), limit.target)
 
 
-def _correlation(names: list[str], correlation: tuple[Correlation, ...]) -> Array:
+def _correlation(names: list[str], correlation: tuple[schema.Correlation, ...]) -> Array:
     """Return the correlation matrix (d, d); raises FieldError if it is not positive definite."""
     found = np.eye(len(names))
     for each in correlation:

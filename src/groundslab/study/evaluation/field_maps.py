@@ -39,13 +39,13 @@ def moments(fields: Iterable[Array]) -> Moments | None:
         change = field - mean
         mean += change / n
         squares += change * (field - mean)
-        below += lifted(field)
+        below += find_uplift(field)
     if n == 0:
         return None
     return Moments(n, mean, np.sqrt(squares / max(n - 1, 1)), below / n)
 
 
-def lifted(field: Array) -> Flags:
+def find_uplift(field: Array) -> Flags:
     """Return where a field (k,) is negative by more than rounding: for a settlement, where the plate lifts."""
     found: Flags = field < -ROUNDING * np.abs(field).max(initial=0.0)
     return found

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.special import ndtr
 
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
 from groundslab.schema.wording import describe, one_of, suggestion
-from groundslab.study.evaluation.samples import Input, Output, condition, show_value
+from groundslab.study.evaluation.samples import Input, Output, condition, read_samples, show_value
 from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
@@ -52,8 +53,6 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
     Lind 1974), found by the iteration of Rackwitz and Fiessler 1978 with a line search. The importance of an input is
     the square of its score there over the sum of all. Raises NotConverged, and InputError where OpenTURNS is missing.
     """
-    from scipy.special import ndtr
-
     ot = import_optional("openturns", "which finds the design point")
     d, known, raised = len(correlation), dict[tuple[float, ...], float](), list[GroundslabError]()
 
@@ -171,15 +170,14 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     >>> found.point.beta  # doctest: +SKIP
     1.72
     """
-    from groundslab.study.evaluation import from_study
     from groundslab.study.evaluation import tables as evaluation
     from groundslab.study.evaluation.study import Study
 
     study = study if isinstance(study, Study) else Study(study)
     setup = study.setup
     limit = _limit(setup, limit_state)
-    point = design_point(Margin(setup, limit), setup.correlation)
-    sample = from_study.read_samples(study)
+    point = design_point(margin_of(setup, limit), setup.correlation)
+    sample = read_samples(study)
     inputs = tuple(
         Input(each.name, each.unit, np.array([value]))
         for each, value in zip(sample.inputs, values_of(setup, point.scores), strict=True)
@@ -193,44 +191,38 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     return Reliability(limit, inputs, Output(output.name, output.unit, np.array([limit.bound])), point, sampled)
 
 
-class Margin:
-    """The margin of a study's limit state as a function of normal scores; each call solves the case."""
+def margin_of(setup: Setup, limit: Limit) -> Callable[[Array], float]:
+    """Return the margin of a study's limit state as a function of dependent normal scores (d,).
 
-    def __init__(self, setup: Setup, limit: Limit) -> None:
-        from groundslab.study.execution.variant import Worker
+    Each call solves the case; it raises GroundslabError where there is no result.
+    """
+    from groundslab.study.execution.variant import Worker
+    from groundslab.study.sampling.designs import Variant
 
-        self._setup, self._limit = setup, limit
-        self._worker = Worker(setup)
-        self._index = [output.name for output in setup.scalar_outputs].index(limit.output)
+    worker = Worker(setup)
+    index = [output.name for output in setup.scalar_outputs].index(limit.output)
 
-    def __call__(self, scores: Array) -> float:
-        """Return the margin at dependent normal scores (d,); raises GroundslabError where there is no result."""
-        from groundslab.study.sampling.designs import Variant
-
-        values = values_of(self._setup, scores)
-        row = self._worker.row(Variant(0, values, ()))
-        result = row.results[self._index]
+    def margin(scores: Array) -> float:
+        values = values_of(setup, scores)
+        row = worker.row(Variant(0, values, ()))
+        result = row.results[index]
         if result is None:
-            at = ", ".join(
-                f"{each.name} = {value:g}" for each, value in zip(self._setup.variables, values, strict=True)
-            )
+            at = ", ".join(f"{each.name} = {value:g}" for each, value in zip(setup.variables, values, strict=True))
             raise GroundslabError(
                 f"no result during the search for the design point, at {at}: {row.reason} {row.message}"
             )
-        return float(self._limit.margin(result))
+        return float(limit.margin(result))
+
+    return margin
 
 
 def values_of(setup: Setup, scores: Array) -> tuple[float, ...]:
     """Return the values (SI) of a study's variables at dependent standard normal scores (d,): of equal probability."""
-    from scipy.special import ndtr
-
-    found = []
-    for variable, z in zip(setup.variables, scores, strict=True):
-        assert variable.distribution is not None
-        marginal = variable.distribution.frozen
-        # the smaller of both probabilities has all its digits
-        found.append(float(marginal.ppf(ndtr(z)) if z < 0 else marginal.isf(ndtr(-z))))
-    return tuple(found)
+    # the smaller of both probabilities has all its digits
+    return tuple(
+        float(each.distribution.ppf(ndtr(z)) if z < 0 else each.distribution.isf(ndtr(-z)))
+        for each, z in zip(setup.variables, scores, strict=True)
+    )
 
 
 def _limit(setup: Setup, name: str) -> Limit:

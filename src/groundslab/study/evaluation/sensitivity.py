@@ -68,11 +68,6 @@ class Swing:
     low: float
     high: float
 
-    @property
-    def width(self) -> float:
-        """Return how far the output swings; 0 if a variant is missing."""
-        return float(np.nan_to_num(abs(self.high - self.low), posinf=0.0))
-
 
 def tornado(y: Array, names: tuple[str, ...]) -> tuple[float, tuple[Swing, ...]]:
     """Return the output with all inputs at their medians, and its swings, the widest first.
@@ -80,4 +75,6 @@ def tornado(y: Array, names: tuple[str, ...]) -> tuple[float, tuple[Swing, ...]]
     y (1 + 2 d,): the median variant, then for each input the variants with it low and high; nan is missing.
     """
     swings = [Swing(name, float(a), float(b)) for name, a, b in zip(names, y[1::2], y[2::2], strict=True)]
-    return float(y[0]), tuple(sorted(swings, key=lambda each: -each.width))
+    # without one of its variants an input has no width
+    width = {each.input: np.nan_to_num(abs(each.high - each.low), posinf=0.0) for each in swings}
+    return float(y[0]), tuple(sorted(swings, key=lambda each: -width[each.input]))

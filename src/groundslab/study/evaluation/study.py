@@ -63,6 +63,8 @@ class Study:
         Folder of the study.
     about : dict
         Seed, versions, and SHA-256 of the study file and its case.
+    setup : Setup
+        Variables, random fields, outputs, limit states and the case.
 
     Raises
     ------
@@ -79,12 +81,7 @@ class Study:
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder)
         self.about: dict[str, Any] = store.about(folder)
-        self._read = files.read(self.folder / store.STUDY, self.folder / store.CASE)
-
-    @property
-    def setup(self) -> Setup:
-        """Variables, random fields, outputs, limit states and the case."""
-        return self._read.setup
+        self.setup: Setup = files.read(self.folder / store.STUDY, self.folder / store.CASE).setup
 
     @property
     def title(self) -> str:

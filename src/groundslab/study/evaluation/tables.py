@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.special import ndtri
 
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.study.evaluation import sensitivity, statistics
@@ -59,16 +62,13 @@ def tabulate_variants(sample: Samples) -> Table:
 
 def tabulate_statistics(sample: Samples, level: float = LEVEL) -> Table:
     """Return count, mean, standard deviation, quantiles and extremes of each output, design by design."""
-    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("unit", ""), ("variants", "")]
+    heads = ["design", "output", "unit", "variants", "least", "greatest"]
     if sample.random:
-        heads += _interval_heads("mean") + _interval_heads("standard deviation") + [("coefficient of variation", "")]
-    heads.append(("least", ""))
-    if sample.random:
-        for p in QUANTILES:
-            heads += _interval_heads(f"{p:.0%} quantile")
-    heads.append(("greatest", ""))
+        spread = [*_interval("mean"), *_interval("standard deviation"), "coefficient of variation"]
+        quantiles = [head for p in QUANTILES for head in _interval(f"{p:.0%} quantile")]
+        heads = [*heads[:4], *spread, "least", *quantiles, "greatest"]
     rows = [
-        [*_design_cells(sample, group), output.name, output.unit.name, *_statistics_cells(sample, group, output, level)]
+        [group.label, output.name, output.unit.name, *_statistics_cells(sample, group, output, level)]
         for group in sample.groups
         for output in sample.outputs
     ]
@@ -79,7 +79,7 @@ def tabulate_statistics(sample: Samples, level: float = LEVEL) -> Table:
         for name, count in infinite.items()
         if count
     ]
-    return table_of("statistics", "Statistics of the outputs", heads, rows, notes)
+    return _tabulate(sample, "statistics", "Statistics of the outputs", heads, rows, notes)
 
 
 NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and means are left out."
@@ -94,49 +94,33 @@ def _statistics_cells(sample: Samples, group: Group, output: Output, level: floa
         return [len(x), float(x.min()), float(x.max())]
     middle, spread = statistics.mean(x, level), statistics.deviation(x, level)
     ratio = spread.value / abs(middle.value) if middle.value else None
-    cells: list[Cell] = [len(x), *_estimate_cells(middle), *_estimate_cells(spread), ratio, float(x.min())]
-    for p in QUANTILES:
-        cells += _estimate_cells(statistics.percentile(x, p, level))
-    return [*cells, float(x.max())]
+    quantiles = [cell for p in QUANTILES for cell in _estimate_cells(statistics.percentile(x, p, level))]
+    return [
+        len(x), *_estimate_cells(middle), *_estimate_cells(spread), ratio, float(x.min()), *quantiles, float(x.max())
+    ]  # fmt: skip
 
 
 def tabulate_limit_states(sample: Samples, level: float = LEVEL) -> Table | None:
     """Return how often each limit state failed, design by design, and the probability of failure."""
     if not sample.limits:
         return None
-    heads: list[Head] = [
-        *_design_heads(sample), ("limit state", ""), ("condition", ""), ("variants", ""), ("failed", ""),
-    ]  # fmt: skip
-    if sample.random:
-        heads += [*_interval_heads("probability of failure"), ("reliability index", "")]
-        heads += [("without a result", ""), ("high if these fail", "")]
+    heads, notes = ["design", "limit state", "condition", "variants", "failed"], [NO_CHANCE]
     aimed = sample.random and any(limit.target is not None for limit in sample.limits)
-    if aimed:
-        heads += [("target", ""), ("target kept", "")]
-    rows = []
-    for group in sample.groups:
-        for limit in sample.limits:
-            x = sample.there(sample.output(limit.output), group)
-            failed = int(limit.fails(x).sum())
-            row: list[Cell] = [
-                *_design_cells(sample, group),
-                limit.name,
-                condition(limit, sample.output(limit.output)),
-                len(x),
-                failed,
-            ]
-            if sample.random:
-                row += _probability_cells(sample, group, limit, failed, len(x), level)[: None if aimed else -2]
-            rows.append(row)
-    notes = [NO_CHANCE]
     if sample.random:
+        heads += [*_interval("probability of failure"), "reliability index"]
+        heads += ["without a result", "high if these fail", *["target", "target kept"] * aimed]
         notes = [
             f"Intervals of {level:.0%} confidence for the probability by Wilson (1927). The reliability index is "
             "-Phi^-1 of the probability.",
             "Variants without a result are not counted; a column has the high end if all of them fail."
             + " A target is kept if even that end lies below it." * aimed,
         ]
-    return table_of("limit_states", "Limit states", heads, rows, notes)
+
+    rows = []
+    for group, limit in itertools.product(sample.groups, sample.limits):
+        cells = _limit_cells(sample, group, limit, level)
+        rows.append([group.label, limit.name, *cells[: len(heads) - 2]])
+    return _tabulate(sample, "limit_states", "Limit states", heads, rows, notes)
 
 
 def failure_probability(sample: Samples, group: Group, limit: Limit, level: float = LEVEL) -> Estimate:
@@ -145,39 +129,36 @@ def failure_probability(sample: Samples, group: Group, limit: Limit, level: floa
     return statistics.probability(int(limit.fails(x).sum()), len(x), level)
 
 
-def _probability_cells(sample: Samples, group: Group, limit: Limit, failed: int, n: int, level: float) -> list[Cell]:
-    """Return the probability of failure, the index, the effect of missing results, and the verdict."""
-    from scipy.special import ndtri
-
+def _limit_cells(sample: Samples, group: Group, limit: Limit, level: float) -> list[Cell]:
+    """Return condition and failures; then, if chance decides, probability, index, missing results, and the verdict."""
+    output = sample.output(limit.output)
+    x = sample.there(output, group)
+    failed, n = int(limit.fails(x).sum()), len(x)
     p = statistics.probability(failed, n, level)
     lost = int(sample.drawn[group.rows].sum()) - n
     high = statistics.probability(failed + lost, n + lost, level).high
     index = -float(ndtri(p.value)) if 0 < failed < n else None
     verdict = None if limit.target is None else ("yes" if high < limit.target else "no")
-    return [*_estimate_cells(p), index, lost, high, limit.target, verdict]
+    shown = condition(limit, output)
+    return [shown, n, failed, *_estimate_cells(p), index, lost, high, limit.target, verdict]
 
 
 def tabulate_exceedance(sample: Samples, level: float = LEVEL) -> Table | None:
     """Return the curves of exceedance: the share of variants above each value, design by design."""
     if not sample.random:
         return None
-    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("unit", ""), ("value", ""), ("side", "")]
-    heads += _interval_heads("probability")
-    rows = []
-    for group in sample.groups:
-        for output in sample.outputs:
-            value, *curve = exceedance_curve(sample, output, group, level)
-            about: list[Cell] = [*_design_cells(sample, group), output.name, output.unit.name]
-            side = "below" if sample.falls(output) else "above"
-            rows += [
-                [*about, float(value[at]), side, *(float(each[at]) for each in curve)]
-                for at in thin_out(len(value), MOST_POINTS)
-            ]
+    rows: list[list[Any]] = []
+    for group, output in itertools.product(sample.groups, sample.outputs):
+        value, *curve = exceedance_curve(sample, output, group, level)
+        about = [group.label, output.name, output.unit.name]
+        side = "below" if sample.falls(output) else "above"
+        rows += [[*about, value[at], side, *(each[at] for each in curve)] for at in thin_out(len(value), MOST_POINTS)]
     notes = [
         f"The share of variants above each value; below it for outputs whose limit states say at least. At most "
         f"{MOST_POINTS} points of each curve. {_interval_note(sample, level)}"
     ]
-    return table_of("exceedance", "Curves of exceedance", heads, rows, notes)
+    heads = ["design", "output", "unit", "value", "side", *_interval("probability")]
+    return _tabulate(sample, "exceedance", "Curves of exceedance", heads, rows, notes)
 
 
 def exceedance_curve(
@@ -202,8 +183,7 @@ def tabulate_sobol_indices(sample: Samples, level: float = LEVEL) -> Table | Non
     """Return Sobol's first-order and total indices of each input for each output; only of Saltelli's sample."""
     if sample.kind != "saltelli":
         return None
-    heads: list[Head] = [("output", ""), ("input", "")]
-    heads += [*_interval_heads("first-order index"), *_interval_heads("total index"), ("blocks used", "")]
+    heads = ["output", "input", *_interval("first-order index"), *_interval("total index"), "blocks used"]
     rows: list[list[Cell]] = []
     left_out = False
     for output in sample.outputs:
@@ -221,7 +201,7 @@ def tabulate_sobol_indices(sample: Samples, level: float = LEVEL) -> Table | Non
     ]
     if left_out:
         notes.append("Blocks with a variant that has no result are left out.")
-    return table_of("sobol", "Sobol indices", heads, rows, notes)
+    return _tabulate(sample, "sobol", "Sobol indices", heads, rows, notes)
 
 
 def compute_sobol_indices(sample: Samples, output: Output, level: float = LEVEL) -> sensitivity.SobolIndices | None:
@@ -239,9 +219,8 @@ def tabulate_influence(sample: Samples, level: float = LEVEL) -> Table | None:
         return _tabulate_swings(sample)
     if not sample.random or not sample.varied:
         return None
-    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("input", ""), *_interval_heads("rank correlation")]
     rows = [
-        [*_design_cells(sample, group), output.name, name, *_estimate_cells(r)]
+        [group.label, output.name, name, *_estimate_cells(r)]
         for group in sample.groups
         for output in sample.outputs
         for name, r in rank_inputs(sample, group, output, level)
@@ -251,7 +230,8 @@ def tabulate_influence(sample: Samples, level: float = LEVEL) -> Table | None:
         f"{level:.0%} confidence by Bonett and Wright (2000). Inputs that are correlated share in each other's. "
         "Random fields have none."
     ]
-    return table_of("tornado", "Influence of the inputs (rank correlation)", heads, rows, notes)
+    heads = ["design", "output", "input", *_interval("rank correlation")]
+    return _tabulate(sample, "tornado", "Influence of the inputs (rank correlation)", heads, rows, notes)
 
 
 def rank_inputs(sample: Samples, group: Group, output: Output, level: float = LEVEL) -> list[tuple[str, Estimate]]:
@@ -272,8 +252,7 @@ def _complete_rows(sample: Samples, group: Group, output: Output) -> Integers:
 
 def _tabulate_swings(sample: Samples) -> Table:
     """Return the tornado of variants with one input low or high at a time."""
-    heads: list[Head] = [("output", ""), ("unit", ""), ("input", ""), ("at medians", "")]
-    heads += [("input low", ""), ("input high", ""), ("swing", "")]
+    heads = ["output", "unit", "input", "at medians", "input low", "input high", "swing"]
     rows: list[list[Cell]] = []
     for output in sample.outputs:
         base, swings = compute_swings(sample, output)
@@ -281,7 +260,7 @@ def _tabulate_swings(sample: Samples) -> Table:
             scaled = [_cell(value * output.unit.scale) for value in (base, each.low, each.high, each.high - each.low)]
             rows.append([output.name, output.unit.name, each.input, *scaled])
     notes = ["One input at a time at its 10 % and its 90 % quantile, all others at their medians; the widest first."]
-    return table_of("tornado", "Influence of the inputs (one at a time)", heads, rows, notes)
+    return _tabulate(sample, "tornado", "Influence of the inputs (one at a time)", heads, rows, notes)
 
 
 def compute_swings(sample: Samples, output: Output) -> tuple[float, tuple[sensitivity.Swing, ...]]:
@@ -295,19 +274,17 @@ def tabulate_correlations(sample: Samples) -> Table | None:
     """Return Pearson's and Spearman's coefficients of each output with each input and each other output."""
     if not sample.random:
         return None
-    heads: list[Head] = [*_design_heads(sample), ("output", ""), ("with", ""), ("variants", "")]
-    heads += [("Pearson", ""), ("Spearman", "")]
     rows: list[list[Cell]] = []
-    for group in sample.groups:
-        for place, output in enumerate(sample.outputs):
-            others: tuple[Input | Output, ...] = (*sample.varied, *sample.outputs[:place])
-            for other in others:
-                at = _complete_rows(sample, group, output)
-                at = at[np.isfinite(other.values[at])]
-                x, y = other.values[at], output.values[at]
-                both = statistics.correlation(x, y), statistics.rank_correlation(x, y).value
-                rows.append([*_design_cells(sample, group), output.name, other.name, len(at), *map(_cell, both)])
-    return table_of("correlations", "Correlations", heads, rows) if rows else None
+    for group, (place, output) in itertools.product(sample.groups, enumerate(sample.outputs)):
+        complete = _complete_rows(sample, group, output)
+        others: tuple[Input | Output, ...] = (*sample.varied, *sample.outputs[:place])
+        for other in others:
+            at = complete[np.isfinite(other.values[complete])]
+            x, y = other.values[at], output.values[at]
+            both = statistics.correlation(x, y), statistics.rank_correlation(x, y).value
+            rows.append([group.label, output.name, other.name, len(at), *map(_cell, both)])
+    heads = ["design", "output", "with", "variants", "Pearson", "Spearman"]
+    return _tabulate(sample, "correlations", "Correlations", heads, rows) if rows else None
 
 
 def tabulate_missing_results(sample: Samples) -> Table | None:
@@ -315,24 +292,26 @@ def tabulate_missing_results(sample: Samples) -> Table | None:
     count = Counter(why for why in sample.reason if why)
     if not count:
         return None
-    heads: list[Head] = [("reason", ""), ("variants", ""), ("first of them", "")]
     rows = [[why, times, int(sample.number[sample.reason.index(why)]) + 1] for why, times in count.most_common()]
-    return table_of("missing", "Variants without a result", heads, rows)
+    return _tabulate(sample, "missing", "Variants without a result", ["reason", "variants", "first of them"], rows)
 
 
-def _design_heads(sample: Samples) -> list[Head]:
-    """Return the column that names the design, if there are several."""
-    return [("design", "")] if sample.groups[0].label else []
+def _tabulate(
+    sample: Samples,
+    name: str,
+    title: str,
+    heads: Sequence[str],
+    rows: Iterable[Sequence[Any]],
+    notes: Sequence[str] = (),
+) -> Table:
+    """Return a table without units in its header; a first column of designs is left out if there is but one."""
+    first = 1 if heads[0] == "design" and not sample.groups[0].label else 0
+    return table_of(name, title, [(head, "") for head in heads[first:]], [row[first:] for row in rows], notes)
 
 
-def _design_cells(sample: Samples, group: Group) -> list[Cell]:
-    """Return the cell that names the design, if there are several."""
-    return [group.label] if sample.groups[0].label else []
-
-
-def _interval_heads(name: str) -> list[Head]:
+def _interval(name: str) -> list[str]:
     """Return the headers of an estimate and its two ends."""
-    return [(name, ""), (f"{name}, low", ""), (f"{name}, high", "")]
+    return [name, f"{name}, low", f"{name}, high"]
 
 
 def _estimate_cells(estimate: Estimate) -> list[Cell]:

@@ -42,7 +42,7 @@ UPDATE_INTERVAL = 2.0
 #: Keeps a worker's libraries from starting threads that compete with the other workers.
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 #: Dask's configuration of the local cluster.
-SETTINGS = {
+SETTINGS: dict[str, Any] = {
     "distributed.nanny.pre-spawn-environ": ONE_THREAD,
     # no task waits at a worker, where it would be blamed for the worker's death
     "distributed.scheduler.worker-saturation": 1.0,
@@ -52,7 +52,6 @@ SETTINGS = {
     "distributed.worker.http.routes": [],
     "distributed.worker.preload": ["groundslab.study.execution.dask_plugin"],
 }
-NO_PAGES: dict[str, Any] = {"distributed.scheduler.http.routes": []}
 HINT = "pip install groundslab[study]; --workers 0 does without it"
 LOOPBACK = "127.0.0.1"
 DASHBOARD = 8787  # port, where it is free
@@ -80,8 +79,11 @@ class Cluster:
 
     @property
     def threads(self) -> int:
-        """Return the number of threads of all current workers."""
-        return sum(self.client.nthreads().values())
+        """Return the number of threads of all current workers; raises LostScheduler."""
+        try:
+            return sum(self.client.nthreads().values())
+        except Exception as error:
+            raise _lost(error) from error
 
 
 @contextmanager
@@ -90,9 +92,18 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
 
     Connections need the keys made here. Dask's dashboard is optional.
     """
-    distributed, dask = _import_dask()
-    security, port = _make_keys(distributed), _free_port(DASHBOARD) if dashboard else 0
-    with dask.config.set(SETTINGS | (_dashboard_settings(port) if dashboard else NO_PAGES)):
+    distributed = _import_distributed()
+    import_optional("cryptography", "which makes the keys of a run", HINT)
+    import dask.config
+    import dask.system
+
+    port = _free_port(DASHBOARD) if dashboard else 0
+    pages: dict[str, list[str]] = {"distributed.scheduler.http.routes": []}
+    if dashboard:
+        # connections from its own pages only
+        origins = [f"{LOOPBACK}:{port}", f"localhost:{port}"]
+        pages = {"distributed.scheduler.dashboard.bokeh-application.allow_websocket_origin": origins}
+    with dask.config.set(SETTINGS | pages):
         try:
             cluster = distributed.LocalCluster(
                 n_workers=min(workers or dask.system.CPU_COUNT, most),
@@ -100,7 +111,8 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
                 processes=True,
                 host=LOOPBACK,
                 protocol="tls://",
-                security=security,
+                # keys for this run alone, kept in memory
+                security=distributed.Security.temporary(),
                 dashboard_address=f"{LOOPBACK}:{port}",
                 scheduler_kwargs={"dashboard": dashboard},
                 silence_logs=logging.CRITICAL,
@@ -112,18 +124,6 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
         with cluster, distributed.Client(cluster) as client:
             _restrict_pages(cluster.scheduler, dashboard)
             yield Cluster(client, cluster.dashboard_link if dashboard else "", own=True)
-
-
-def _make_keys(distributed: Any) -> Any:
-    """Return a key and a certificate for this run alone, kept in memory; connections need them."""
-    import_optional("cryptography", "which makes the keys of a run", HINT)
-    return distributed.Security.temporary()
-
-
-def _dashboard_settings(port: int) -> dict[str, Any]:
-    """Return the settings with which the dashboard accepts connections from its own pages only."""
-    origins = [f"{LOOPBACK}:{port}", f"localhost:{port}"]
-    return {"distributed.scheduler.dashboard.bokeh-application.allow_websocket_origin": origins}
 
 
 def _restrict_pages(scheduler: Any, dashboard: bool) -> None:
@@ -154,7 +154,7 @@ def connect(scheduler: str, setup: Setup) -> Iterator[Cluster]:
 
     For an address that begins with tls:// the keys are those that Dask's configuration names.
     """
-    distributed, _ = _import_dask()
+    distributed = _import_distributed()
     # problems of the connection are reported in our own words
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     try:
@@ -184,6 +184,8 @@ def rows(
 
     `name` is the study's on the cluster. Raises LostScheduler. Closing the generator early cancels pending tasks.
     """
+    import distributed
+
     from groundslab.study.execution.dask_plugin import Plugin, solve
 
     client = cluster.client
@@ -192,25 +194,19 @@ def rows(
     run, left = secrets.token_hex(4), iter(variants)
     pending: dict[Any, int] = {}
     updated, limit = -UPDATE_INTERVAL, 0
-    import distributed
-
-    def submit(variants: list[Variant]) -> list[tuple[Any, int]]:
-        if not variants:
-            return []
-        keys = [f"{name}-{run}-{variant.number}" for variant in variants]
-        row_of = functools.partial(solve, name, known_meshes=known_meshes())
-        futures = client.map(row_of, variants, key=keys, pure=False)
-        return [(future, variant.number) for future, variant in zip(futures, variants, strict=True)]
-
     pool = distributed.as_completed([])
     try:
         while True:
             if time.monotonic() - updated > UPDATE_INTERVAL:
-                updated, limit = time.monotonic(), TASKS_PER_THREAD * max(1, _count_threads(cluster))
-            if len(pending) <= limit // 2:
-                for future, number in submit(list(itertools.islice(left, limit - len(pending)))):
-                    pending[future] = number
-                    pool.add(future)
+                updated, limit = time.monotonic(), TASKS_PER_THREAD * max(1, cluster.threads)
+            room = limit - len(pending) if len(pending) <= limit // 2 else 0
+            if more := list(itertools.islice(left, room)):
+                row_of = functools.partial(solve, name, known_meshes=known_meshes())
+                numbers = [variant.number for variant in more]
+                keys = [f"{name}-{run}-{number}" for number in numbers]
+                futures = client.map(row_of, more, key=keys, pure=False)
+                pending |= zip(futures, numbers, strict=True)
+                pool.update(futures)
             if not pending:
                 return
             done = []
@@ -228,14 +224,6 @@ def rows(
             with suppress(Exception):
                 client.cancel(list(pending), force=True)
                 client.unregister_worker_plugin(name)
-
-
-def _count_threads(cluster: Cluster) -> int:
-    """Return the number of threads of a cluster; raises LostScheduler."""
-    try:
-        return cluster.threads
-    except Exception as error:
-        raise _lost(error) from error
 
 
 def _outcome(future: Any, number: int) -> Row | WorkerFailure:
@@ -299,8 +287,6 @@ def version_differences(
     ]
 
 
-def _import_dask() -> tuple[Any, Any]:
-    """Return Dask's two packages; raises InputError where they are not installed."""
-    distributed = import_optional("distributed", "Dask's package for several processes", HINT)
-    import_optional("dask.system", "Dask's package for several processes", HINT)
-    return distributed, import_optional("dask", "Dask's package for several processes", HINT)
+def _import_distributed() -> Any:
+    """Return Dask's package for several processes; raises InputError where it is not installed."""
+    return import_optional("distributed", "Dask's package for several processes", HINT)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from distributed import WorkerPlugin, get_worker
@@ -20,40 +21,38 @@ def dask_setup(worker: Any) -> None:
     worker.http_server.stop()
 
 
+@dataclass(eq=False)
 class Plugin(WorkerPlugin):  # type: ignore[misc]
     """The setup of a study, and a `Worker` for each thread of a Dask worker."""
 
-    def __init__(
-        self, name: str, setup: Setup, packages: tuple[str, ...], versions: Mapping[str, str], ignore_interrupt: bool
-    ) -> None:
-        self.name = name
-        self._setup = setup
-        self._packages = packages
-        self._versions = versions
-        self._ignore_interrupt = ignore_interrupt
-        self._own: threading.local | None = None
+    name: str
+    study: Setup
+    packages: tuple[str, ...]
+    versions: Mapping[str, str]
+    ignore_interrupt: bool
+    own: threading.local | None = None
 
     def setup(self, worker: Any) -> None:
         """Start on a worker; raises RuntimeError if its versions differ, also for workers that join late."""
-        here = package_versions.versions(self._packages)
-        if here != self._versions:
-            raise RuntimeError(f"{worker.address} has {here}, the study is run with {self._versions}")
-        if self._ignore_interrupt and threading.current_thread() is threading.main_thread():
+        here = package_versions.versions(self.packages)
+        if here != self.versions:
+            raise RuntimeError(f"{worker.address} has {here}, the study is run with {self.versions}")
+        if self.ignore_interrupt and threading.current_thread() is threading.main_thread():
             # Ctrl-C reaches all processes of a terminal; the one that runs the study stops the others
             signal.signal(signal.SIGINT, signal.SIG_IGN)
-        self._own = threading.local()
+        self.own = threading.local()
 
     def teardown(self, worker: Any) -> None:  # noqa: ARG002
         """End on a worker, and release the study."""
-        self._own = None
+        self.own = None
 
     def row(self, variant: Variant, known_meshes: Sequence[str]) -> Row:
         """Return the row of a variant."""
-        if self._own is None:
+        if self.own is None:
             raise RuntimeError("the study ended on this worker")
-        if not hasattr(self._own, "worker"):
-            self._own.worker = Worker(self._setup)
-        found: Row = self._own.worker.row(variant, known_meshes)
+        if not hasattr(self.own, "worker"):
+            self.own.worker = Worker(self.study)
+        found: Row = self.own.worker.row(variant, known_meshes)
         return found
 
 

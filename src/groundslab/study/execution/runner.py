@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, closing, contextmanager
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from hashlib import sha256
@@ -21,7 +21,6 @@ from groundslab.study.sampling import random_fields
 from groundslab.study.sampling.designs import VariantList, list_variants
 
 if TYPE_CHECKING:
-    from groundslab.study.definition.setup import Setup
     from groundslab.study.sampling.designs import Variant
 
 #: Packages whose versions are recorded in a study's folder, also those that may differ between processes.
@@ -83,8 +82,7 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
         if not todo:
             return progress
         rows.add_run(versions.versions(RECORDED))
-        with _solving(study, folder, resources, todo, rows.mesh_keys, progress) as outcomes:
-            on_progress(progress)
+        with closing(_solve(study, folder, resources, todo, rows.mesh_keys, progress)) as outcomes:
             for batch in outcomes:
                 made = [each for each in batch if isinstance(each, Row)]
                 failures = [each for each in batch if isinstance(each, WorkerFailure)]
@@ -98,46 +96,37 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
     return progress
 
 
-@contextmanager
-def _solving(
+def _solve(
     study: files.StudyInput,
     folder: Path,
     resources: Resources,
     todo: Sequence[Variant],
     known_meshes: Callable[[], Sequence[str]],
     progress: Progress,
-) -> Iterator[Iterator[list[Row | WorkerFailure]]]:
-    """Provide an iterator over the rows of variants, wherever they are solved."""
+) -> Generator[list[Row | WorkerFailure]]:
+    """Yield the rows of variants, wherever they are solved; first none, when it is known where."""
     if resources.scheduler is None and resources.workers == 0:
         progress.where = "in this process"
-        yield _solve_here(study.setup, todo, known_meshes)
+        yield []
+        worker = Worker(study.setup)
+        for variant in todo:
+            try:
+                yield [worker.row(variant, known_meshes())]
+            except Exception as error:
+                yield [WorkerFailure(variant.number, f"{type(error).__name__}: {error}")]
         return
-    with ExitStack() as stack:
-        if resources.scheduler is None:
-            found = stack.enter_context(dask_cluster.start_local(resources.workers, len(todo), resources.dashboard))
-        else:
-            found = stack.enter_context(dask_cluster.connect(resources.scheduler, study.setup))
+    if resources.scheduler is None:
+        cluster = dask_cluster.start_local(resources.workers, len(todo), resources.dashboard)
+    else:
+        cluster = dask_cluster.connect(resources.scheduler, study.setup)
+    with cluster as found:
         count = found.threads
         progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", found.dashboard
+        yield []
         # of a folder that is locked no other run can have the same name
-        mark = sha256(f"{folder.resolve()} {study.study_sha256} {study.case_sha256}".encode()).hexdigest()[:12]
-        outcomes = dask_cluster.rows(found, f"groundslab-{mark}", study.setup, todo, known_meshes)
-        with closing(outcomes):
-            yield outcomes
-
-
-def _solve_here(
-    setup: Setup, todo: Iterable[Variant], known_meshes: Callable[[], Sequence[str]]
-) -> Iterator[list[Row | WorkerFailure]]:
-    """Yield the rows of variants solved in this process, one after the other."""
-    worker = Worker(setup)
-    for variant in todo:
-        outcome: Row | WorkerFailure
-        try:
-            outcome = worker.row(variant, known_meshes())
-        except Exception as error:
-            outcome = WorkerFailure(variant.number, f"{type(error).__name__}: {error}")
-        yield [outcome]
+        mark = sha256(f"{folder.resolve()} {' '.join(study.checksums.values())}".encode()).hexdigest()[:12]
+        with closing(dask_cluster.rows(found, f"groundslab-{mark}", study.setup, todo, known_meshes)) as outcomes:
+            yield from outcomes
 
 
 def prepare(study: files.StudyInput, folder: Path, resume: bool) -> None:
@@ -173,8 +162,7 @@ def _about(study: files.StudyInput) -> dict[str, Any]:
         "made": datetime.now(UTC).isoformat(timespec="seconds"),
         "seed": study.setup.seed,
         "variants": study.setup.count,
-        "study_sha256": study.study_sha256,
-        "case_sha256": study.case_sha256,
+        **study.checksums,
         "versions": versions.versions(RECORDED),
         "units": dict(column_units(study.setup)),
     }
@@ -182,14 +170,13 @@ def _about(study: files.StudyInput) -> dict[str, Any]:
 
 def _differences(about: Mapping[str, Any], study: files.StudyInput) -> list[Issue]:
     """Return the differences between the study in a folder and this one."""
-    issues = []
     hint = "restore it, or choose another folder with --out"
-    for key, now, what in (
-        ("study_sha256", study.study_sha256, "study file"),
-        ("case_sha256", study.case_sha256, "case file"),
-    ):
-        if about[key] != now:
-            issues.append(Issue(what, "a file that was changed", "the one that the rows in the folder are of", hint))
+    expected = "the one that the rows in the folder are of"
+    issues = [
+        Issue(name.replace("_sha256", " file"), "a file that was changed", expected, hint)
+        for name, now in study.checksums.items()
+        if about[name] != now
+    ]
     before = about["versions"].get("groundslab")
     if before != __version__:
         expected = f"version {before}, which the rows in the folder are of"

@@ -40,8 +40,11 @@ STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.
 FORMAT = 1
 #: Types of the values in about.json that are read from there.
 _TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
-#: Columns before those of the study.
-FIXED = ("number", "status", "reason", "message", "seconds")
+#: Columns before those of the study, with their types.
+FIXED = {
+    "number": "INTEGER PRIMARY KEY", "status": "TEXT NOT NULL", "reason": "TEXT NOT NULL", "message": "TEXT NOT NULL",
+    "seconds": "REAL NOT NULL",
+}  # fmt: skip
 
 
 class StoreFull(GroundslabError):
@@ -91,12 +94,9 @@ class Columns:
 
     def statements(self) -> list[str]:
         """Return the SQL that creates the tables."""
-        fixed = [
-            "number INTEGER PRIMARY KEY", "status TEXT NOT NULL", "reason TEXT NOT NULL", "message TEXT NOT NULL",
-            "seconds REAL NOT NULL",
-        ]  # fmt: skip
-        own = [*map(_quoted, self.inputs), *(f"{_quoted(name)} REAL" for name in self.results)]
-        own += [f"{_quoted(name)} BLOB" for name in self.fields]
+        fixed = [f"{name} {kind}" for name, kind in FIXED.items()]
+        own = [*map(_quote, self.inputs), *(f"{_quote(name)} REAL" for name in self.results)]
+        own += [f"{_quote(name)} BLOB" for name in self.fields]
         return [
             f"CREATE TABLE rows ({', '.join([*fixed, *own, 'mesh TEXT NOT NULL'])})",
             "CREATE TABLE meshes (key TEXT PRIMARY KEY, nodes BLOB NOT NULL, elements BLOB NOT NULL) WITHOUT ROWID",
@@ -150,7 +150,7 @@ class Store:
                         (key_of(mesh), _bytes(mesh.nodes, "<f8"), _bytes(mesh.elements, "<i8")),
                     )
                 values = [row.number, row.status, row.reason, row.message, row.seconds]
-                values += [*map(plain, row.inputs), *row.results, *map(_packed, row.fields), row.mesh]
+                values += [*map(plain, row.inputs), *row.results, *map(_pack, row.fields), row.mesh]
                 new += self._connection.execute(f"INSERT OR IGNORE INTO rows VALUES ({marks})", values).rowcount
         return new
 
@@ -200,12 +200,12 @@ class Store:
 
     def rows(self, names: Sequence[str]) -> list[tuple[Any, ...]]:
         """Return some columns of all rows, in the order of their numbers."""
-        chosen = ", ".join(map(_quoted, names))
+        chosen = ", ".join(map(_quote, names))
         return list(self._connection.execute(f"SELECT {chosen} FROM rows ORDER BY number"))
 
     def fields(self, name: str) -> Iterator[tuple[int, str, Array]]:
         """Yield number, key of the mesh and values (n,) of a field with values at all nodes, row by row."""
-        statement = f"SELECT number, mesh, {_quoted(name)} FROM rows WHERE {_quoted(name)} IS NOT NULL ORDER BY number"
+        statement = f"SELECT number, mesh, {_quote(name)} FROM rows WHERE {_quote(name)} IS NOT NULL ORDER BY number"
         for number, mesh, blob in self._connection.execute(statement):
             yield number, mesh, np.frombuffer(zlib.decompress(blob), dtype="<f4").astype(float)
 
@@ -292,7 +292,7 @@ def _now() -> str:
     return datetime.now(UTC).isoformat(timespec="milliseconds")
 
 
-def _quoted(name: str) -> str:
+def _quote(name: str) -> str:
     return '"' + name.replace('"', '""') + '"'
 
 
@@ -301,7 +301,7 @@ def plain(value: Any) -> Any:
     return json.dumps(value) if isinstance(value, tuple | list) else value
 
 
-def _packed(values: Array | None) -> bytes | None:
+def _pack(values: Array | None) -> bytes | None:
     """Return a field as bytes: numbers of seven digits, one more than a certificate guarantees."""
     return None if values is None else _bytes(values, "<f4")
 

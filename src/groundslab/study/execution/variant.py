@@ -6,24 +6,15 @@ import hashlib
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from groundslab.errors import (
-    GroundslabError,
-    IllConditioned,
-    InputError,
-    Issue,
-    NeutralEquilibrium,
-    NoEquilibrium,
-    NotCertified,
-    NotConverged,
-    SingularMatrix,
-)
+from groundslab import errors
+from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.model.combinations import list_combinations
-from groundslab.model.loads.load_cases import Combination, has_ultimate_combination
+from groundslab.model.loads.load_cases import has_ultimate_combination
 from groundslab.solvers import factorization, pardiso
 from groundslab.study.definition import case_paths, outputs
 from groundslab.study.sampling import random_fields
@@ -32,22 +23,22 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.model import Model
     from groundslab.results.results import Results
-    from groundslab.study.definition.outputs import Output
+    from groundslab.study.definition.outputs import RequestedOutput
     from groundslab.study.definition.setup import Setup
     from groundslab.study.sampling.designs import Variant
+
+T = TypeVar("T")
 
 SOLVED, FAILED = "solved", "failed"
 
 #: Errors that a variant fails with whenever it is solved: its row has the reason and is final.
-REASONS: dict[type[GroundslabError], str] = {
-    InputError: "input",
-    IllConditioned: "IllConditioned",
-    NeutralEquilibrium: "NeutralEquilibrium",
-    NoEquilibrium: "NoEquilibrium",
-    NotConverged: "NotConverged",
-    NotCertified: "NotCertified",
-    SingularMatrix: "SingularMatrix",
-}
+REASONS: dict[type[GroundslabError], str] = {InputError: "input"} | {
+    kind: kind.__name__
+    for kind in (
+        errors.IllConditioned, errors.NeutralEquilibrium, errors.NoEquilibrium, errors.NotConverged,
+        errors.NotCertified, errors.SingularMatrix,
+    )
+}  # fmt: skip
 MAX_MESSAGE_LENGTH = 2000  # characters
 
 
@@ -82,12 +73,12 @@ class Worker:
     def __init__(self, setup: Setup) -> None:
         pardiso.make_reproducible()
         self._setup = setup
-        self._names = tuple(each.name for each in list_combinations(setup.model))
+        combinations = list_combinations(setup.model)
+        self._names = tuple(each.name for each in combinations)
+        self._ultimate = {each.name for each in combinations if each.limit_state == "ultimate"}
         named = {output.combination for output in setup.outputs}
         #: Combinations of the case that are solved, by their positions.
         self._solved = [n for n, name in enumerate(self._names) if "" in named or name in named]
-        self._all = [self._names[n] for n in self._solved]
-        self._ultimate = {each.name for each in list_combinations(setup.model) if each.limit_state == "ultimate"}
         # as many threads as there are workers are at work already, and sums of one thread come out the same everywhere
         with factorization.one_thread():
             self._solve = self._solver()
@@ -95,39 +86,36 @@ class Worker:
     def row(self, variant: Variant, known_meshes: Sequence[str] = ()) -> Row:
         """Return the row of a variant; errors of REASONS make rows too, others are raised."""
         began = time.perf_counter()
-        status, reason, message = SOLVED, "", ""
-        combined, names = None, dict[str, str]()
+        combined: Results | None = None
+        names: dict[str, str] = {}
         try:
             model, names = self._model(variant.values)
             with factorization.one_thread():
-                combined = self._solve(model, self._factors(variant.seeds))
-            refused = list(combined.refused.values())
-            if refused:
-                status, reason, message = FAILED, *_reason_of(refused[0])
+                fields = zip(self._setup.fields, variant.seeds, strict=True)
+                factors = {each.path: random_fields.factors(each, seed) for each, seed in fields}
+                combined = self._solve(model, factors)
+            failure: GroundslabError | None = next(iter(combined.refused.values()), None)
         except GroundslabError as error:
-            status, reason, message = FAILED, *_reason_of(error)
-        setup = self._setup
-        results: list[float | None] = [None] * len(setup.scalar_outputs)
-        arrays: list[Array | None] = [None] * len(setup.nodal_outputs)
+            failure = error
+        status, reason, message = (SOLVED, "", "") if failure is None else (FAILED, *_reason_of(failure))
+
+        def take(what: Callable[[RequestedOutput, Results, Sequence[str]], T], output: RequestedOutput) -> T | None:
+            return None if combined is None else what(output, combined, self._names_for(output, names))
+
+        results = tuple(take(outputs.scalar_of, each) for each in self._setup.scalar_outputs)
+        arrays = tuple(take(outputs.nodal_values_of, each) for each in self._setup.nodal_outputs)
         mesh, meshes = "", tuple[Mesh, ...]()
-        if combined is not None:
-            results = [outputs.scalar_of(each, combined, self._names_for(each, names)) for each in setup.scalar_outputs]
-            arrays = [
-                outputs.nodal_values_of(each, combined, self._names_for(each, names)) for each in setup.nodal_outputs
-            ]
         if combined is not None and any(array is not None for array in arrays):
             plate = next(iter(combined.results.values())).plate
             made = Mesh(plate.nodes, plate.elements)
             mesh = key_of(made)
             meshes = () if mesh in known_meshes else (made,)
-        return Row(
-            variant.number, status, reason, message, time.perf_counter() - began, (*variant.values, *variant.seeds),
-            tuple(results), tuple(arrays), mesh, meshes,
-        )  # fmt: skip
+        inputs, seconds = (*variant.values, *variant.seeds), time.perf_counter() - began
+        return Row(variant.number, status, reason, message, seconds, inputs, results, arrays, mesh, meshes)
 
-    def _names_for(self, output: Output, names: dict[str, str]) -> list[str]:
+    def _names_for(self, output: RequestedOutput, names: dict[str, str]) -> list[str]:
         """Return the names of the combinations of a variant that an output is of."""
-        own = [output.combination] if output.combination else self._all
+        own = [output.combination] if output.combination else [self._names[n] for n in self._solved]
         return [names[each] for each in own if each in self._ultimate or not output.is_steel]
 
     def _model(self, values: Sequence[Any]) -> tuple[Model, dict[str, str]]:
@@ -142,26 +130,23 @@ class Worker:
         if len(there) != len(self._names):
             expected = f"{len(self._names)}, as the case has"
             raise InputError([Issue("combinations", f"{len(there)} combinations", expected)])
-        chosen = [there[n] for n in self._solved]
-        if len(chosen) < len(there):
-            model = _only(model, chosen)
-        return model, {self._names[n]: each.name for n, each in zip(self._solved, chosen, strict=True)}
+        return self._only_solved(model), {self._names[n]: there[n].name for n in self._solved}
 
-    def _factors(self, seeds: Sequence[int]) -> dict[str, Any]:
-        """Return the random fields of a variant by the constants of the ground that they multiply."""
-        return {
-            each.path: random_fields.factors(each, seed) for each, seed in zip(self._setup.fields, seeds, strict=True)
-        }
+    def _only_solved(self, model: Model) -> Model:
+        """Return a case with the combinations that are solved; without an ultimate one no reinforcement is designed."""
+        there = list_combinations(model)
+        if len(self._solved) == len(there):
+            return model
+        chosen = tuple(there[n] for n in self._solved)
+        reinforcement = model.reinforcement if has_ultimate_combination(chosen, None) else None
+        return model.replace(combinations=chosen, combine=None, reinforcement=reinforcement)
 
     def _solver(self) -> Callable[[Model, dict[str, Any]], Results]:
         """Return the function that solves a variant of the case."""
         from groundslab.analysis.driver import Variants, solve_combinations
 
-        base = self._setup.model
         try:
-            if len(self._solved) < len(self._names):
-                there = list_combinations(base)
-                base = _only(base, [there[n] for n in self._solved])
+            base = self._only_solved(self._setup.model)
             if self._setup.fields:
                 base = base.replace(mesh=base.mesh.replace(symmetry="off"))
             return Variants(base).solve_combinations
@@ -170,13 +155,6 @@ class Worker:
             if self._setup.fields:
                 raise
             return lambda model, factors: solve_combinations(model)  # noqa: ARG005
-
-
-def _only(model: Model, combinations: Sequence[Combination]) -> Model:
-    """Return a model with some of its combinations; without an ultimate one there is no reinforcement design."""
-    ultimate = has_ultimate_combination(tuple(combinations), None)
-    reinforcement = model.reinforcement if ultimate else None
-    return model.replace(combinations=tuple(combinations), combine=None, reinforcement=reinforcement)
 
 
 def _reason_of(error: GroundslabError) -> tuple[str, str]:

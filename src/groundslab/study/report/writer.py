@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 from groundslab.errors import InputError, Issue
 from groundslab.storage import atomic, ownership
-from groundslab.study.evaluation import from_study
 from groundslab.study.evaluation import tables as evaluation
-from groundslab.study.evaluation.samples import choose_unit
+from groundslab.study.evaluation.samples import choose_unit, read_samples
 from groundslab.study.evaluation.statistics import LEVEL
 from groundslab.study.report import page
 from groundslab.units import UNITS
@@ -56,7 +55,7 @@ def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float
     from groundslab.study.evaluation import form
 
     folder = check(study)
-    sample = from_study.read_samples(study)
+    sample = read_samples(study)
     if len(sample.number) == 0:
         raise InputError([Issue(str(study.folder), "a study without a row", "a study with rows to evaluate")])
     tables = [*evaluation.tables_of(sample, level), *(form.tables(reliability) if reliability else ())]
@@ -114,7 +113,7 @@ def _unwritable(folder: Path, error: OSError) -> InputError:
 
 def tables_of(study: Study, level: float = LEVEL) -> tuple[Table, ...]:
     """Return the tables that are made of a study's rows; level is the confidence of the intervals."""
-    return evaluation.tables_of(from_study.read_samples(study), level)
+    return evaluation.tables_of(read_samples(study), level)
 
 
 def maps(study: Study) -> Iterator[page.Map]:

@@ -13,8 +13,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.special import ndtr, ndtri
+from scipy.stats import qmc
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Integers
 from groundslab.study.definition.setup import Setup, Variable
 
 #: Probabilities are kept this far from 0 and 1, where distributions may be infinite.
@@ -67,25 +69,23 @@ def list_variants(setup: Setup) -> VariantList:
         return _saltelli(setup)
     if kind == "tornado":
         return VariantList(_columns(setup, _one_at_a_time(len(setup.variables))), _seeds(setup, n, 0))
-    chosen = np.array([variable.chosen for variable in setup.variables], dtype=bool)
-    if not chosen.any():
-        return VariantList(_columns(setup, unit_points(setup, len(chosen))), _seeds(setup, n, 0))
-    return _designs(setup, chosen)
+    return _designs(setup)
 
 
 def _one_at_a_time(d: int) -> Array:
     """Return points (1 + 2 d, d) in the unit cube: the middle, then two for each variable, SWING below and above."""
     points = np.full((1 + 2 * d, d), 0.5)
-    for i in range(d):
-        points[1 + 2 * i : 3 + 2 * i, i] = 0.5 - SWING, 0.5 + SWING
+    points[1::2] -= SWING * np.eye(d)
+    points[2::2] += SWING * np.eye(d)
     return points
 
 
-def _designs(setup: Setup, chosen: Flags) -> VariantList:
+def _designs(setup: Setup) -> VariantList:
     """Return the drawn variants once for each design, always the same ones, and one design after the other.
 
-    chosen (d,) says which variables the designer chooses; of these the last one changes first.
+    Of the variables that the designer chooses the last one changes first; without any there is one design.
     """
+    chosen = np.array([variable.chosen for variable in setup.variables], dtype=bool)
     count = setup.sampling.count
     assert count is not None
     points = np.full((count, len(chosen)), 0.5)
@@ -101,8 +101,6 @@ def _designs(setup: Setup, chosen: Flags) -> VariantList:
 
 def unit_points(setup: Setup, dimensions: int) -> Array:
     """Return the drawn points (count, d) in the unit cube, independent of each other from column to column."""
-    from scipy.stats import qmc
-
     kind, n = setup.sampling.kind, setup.sampling.count
     assert n is not None
     rng = np.random.default_rng(np.random.SeedSequence(setup.seed, spawn_key=(_VALUES,)))
@@ -122,8 +120,6 @@ def unit_points(setup: Setup, dimensions: int) -> Array:
 
 def _columns(setup: Setup, points: Array) -> tuple[list[Any], ...]:
     """Return the columns of values of independent points (n, d) in the unit cube, made dependent by normal scores."""
-    from scipy.special import ndtr, ndtri
-
     points = np.clip(points, _END, 1 - _END)
     # without dependence the detour over the scores would only round
     if (setup.correlation != np.eye(len(setup.variables))).any():
@@ -135,7 +131,7 @@ def quantiles(variable: Variable, probability: Array) -> list[Any]:
     """Return the values (n,) of a variable with the given probabilities of not being exceeded; listed ones alike."""
     probability = np.clip(probability, _END, 1 - _END)
     if variable.distribution is not None:
-        found: list[Any] = variable.distribution.frozen.ppf(probability).tolist()
+        found: list[Any] = variable.distribution.ppf(probability).tolist()
         return found
     assert variable.values is not None
     return [variable.values[i] for i in (probability * len(variable.values)).astype(int)]

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.special import ndtr
 
 from groundslab.study.optional import import_optional
 
@@ -26,12 +27,7 @@ WAVES = 1000
 def scores(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     """Return a Gaussian field with mean 0 and variance 1, a function of x (n,) and y (n,) [m]."""
     field_of_seed = import_gstools().SRF(correlation_model(field), seed=seed, mode_no=WAVES)
-
-    def at(x: Array, y: Array) -> Array:
-        found: Array = field_of_seed((np.asarray(x, dtype=float), np.asarray(y, dtype=float)), store=False)
-        return found
-
-    return at
+    return lambda x, y: field_of_seed((np.asarray(x, dtype=float), np.asarray(y, dtype=float)), store=False)
 
 
 def correlation_model(field: Field) -> Any:
@@ -76,14 +72,7 @@ def _matern32(gstools: Any) -> Any:
 def factors(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     """Return the field's factors, a function of x (n,) and y (n,) [m]."""
     gaussian = scores(field, seed)
-
-    def at(x: Array, y: Array) -> Array:
-        from scipy.special import ndtr
-
-        values: Array = field.distribution.frozen.ppf(ndtr(gaussian(x, y)))
-        return values
-
-    return at
+    return lambda x, y: field.distribution.ppf(ndtr(gaussian(x, y)))
 
 
 def import_gstools() -> Any:

@@ -143,4 +143,4 @@ def test_maps_are_numpys() -> None:
 
 def test_rounding_is_no_uplift() -> None:
     """A settlement that is negative by rounding only does not count as lifted."""
-    assert field_maps.lifted(np.array([1.0, -1e-12, -1e-6])).tolist() == [False, False, True]
+    assert field_maps.find_uplift(np.array([1.0, -1e-12, -1e-6])).tolist() == [False, False, True]

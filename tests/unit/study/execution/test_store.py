@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import sqlite3
 import subprocess
@@ -15,7 +16,6 @@ import groundslab
 from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.errors import InputError
-from groundslab.study.definition import files
 from groundslab.study.execution import store, variant
 from groundslab.study.sampling import designs
 from helpers.studies import CASE, STUDY, read, run, write
@@ -36,7 +36,7 @@ class TestStore:
         assert (study.folder / "case.toml").read_text() == CASE
         assert study.about["seed"] == 3
         assert study.about["versions"]["numpy"] == np.__version__
-        assert study.about["case_sha256"] == files.sha256(CASE)
+        assert study.about["case_sha256"] == hashlib.sha256(CASE.encode()).hexdigest()
         assert {path.name for path in tmp_path.iterdir()} == {"slab.toml", "study.toml", "study-study"}
         names = {"study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"}
         assert {path.name for path in study.folder.iterdir()} == names

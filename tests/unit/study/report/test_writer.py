@@ -21,7 +21,7 @@ from groundslab.cli.main import main
 from groundslab.errors import InputError
 from groundslab.study.definition.schema import StudyFile
 from groundslab.study.evaluation.form import reliability
-from groundslab.study.evaluation.from_study import read_samples
+from groundslab.study.evaluation.samples import read_samples
 from groundslab.study.evaluation.study import Study
 from groundslab.study.report import writer
 from groundslab.study.report.writer import evaluate, tables_of
