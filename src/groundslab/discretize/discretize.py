@@ -36,8 +36,7 @@ def discretize(
     The mesh is reused from `meshes` if it has one of that shape, the loading from a similar model if its loads are the
     same. `factors` multiply constants of the ground from place to place. Without `loaded` nothing acts on the problem.
     """
-    profiles = grounds_of(model)
-    plan = layout(model, profiles, coarsening, margin, meshes or Meshes())
+    plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed_borders)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
@@ -60,7 +59,6 @@ def discretize(
         section=plan.section,
         thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
-        profiles=tuple(profiles),
         constants=constants,
         rank=plan.rank,
         unknown=unknown,

@@ -102,7 +102,6 @@ class Problem:
     section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
     thickness: Array  # (mp,) [m]: of each plate element
     ground: Soil | Column
-    profiles: tuple[Soil | Column, ...]  # each described ground as if it lay everywhere: boreholes, or ground and zones
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero

@@ -19,12 +19,16 @@ class Constants:
         Decay of the mode over the depth; None if the ground has no such mode.
     gamma_iterations : int
         Iterations that gamma took.
+    decay : float or None
+        Decay of the settlement over the plan [1/m], which all columns of soil have in common: the root of
+        int |grad w|^2 / int w^2. None if gamma is None.
     """
 
     k0: tuple[float, ...]
     k1: tuple[float, ...]
     gamma: float | None
     gamma_iterations: int
+    decay: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

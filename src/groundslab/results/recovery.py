@@ -160,13 +160,14 @@ def section_forces(problem: Problem, U: Array, frame: ResultMesh) -> dict[str, A
 
 def _constants(solution: Solution) -> Constants:
     """Return k0 and k1 of each layer, given or from gamma; where the ground varies, the means over the plate's area."""
-    problem, gamma = solution.system.problem, solution.gamma
+    problem, gamma, decay = solution.system.problem, solution.gamma, None
     ground = problem.ground
     if isinstance(ground, Soil):
         assert gamma is not None
+        decay = gamma / ground.gamma_of(1.0)
         k0, k1 = ground.layer_parameters(gamma)
         if ground.area_fraction is not None:
             k0, k1 = ground.area_fraction @ k0, ground.area_fraction @ k1
     else:
         k0, k1 = problem.constants
-    return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations)
+    return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations, decay)

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.discretize.borders import shares, zone_rings
-from groundslab.discretize.ground import ground_under, grounds_of
+from groundslab.discretize.ground import grounds_of
 from groundslab.discretize.plan_layout import find_followed_borders
 from groundslab.discretize.voids import VoidShares, share_voids
-from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import Layered, SoilLayer, Vlasov
@@ -77,23 +76,20 @@ def list_columns(model: Model) -> list[tuple[str, tuple[SoilLayer, ...]]]:
 def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     """Return each described column with the gamma, k0, k1 and mode that it has in one combination.
 
-    All have the same decay of the settlement, int |grad w|^2 / int w^2, which is that of the mean gamma found;
-    a given gamma is that of every column (docs/theory.md, ground that varies over the plan).
+    All have the same decay of the settlement; a given gamma is that of every column (docs/theory.md, ground that varies
+    over the plan).
     """
-    model, plate = results.model, results.plate
+    model, constants = results.model, results.constants
     columns = list_columns(model)
-    gamma = results.constants.gamma
-    mean, _ = ground_under(model, Mesh(plate.nodes, plate.elements), np.arange(len(plate.elements)), {})
-    if gamma is None or not isinstance(mean, Soil):
+    if constants.gamma is None or constants.decay is None:
         known = len(columns) == 1
-        k0, k1 = (results.constants.k0, results.constants.k1) if known else ((), ())
+        k0, k1 = (constants.k0, constants.k1) if known else ((), ())
         none = np.zeros(0)
         return tuple(Profile(name, strata_of(layers), None, k0, k1, none, none) for name, layers in columns)
-    decay2 = (gamma / mean.gamma_of(1.0)) ** 2
     found = []
     for (name, layers), soil in zip(columns, grounds_of(model), strict=True):
         assert isinstance(soil, Soil)
-        own = soil.gamma_of(decay2) if soil.gamma is None else soil.gamma
+        own = soil.gamma_of(constants.decay**2) if soil.gamma is None else soil.gamma
         k0, k1 = (tuple(map(float, values)) for values in soil.layer_parameters(own))
         mode = soil.mode(own)
         z, psi = (np.zeros(0), np.zeros(0)) if mode is None else (mode.z, mode.psi)

@@ -17,8 +17,11 @@ import pytest
 import groundslab
 from groundslab.cli import main
 from groundslab.design.tables.quantities import nodal_values
+from groundslab.discretize.ground import ground_under
 from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
+from groundslab.fem.mesh import Mesh
+from groundslab.fem.vlasov import Soil
 from groundslab.model.columns import Column
 from groundslab.model.ground import InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.loads.load_cases import Combination
@@ -69,7 +72,10 @@ def layered(ground: Any, gamma: float | None, **changes: Any) -> CombinationResu
     """Return made-up results on soil, of which only gamma counts."""
     model = synthetic.model(shear=True).replace(ground=ground, **changes)
     found = synthetic.results(2, shear=True, model=model)
-    return replace(found, constants=replace(found.constants, gamma=gamma))
+    mesh = Mesh(found.plate.nodes, found.plate.elements)
+    soil, _ = ground_under(found.model, mesh, np.arange(len(mesh.elements)), {})
+    decay = gamma / soil.gamma_of(1.0) if gamma is not None and isinstance(soil, Soil) else None
+    return replace(found, constants=replace(found.constants, gamma=gamma, decay=decay))
 
 
 class TestRequest:
