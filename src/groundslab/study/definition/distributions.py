@@ -11,7 +11,6 @@ from collections.abc import Callable
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from scipy import optimize, stats
 
 from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Factors, Number, Text
@@ -125,6 +124,8 @@ DistributionOf = Annotated[AnyDistribution, ByKind()]
 
 def distribution_of(part: AnyDistribution, read: Read) -> Any:
     """Return SciPy's frozen distribution of a section, its amounts in SI units read by `read`; raises FieldError."""
+    from scipy import stats
+
     if isinstance(part, Scipy):
         return _from_scipy(part)
     amounts = _read_amounts(part, read)
@@ -172,6 +173,8 @@ def _read_amounts(part: AnyDistribution, read: Read) -> dict[str, float]:
 
 def _beta(mean: float, std: float, low: float, high: float) -> Any:
     """Return the beta distribution with given moments on (low, high) (Johnson, Kotz and Balakrishnan 1995, 25)."""
+    from scipy import stats
+
     if not low < mean < high:
         raise FieldError(RelativeIssue(("mean",), f"{mean:g}", f"a value between {low:g} and {high:g}"))
     m, v = (mean - low) / (high - low), (std / (high - low)) ** 2
@@ -186,6 +189,8 @@ def _beta(mean: float, std: float, low: float, high: float) -> Any:
 
 def _positive(part: AnyDistribution, mean: float, cov: float) -> Any:
     """Return a distribution on the positive numbers by its mean and its coefficient of variation."""
+    from scipy import stats
+
     if isinstance(part, Lognormal):
         variance = math.log1p(cov**2)
         return stats.lognorm(s=math.sqrt(variance), scale=mean * math.exp(-variance / 2))
@@ -197,6 +202,7 @@ def _positive(part: AnyDistribution, mean: float, cov: float) -> Any:
 
 def _weibull_shape(cov: float) -> float:
     """Return c with 1 + cov^2 = Gamma(1 + 2/c) / Gamma(1 + 1/c)^2 (Johnson, Kotz and Balakrishnan 1994, 21)."""
+    from scipy import optimize
 
     def off(log_c: float) -> float:
         c = math.exp(log_c)
@@ -213,6 +219,8 @@ def _weibull_shape(cov: float) -> float:
 
 def _from_scipy(part: Scipy) -> Any:
     """Return a distribution of scipy.stats by its own name and parameters."""
+    from scipy import stats
+
     known = [name for name in dir(stats) if isinstance(getattr(stats, name), stats.rv_continuous)]
     if part.name not in known:
         expected = "a continuous distribution of scipy.stats"

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.special import ndtr
 
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
@@ -53,6 +52,8 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
     Lind 1974), found by the iteration of Rackwitz and Fiessler 1978 with a line search. The importance of an input is
     the square of its score there over the sum of all. Raises NotConverged, and InputError where OpenTURNS is missing.
     """
+    from scipy.special import ndtr
+
     ot = import_optional("openturns", "which finds the design point")
     d, known, raised = len(correlation), dict[tuple[float, ...], float](), list[GroundslabError]()
 
@@ -218,6 +219,8 @@ def margin_of(setup: Setup, limit: Limit) -> Callable[[Array], float]:
 
 def values_of(setup: Setup, scores: Array) -> tuple[float, ...]:
     """Return the values (SI) of a study's variables at dependent standard normal scores (d,): of equal probability."""
+    from scipy.special import ndtr
+
     # the smaller of both probabilities has all its digits
     return tuple(
         float(each.distribution.ppf(ndtr(z)) if z < 0 else each.distribution.isf(ndtr(-z)))

@@ -10,8 +10,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.special import ndtri, stdtrit
-from scipy.stats import quantile_test, rankdata
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
@@ -31,11 +29,15 @@ class Estimate:
 
 def half_width(level: float) -> float:
     """Return the half-width of a standard normal's central interval: 1.96 for a level of 0.95."""
+    from scipy.special import ndtri
+
     return float(ndtri(0.5 + level / 2))
 
 
 def mean(x: Array, level: float = LEVEL) -> Estimate:
     """Return the mean of samples (n,) and Student's interval, which is exact for normal samples (Student 1908)."""
+    from scipy.special import stdtrit
+
     n, value = len(x), float(np.mean(x))
     if n < 2:
         return Estimate(value, -np.inf, np.inf)
@@ -67,6 +69,8 @@ def percentile(x: Array, p: float, level: float = LEVEL) -> Estimate:
     enclose it with the given confidence (David and Nagaraja 2003, 7.1). Where the samples are too few for an end, it is
     infinite.
     """
+    from scipy.stats import quantile_test
+
     low, high = quantile_test(x, p=p).confidence_interval(level)
     low, high = float(np.nan_to_num(low, nan=-np.inf)), float(np.nan_to_num(high, nan=np.inf))
     return Estimate(float(np.quantile(x, p)), low, high)
@@ -100,6 +104,8 @@ def exceedance(x: Array, level: float = LEVEL, *, below: bool = False) -> tuple[
     The share below each instead if low values are the bad ones. The interval is that of Wilson 1927 at each value by
     itself, not for the curve as a whole.
     """
+    from scipy.stats import rankdata
+
     n, ordered = len(x), np.sort(x)
     beyond = rankdata(ordered, "min") - 1 if below else n - rankdata(ordered, "max")
     return ordered, *wilson(beyond, n, level)
@@ -117,6 +123,8 @@ def rank_correlation(x: Array, y: Array, level: float = LEVEL) -> Estimate:
 
     Fisher's transformation atanh(r) is taken as normal with variance (1 + r^2 / 2) / (n - 3) (Bonett and Wright 2000).
     """
+    from scipy.stats import rankdata
+
     r, n = correlation(rankdata(x), rankdata(y)), len(x)
     if not np.isfinite(r) or n < 4:
         return Estimate(r, -1.0, 1.0)

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.special import ndtri
 
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.study.evaluation import sensitivity, statistics
@@ -131,6 +130,8 @@ def failure_probability(sample: Samples, group: Group, limit: Limit, level: floa
 
 def _limit_cells(sample: Samples, group: Group, limit: Limit, level: float) -> list[Cell]:
     """Return condition and failures; then, if chance decides, probability, index, missing results, and the verdict."""
+    from scipy.special import ndtri
+
     output = sample.output(limit.output)
     x = sample.there(output, group)
     failed, n = int(limit.fails(x).sum()), len(x)

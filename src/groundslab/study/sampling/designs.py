@@ -13,8 +13,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.special import ndtr, ndtri
-from scipy.stats import qmc
 
 from groundslab.arrays import Array, Integers
 from groundslab.study.definition.setup import Setup, Variable
@@ -101,6 +99,8 @@ def _designs(setup: Setup) -> VariantList:
 
 def unit_points(setup: Setup, dimensions: int) -> Array:
     """Return the drawn points (count, d) in the unit cube, independent of each other from column to column."""
+    from scipy.stats import qmc
+
     kind, n = setup.sampling.kind, setup.sampling.count
     assert n is not None
     rng = np.random.default_rng(np.random.SeedSequence(setup.seed, spawn_key=(_VALUES,)))
@@ -120,6 +120,8 @@ def unit_points(setup: Setup, dimensions: int) -> Array:
 
 def _columns(setup: Setup, points: Array) -> tuple[list[Any], ...]:
     """Return the columns of values of independent points (n, d) in the unit cube, made dependent by normal scores."""
+    from scipy.special import ndtr, ndtri
+
     points = np.clip(points, _END, 1 - _END)
     # without dependence the detour over the scores would only round
     if (setup.correlation != np.eye(len(setup.variables))).any():

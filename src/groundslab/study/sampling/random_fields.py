@@ -12,7 +12,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.special import ndtr
 
 from groundslab.study.optional import import_optional
 
@@ -71,6 +70,8 @@ def _matern32(gstools: Any) -> Any:
 
 def factors(field: Field, seed: int) -> Callable[[Array, Array], Array]:
     """Return the field's factors, a function of x (n,) and y (n,) [m]."""
+    from scipy.special import ndtr
+
     gaussian = scores(field, seed)
     return lambda x, y: field.distribution.ppf(ndtr(gaussian(x, y)))
 
