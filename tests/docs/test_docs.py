@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import importlib
 import io
 import re
 import subprocess
@@ -10,9 +11,11 @@ import sys
 import tokenize
 import tomllib
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
+import groundslab
 from groundslab.case import casefile
 from helpers.paths import PACKAGE, ROOT
 
@@ -123,6 +126,22 @@ def test_modules_that_the_docs_name_are_there() -> None:
         assert not name or re.search(rf"^(?:def|class) {name}\b", module.read_text(encoding="utf-8"), re.MULTILINE), (
             path
         )
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_names_in_python_are_there(page: Path) -> None:
+    """Every name of the package with its dots, such as groundslab.design.tables.design_of, can be had."""
+    text = page.read_text(encoding="utf-8")
+    for name in set(
+        re.findall(r"\bgroundslab((?:\.[a-z]\w*)+)(?![\w/-]|\.\w)", re.sub(r"\S+\.(?:json|toml)", "", text))
+    ):
+        found: object = groundslab
+        module = "groundslab"
+        for part in name[1:].split("."):
+            module = f"{module}.{part}"
+            if not hasattr(found, part) and isinstance(found, ModuleType):
+                importlib.import_module(module)
+            found = getattr(found, part)
 
 
 @pytest.mark.slow

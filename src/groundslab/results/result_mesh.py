@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import assert_never
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
 from groundslab.geometry.plan import Ring, rectangle
 from groundslab.model.columns import footprint
-from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad
+from groundslab.model.loads import load_types as loads
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport
 from groundslab.results import patch_recovery
@@ -208,21 +209,23 @@ def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array,
     return Mesh(doubled.nodes, doubled.elements[images]), more, copied
 
 
-def _lines(load: object, model: Model) -> Iterator[tuple[Place, Place]]:
+def _lines(load: loads.AnyLoad, model: Model) -> Iterator[tuple[Place, Place]]:
     """Yield the straight lines along which a load begins, ends or stands."""
     rings: list[Ring] = []
-    if isinstance(load, LineLoad):
+    if isinstance(load, loads.LineLoad):
         yield from ((edge.start, edge.end) for edge in load.segments() if edge.straight)
-    elif isinstance(load, PatchLoad):
+    elif isinstance(load, loads.PatchLoad):
         rings = [rectangle(*load.x, *load.y)]
-    elif isinstance(load, AreaLoad):
+    elif isinstance(load, loads.AreaLoad):
         rings = [shape.ring() for shape in (load.shape, *load.holes)]
-    elif isinstance(load, PointLoad):
+    elif isinstance(load, loads.PointLoad):
         own = load.on(model.columns)
         assert own.x is not None
         assert own.y is not None
         own_ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
         rings = [] if own_ring is None else [own_ring]
+    elif not isinstance(load, loads.UniformLoad | loads.SelfWeight | loads.TemperatureLoad | loads.SettlementLoad):
+        assert_never(load)
     yield from ((edge.start, edge.end) for ring in rings for edge in ring.segments() if edge.straight)
 
 

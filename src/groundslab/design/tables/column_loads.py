@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
@@ -52,8 +52,11 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
             force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[elements]))
         elif isinstance(load, load_types.LineLoad):
             force[load.case] += _on_line(load, model.plate, part, chord)
-        elif isinstance(load, load_types.PointLoad) and load.column != column and _may_meet(load, model, part):
-            force[load.case] += _on_footprint(load.on(model.columns), part, chord)
+        elif isinstance(load, load_types.PointLoad):
+            if load.column != column and _may_meet(load, model, part):
+                force[load.case] += _on_footprint(load.on(model.columns), part, chord)
+        elif not isinstance(load, load_types.TemperatureLoad | load_types.SettlementLoad):
+            assert_never(load)
     return force
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.plan import Segment, bounding_box
-from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, pressure_function
+from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, Spread, pressure_function
 from groundslab.model.plate import Plate, PlateRegion
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
@@ -35,8 +35,6 @@ FAR = 1e3
 #: The tangents around an arc span this angle [rad] at most.
 TANGENT = 2 * math.pi / 256
 
-#: What is spread over an area or along a line, and can be cut off.
-Spread = PatchLoad | AreaLoad | LineLoad
 #: A pressure [Pa] as a function of places (..., 2).
 Pressure = Callable[[Array], Array]
 
@@ -126,7 +124,7 @@ def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, Bas
             load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else bounding_box(load.segments()),
         )
         for n, load in enumerate(loads)
-        if isinstance(load, PatchLoad | AreaLoad | LineLoad)
+        if isinstance(load, Spread)
     ]
 
 

@@ -312,4 +312,6 @@ def pressure_function(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Arr
 
 
 AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight | TemperatureLoad | SettlementLoad
+#: Loads that may reach over the plate's edge, where they are cut off; others with a place must lie on the plate.
+Spread = PatchLoad | AreaLoad | LineLoad
 Load = Annotated[AnyLoad, ByKind()]

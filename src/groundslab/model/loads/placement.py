@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Protocol
 
 from groundslab.model.columns import Column
-from groundslab.model.loads.load_types import AnyLoad, PointLoad
+from groundslab.model.loads.load_types import AnyLoad, PointLoad, Spread
 from groundslab.model.plate import ROUNDING, Plate, PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.schema.issues import RelativeIssue
@@ -75,7 +75,8 @@ def check_point_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Rela
     """
     covered = PlateRegion(plate)
     for position, load in enumerate(loads):
-        if isinstance(load, PointLoad) and not load.column:
+        on_column = isinstance(load, PointLoad) and load.column
+        if hasattr(load, "drawn") and not isinstance(load, Spread) and not on_column:
             yield from on_plate(covered, load, ("loads", position))
 
 

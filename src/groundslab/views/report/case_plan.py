@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from groundslab.model.loads.load_types import AnyLoad
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.scene.plan import plan_of
@@ -28,8 +29,8 @@ REACH = 0.5
 LEAST_DIMENSION, CHAIN = 8.0, 5.0
 #: Of more loads than these none is labeled.
 MOST_LABELS = 60
-#: Kinds of loads that have a place in plan, and those that act on the plate everywhere or at a support.
-PLACED = ("point", "line", "patch", "area")
+#: Kinds of loads that have a place in plan; the others act on the plate everywhere or at a support.
+PLACED = tuple(kind.model_fields["kind"].default for kind in get_args(AnyLoad) if hasattr(kind, "drawn"))
 #: The sides of a place on which its label may stand, the better ones first.
 SIDES: tuple[Point, ...] = ((1, 0), (-1, 0), (1, -1), (-1, -1), (1, 1), (-1, 1), (0, 1), (0, -1))
 
