@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, nested
+from groundslab.schema.base import Section, get_field_type, get_sections
 from groundslab.schema.fields import FROM_FILE, Factors
 from groundslab.schema.issues import FieldError
 from groundslab.study.definition import case_paths
@@ -37,10 +37,10 @@ def all_paths(part: Section, path: str) -> Iterator[tuple[str, Any]]:
             yield below, held
             if isinstance(held, tuple):
                 yield from ((f"{below}[{n}]", item) for n, item in enumerate(held, start=1))
-        elif nested(field).many:
+        elif get_sections(field).many:
             for n, item in enumerate(held, start=1):
                 yield from all_paths(item, f"{below}[{n}]")
-        elif nested(field).parts and held is not None:
+        elif get_sections(field).parts and held is not None:
             yield from all_paths(held, below)
 
 

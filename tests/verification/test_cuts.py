@@ -15,7 +15,7 @@ from shapely import Polygon, box
 
 from groundslab.analysis.driver import solve
 from groundslab.design.punching import RectangularColumn, demand
-from groundslab.design.section_cuts import cut, strip
+from groundslab.design.section_cuts import cut_plate, strip
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.model.ground import Pasternak, SoilLayer, Vlasov, Winkler
@@ -69,7 +69,7 @@ def beside(result: CombinationResult, axis: int, place: float) -> tuple[float, f
 def across(result: CombinationResult, axis: int, place: float) -> tuple[float, float]:
     """Return shear and moment on the same cut, by the package."""
     ends = ((place, -LY / 2), (place, LY / 2)) if axis == 0 else ((LX / 2, place), (-LX / 2, place))
-    found = cut(result.plate, *ends)
+    found = cut_plate(result.plate, *ends)
     return found.shear, found.moment
 
 
@@ -125,7 +125,7 @@ def test_cuts_across_elements(a: tuple[float, float], b: tuple[float, float]) ->
     errors = []
     for n in (8, 24):
         result = solved("winkler", n)
-        found = cut(result.plate, a, b)
+        found = cut_plate(result.plate, a, b)
         V, M = by_winkler(result, a, b)
         errors.append([abs(found.moment / M - 1), abs(found.shear / V - 1)])
     assert (np.array(errors[1]) < [1e-3, 2e-3]).all()

@@ -11,7 +11,7 @@ import groundslab
 from groundslab.design.design_moments import wood_armer
 from groundslab.design.punching import RectangularColumn, demand
 from groundslab.design.reinforcement import Axes, Concrete, Steel, slab
-from groundslab.design.section_cuts import cut
+from groundslab.design.section_cuts import cut_plate
 from groundslab.design.tables import tables_of
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.table import Table
@@ -101,7 +101,7 @@ def test_strips_are_cuts(combined: Results, tables: dict[str, Table]) -> None:
     """Forces across the whole width at x = 1 m are those of the cut, and of the loads and pressure beyond it."""
     (one,) = rows(tables["strips"], combination="in use", s=5.0)
     plate = combined["in use"].plate
-    direct = cut(plate, (1, -3), (1, 3))
+    direct = cut_plate(plate, (1, -3), (1, 3))
     assert (one["moment"], one["shear"]) == pytest.approx((direct.moment / 1e3, direct.shear / 1e3))
     assert one["width on the plate"] == pytest.approx(6)
     (pile,) = rows(tables["supports"], combination="in use")

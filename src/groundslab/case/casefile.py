@@ -11,7 +11,7 @@ from typing import Any
 
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, nested
+from groundslab.schema.base import Section, get_field_type, get_sections
 from groundslab.schema.fields import FROM_FILE
 from groundslab.schema.wording import describe, quote
 
@@ -134,7 +134,7 @@ def _lines(part: Section, path: str) -> Iterator[str]:
     tables: list[tuple[str, Section]] = []
     for name, field in type(part).model_fields.items():
         value: Any = getattr(part, name)
-        key, inner = get_field_type(field), nested(field)
+        key, inner = get_field_type(field), get_sections(field)
         below = f"{path}.{name}" if path else name
         if inner.many:
             tables += [(f"[[{below}]]", each) for each in value]

@@ -67,7 +67,7 @@ def fields_of(plate: PlateResult) -> dict[str, Array]:
     return {name: getattr(plate, name) for name in PLATE_FIELDS}
 
 
-def derived(fields: Mapping[str, Array], name: str) -> Array:
+def derive_field(fields: Mapping[str, Array], name: str) -> Array:
     """Return a quantity of POINT_FIELDS or RANGED_FIELDS (n,) from the plate's fields (n,), all in SI units."""
     if name in PLATE_FIELDS:
         return fields[name]

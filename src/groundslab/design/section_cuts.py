@@ -110,7 +110,7 @@ def cut_along(plate: PlateResult, points: Array, spacing: float | None = None) -
     return SectionCut(s, x, y, (np.cumsum(~goes_on) - 1)[piece], values)
 
 
-def cut(plate: PlateResult, a: tuple[float, float] | Array, b: tuple[float, float] | Array) -> CutForces:
+def cut_plate(plate: PlateResult, a: tuple[float, float] | Array, b: tuple[float, float] | Array) -> CutForces:
     """Return the forces on the straight cut from a to b [m], which may reach beyond the plate.
 
     Gauss points between the element sides that the cut crosses make the integrals exact for the nodal fields on

@@ -87,7 +87,7 @@ def _spread(
     pressure = loads.pressure_function(load)
     if isinstance(load, loads.UniformLoad):
         return load_vectors.integrate_over_elements(mesh, elements, pressure)
-    return load_vectors.integrate_over_polygon(mesh, elements, load.drawn(math.inf), pressure)
+    return load_vectors.integrate_over_polygon(mesh, elements, load.to_shapely(math.inf), pressure)
 
 
 def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
@@ -96,7 +96,7 @@ def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array,
     On a footprint a force is a uniform pressure, a moment one that grows linearly from the middle.
     """
     mesh, elements = plan.mesh, plan.plate_elements
-    place = load.drawn(FLAT * max(model.plate.sides))
+    place = load.to_shapely(FLAT * max(model.plate.sides))
     none = np.zeros((2, len(elements), 9))
     if place.geom_type == "Point":
         N = _share(load, plan) * load_vectors.integrate_at_point(mesh, elements, _on_meshed_side(load, plan))

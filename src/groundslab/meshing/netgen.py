@@ -157,7 +157,7 @@ def _with_points(chords: Chords, points: list[Place], wanted: Callable[[Array], 
     """Return chords with short sides added through points that lie on none: Netgen keeps no node without a side."""
     import shapely
 
-    nodes, ends, held = [*chords.nodes], [*chords.ends], [*chords.points]
+    nodes, ends, fixed_points = [*chords.nodes], [*chords.ends], [*chords.points]
     lines = shapely.multilinestrings(shapely.linestrings(chords.nodes[chords.ends]))
     for place in np.array(points).reshape(-1, 2):
         others = [shapely.Point(other) for other in points if math.dist(other, place) > 0]
@@ -166,9 +166,9 @@ def _with_points(chords: Chords, points: list[Place], wanted: Callable[[Array], 
         n = len(nodes)
         nodes += list(place + reach * np.array([[0, 0], [-1, 0], [1, 0]]))
         ends += [np.array([n, n + 1]), np.array([n, n + 2])]
-        held.append(n)
+        fixed_points.append(n)
     owner = np.concatenate([chords.piece, np.full(len(ends) - len(chords.ends), -1)])
-    return Chords(np.array(nodes), np.array(ends), owner, np.array(held))
+    return Chords(np.array(nodes), np.array(ends), owner, np.array(fixed_points))
 
 
 def _generate(

@@ -162,8 +162,8 @@ def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
     place, _ = find_sides(keys, drawn.ends, len(nodes))
     centre, radius = np.zeros((len(keys), 2)), np.zeros(len(keys))
     centre[place], radius[place] = drawn.centre, drawn.radius
-    held = np.zeros(len(nodes), dtype=bool)
-    held[drawn.ends] = held[drawn.points] = True
+    fixed_points = np.zeros(len(nodes), dtype=bool)
+    fixed_points[drawn.ends] = fixed_points[drawn.points] = True
     angle = np.arange(16) * math.pi / 8
     ways = np.concatenate([r * np.column_stack([np.cos(angle), np.sin(angle)]) for r in (0.03, 0.1, 0.25, 0.5)])
 
@@ -179,7 +179,7 @@ def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
     for _ in range(MAX_IMPROVEMENTS):
         bad = rated(nodes[quadrilaterals], number) < POOR
         corners = np.unique(quadrilaterals[bad])
-        for corner in corners[~held[corners]]:
+        for corner in corners[~fixed_points[corners]]:
             around = np.flatnonzero((quadrilaterals == corner).any(axis=1))
             cells = quadrilaterals[around]
             reach = np.linalg.norm(nodes[cells] - nodes[corner], axis=2).max() / 2

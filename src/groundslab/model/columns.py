@@ -58,6 +58,6 @@ class Column(Section):
         assert ring is not None
         return ring
 
-    def drawn(self, chord: float) -> BaseGeometry:
+    def to_shapely(self, chord: float) -> BaseGeometry:
         """Return the footprint, arcs replaced by chords at most so far off [m]."""
         return self.ring().polygon(chord)

@@ -30,7 +30,7 @@ class OutputPoint(Section):
     x: Annotated[float, Quantity("length", "x", "position")]
     y: Annotated[float, Quantity("length", "y", "position")]
 
-    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
+    def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
         """Return the point."""
         from shapely import Point
 

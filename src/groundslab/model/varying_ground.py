@@ -189,6 +189,6 @@ class Void(Section):
         assert self.y is not None
         return rectangle(*self.x, *self.y)
 
-    def drawn(self, chord: float) -> BaseGeometry:
+    def to_shapely(self, chord: float) -> BaseGeometry:
         """Return the area, arcs as chords at most so far off [m]."""
         return self.ring().polygon(chord)

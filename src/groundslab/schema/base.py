@@ -45,7 +45,7 @@ class NestedSections:
     many: bool
 
 
-def nested(field: FieldInfo) -> NestedSections:
+def get_sections(field: FieldInfo) -> NestedSections:
     """Return the sections that a field may hold."""
     found: list[type[Section]] = []
     many = False
@@ -72,7 +72,7 @@ def get_field_type(field: FieldInfo) -> FieldType | None:
 
 def get_most_sections(field: FieldInfo) -> int | None:
     """Return how many sections a field may hold, None for one that holds no list of sections."""
-    return next((item.most for item in field.metadata if isinstance(item, Table) and nested(field).many), None)
+    return next((item.most for item in field.metadata if isinstance(item, Table) and get_sections(field).many), None)
 
 
 def get_meaning(field: FieldInfo) -> str:
@@ -111,7 +111,7 @@ class Section(BaseModel):
         super().__pydantic_init_subclass__(**options)
         lines = []
         for name, field in cls.model_fields.items():
-            key, inner = get_field_type(field), nested(field)
+            key, inner = get_field_type(field), get_sections(field)
             kinds = listed(part.__name__ for part in inner.parts) if inner.parts else "str"
             kind = key.type_text().replace("`", "") if key else f"list of {kinds}" if inner.many else kinds
             within = f" ({key.range_text()})" if key and key.range_text() else ""
@@ -309,7 +309,7 @@ def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any) -> Re
     field = cls.model_fields.get(str(place[0])) if place else None
     if field is None:
         return _not_a_table(place, value)
-    inner = nested(field)
+    inner = get_sections(field)
     if kind in ("missing", "too_short"):
         key = get_field_type(field)
         table = "at least one table" if inner.many else "a table"

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic.fields import FieldInfo
 
-from groundslab.schema.base import Section, get_field_type, get_meaning, get_most_sections, nested
+from groundslab.schema.base import Section, get_field_type, get_meaning, get_most_sections, get_sections
 from groundslab.schema.fields import FieldType
 
 
@@ -54,7 +54,7 @@ def _field_schema(field: FieldInfo, definitions: dict[str, Any]) -> dict[str, An
         return {"description": named, **key.json_schema(), **symbol, **_default_schema(field, key)}
     if _is_tag(field):
         return {"description": about, "const": field.default}
-    inner = nested(field)
+    inner = get_sections(field)
     for part in inner.parts:
         if part.__name__ not in definitions:
             definitions[part.__name__] = {}  # reserved, so that it is not entered twice
@@ -78,13 +78,13 @@ def _default_schema(field: FieldInfo, key: FieldType) -> dict[str, Any]:
 
 def _is_tag(field: FieldInfo) -> bool:
     """Whether a field only says of which kind its part is."""
-    return get_field_type(field) is None and not nested(field).parts
+    return get_field_type(field) is None and not get_sections(field).parts
 
 
 def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[str]:
     """Yield the lines of the table of a part's keys, then those of the parts in it."""
     fields = part.model_fields
-    rows = [(name, field) for name, field in fields.items() if not nested(field).parts]
+    rows = [(name, field) for name, field in fields.items() if not get_sections(field).parts]
     yield f"### {_heading(path, kind)}\n"
     if about:
         yield f"{about[0].upper()}{about[1:]}.\n"
@@ -92,7 +92,7 @@ def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[s
     yield from (_row(f"{path}.{name}".lstrip("."), field) for name, field in rows)
     yield ""
     for name, field in fields.items():
-        inner = nested(field)
+        inner = get_sections(field)
         below = f"{path}.{name}".lstrip(".") + ("[]" if inner.many else "")
         for each in inner.parts:
             tag = next((field for field in each.model_fields.values() if _is_tag(field)), None)

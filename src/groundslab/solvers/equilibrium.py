@@ -180,13 +180,13 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
     nodes, b = problem.plate_nodes, problem.bearing
-    held = problem.unknown[:, : BETA_Y + 1] < 0
+    fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
-    held[b.node[both], b.field[both]] = True
+    fixed[b.node[both], b.field[both]] = True
     for axis in (0, 1):
         if mirrored and problem.symmetry[axis]:
-            held[problem.mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
-    held = held[nodes]
+            fixed[problem.mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
+    fixed = fixed[nodes]
     x, y = problem.mesh.nodes[nodes].T
     one, zero = np.ones_like(x), np.zeros_like(x)
     own_w = np.ones(len(nodes), dtype=bool)
@@ -194,9 +194,9 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
         own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
     constraints = np.vstack(
         [
-            np.column_stack([one, x, y])[held[:, W] & own_w],
-            np.column_stack([zero, one, zero])[held[:, BETA_X]],
-            np.column_stack([zero, zero, one])[held[:, BETA_Y]],
+            np.column_stack([one, x, y])[fixed[:, W] & own_w],
+            np.column_stack([zero, one, zero])[fixed[:, BETA_X]],
+            np.column_stack([zero, zero, one])[fixed[:, BETA_Y]],
         ]
     )
     for axis in (0, 1):

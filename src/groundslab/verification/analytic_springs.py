@@ -167,16 +167,16 @@ def curling_strip(
     (Westergaard 1927; with Mindlin's shear).
     """
     plate = OnSprings.of(t, E, nu, factor, k)
-    zeta, held = cmath.sqrt(plate.zz) / plate.length, (1 + nu) * alpha * dT / t
+    zeta, free_bend = cmath.sqrt(plate.zz) / plate.length, (1 + nu) * alpha * dT / t
     f, slope = cmath.cosh(zeta * b / 2), zeta * cmath.sinh(zeta * b / 2)
     lines = np.array([[plate.bend(a * f) for a in (1, 1j)], [plate.shear(a * slope) / plate.D for a in (1, 1j)]])
-    real, imaginary = np.linalg.solve(lines, [-held, 0.0])
+    real, imaginary = np.linalg.solve(lines, [-free_bend, 0.0])
     f = complex(real, imaginary) * cmath.cosh(zeta * y)
     bend = plate.bend(f)
     return {
         "settlement": f.real,
-        "moment across": -plate.D * (bend + held),
-        "moment along": -plate.D * (nu * bend + held),
+        "moment across": -plate.D * (bend + free_bend),
+        "moment along": -plate.D * (nu * bend + free_bend),
     }
 
 

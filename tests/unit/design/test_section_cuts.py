@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from shapely import LineString, box
 
 from groundslab.design.design_moments import wood_armer
-from groundslab.design.section_cuts import cut, cut_along, strip
+from groundslab.design.section_cuts import cut_along, cut_plate, strip
 from groundslab.errors import InputError
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import PlateResult
@@ -60,7 +60,7 @@ def test_a_cut_integrates_quadratic_fields_exactly(a: tuple, b: tuple) -> None:
     on = LineString([a, b]).intersection(box(0, 0, 6, 4))
     if on.length < 0.1:
         return
-    found = cut(PLATE, a, b)
+    found = cut_plate(PLATE, a, b)
     np.testing.assert_allclose(
         [found.moment, found.twist, found.shear, found.length], by_hand(np.array(a), np.array(b)), atol=1e-5
     )
@@ -76,13 +76,13 @@ def test_a_cut_from_behind_and_in_two(a: tuple, b: tuple, part: float) -> None:
     """Seen from the other end shear turns its sign, moments do not; the forces of two halves add up."""
     if LineString([a, b]).intersection(box(0, 0, 6, 4)).length < 0.1:
         return
-    whole, back = cut(PLATE, a, b), cut(PLATE, b, a)
+    whole, back = cut_plate(PLATE, a, b), cut_plate(PLATE, b, a)
     np.testing.assert_allclose([back.moment, back.twist, -back.shear], [whole.moment, whole.twist, whole.shear], 1e-6)
     middle = tuple((1 - part) * np.array(a) + part * np.array(b))
     halves = []
     for ends in ((a, middle), (middle, b)):
         try:
-            halves.append(cut(PLATE, *ends))
+            halves.append(cut_plate(PLATE, *ends))
         except InputError:
             continue  # this half lies beside the plate
     for name in ("moment", "twist", "shear", "length"):
@@ -99,23 +99,23 @@ def test_a_cut_towards_y_has_x_as_its_normal() -> None:
         shear_x=4.0,
         shear_y=5.0,
     )
-    up = cut(plate, (2.5, -1), (2.5, 5))
+    up = cut_plate(plate, (2.5, -1), (2.5, 5))
     assert [up.mean_moment, up.mean_twist, up.mean_shear, up.length] == pytest.approx([1, 3, 4, 4])
-    left = cut(plate, (7, 2.5), (-1, 2.5))
+    left = cut_plate(plate, (7, 2.5), (-1, 2.5))
     assert [left.mean_moment, left.mean_twist, left.mean_shear, left.length] == pytest.approx([2, -3, 5, 6])
 
 
 def test_a_cut_counts_the_plate_only() -> None:
     """The length and the forces of a cut through an opening are those of what is left of the plate."""
     plate = plate_of(without(straight(), (2, 4), (1, 3)), moment_x=2.0)
-    found = cut(plate, (2.5, 0), (2.5, 4))
+    found = cut_plate(plate, (2.5, 0), (2.5, 4))
     assert (found.length, found.moment) == pytest.approx((2.0, 4.0))
 
 
 def test_either_side_of_a_change_of_section() -> None:
     """A cut moved by a millionth of its length to one side of the border takes that side's moments."""
-    assert cut(stepped(), (2 - 4e-6, 0), (2 - 4e-6, 4)).mean_moment == pytest.approx(1.0)
-    assert cut(stepped(), (2 + 4e-6, 0), (2 + 4e-6, 4)).mean_moment == pytest.approx(5.0)
+    assert cut_plate(stepped(), (2 - 4e-6, 0), (2 - 4e-6, 4)).mean_moment == pytest.approx(1.0)
+    assert cut_plate(stepped(), (2 + 4e-6, 0), (2 + 4e-6, 4)).mean_moment == pytest.approx(5.0)
 
 
 @pytest.mark.parametrize("spacing", [None, 0.1, 0.37, 1.0, 50.0])
@@ -174,7 +174,7 @@ def test_a_strip_is_its_cuts() -> None:
     across = np.array([-axis[1], axis[0]])
     np.testing.assert_allclose(found.s, np.linspace(0, np.hypot(*(end - start)), 5))
     for i, centre in enumerate(np.column_stack([found.x, found.y])):
-        one = cut(PLATE, centre - width / 2 * across, centre + width / 2 * across)
+        one = cut_plate(PLATE, centre - width / 2 * across, centre + width / 2 * across)
         assert (found.moment[i], found.shear[i], found.length[i]) == pytest.approx((one.moment, one.shear, one.length))
         assert (found.mean_moment[i], found.mean_shear[i]) == pytest.approx((one.mean_moment, one.mean_shear))
     assert (found.least <= found.mean_moment).all()
@@ -218,8 +218,8 @@ def test_stations_off_the_plate_are_left_out() -> None:
         (lambda: cut_along(PLATE, np.array([[0.0, 0.0], [1.0, 1.0], [1.0, 1.0]])), "points[3]"),
         (lambda: cut_along(PLATE, np.array([[0.0, 9.0], [1.0, 9.0]])), "points"),
         (lambda: cut_along(PLATE, np.array([[0.0, 0.0], [1.0, 1.0]]), 0.0), "spacing"),
-        (lambda: cut(PLATE, (1, 1), (1, 1)), "cut"),
-        (lambda: cut(PLATE, (1, 8), (2, 8)), "cut"),
+        (lambda: cut_plate(PLATE, (1, 1), (1, 1)), "cut"),
+        (lambda: cut_plate(PLATE, (1, 8), (2, 8)), "cut"),
         (lambda: strip(PLATE, (1, 1), (1, 1), 1.0, 3), "points[2]"),
         (lambda: strip(PLATE, (1, 1), (2, 1), 0.0, 3), "width"),
         (lambda: strip(PLATE, (1, 1), (2, 1), 1.0, 1), "count"),

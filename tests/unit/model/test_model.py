@@ -21,7 +21,7 @@ from groundslab.model.model import Model, docs_table, json_schema
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.varying_ground import Void
-from groundslab.schema.base import Section, get_field_type, get_meaning, nested
+from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
 from groundslab.schema.fields import FROM_FILE, FieldType
 from helpers.paths import ROOT
 
@@ -530,7 +530,7 @@ def parts(part: type[Section] = Model) -> Iterator[type[Section]]:
     """Yield a part's class and all those within it."""
     yield part
     for field in part.model_fields.values():
-        for each in nested(field).parts:
+        for each in get_sections(field).parts:
             yield from parts(each)
 
 
@@ -539,7 +539,7 @@ def test_every_field_says_what_it_is(part: type[Section]) -> None:
     """Each field states its meaning, and its kind of key unless it holds parts or a tag."""
     for name, field in part.model_fields.items():
         assert get_meaning(field), name
-        assert isinstance(get_field_type(field), FieldType) or nested(field).parts or name == "kind"
+        assert isinstance(get_field_type(field), FieldType) or get_sections(field).parts or name == "kind"
 
 
 @pytest.mark.slow
@@ -560,7 +560,7 @@ def test_docs_table_covers_all_keys() -> None:
     table = docs_table()
     for part in parts():
         for name, field in part.model_fields.items():
-            if not nested(field).parts:
+            if not get_sections(field).parts:
                 assert f"{name}` | " in table, (part, name)
 
 

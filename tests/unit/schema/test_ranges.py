@@ -11,7 +11,7 @@ import pytest
 from groundslab.case.casefile import loads, starter
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, get_most_sections, nested
+from groundslab.schema.base import Section, get_field_type, get_most_sections, get_sections
 from groundslab.schema.fields import LARGEST_WHOLE, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError
 from groundslab.schema.ranges import Range, quantity_range
@@ -28,7 +28,7 @@ def keys(part: type[Section], seen: set[type[Section]]) -> Iterator[tuple[str, F
         while key is not None:
             yield f"{part.__name__}.{name}", key
             key = key.each if isinstance(key, ListOf) else None
-        for inner in nested(field).parts:
+        for inner in get_sections(field).parts:
             yield from keys(inner, seen)
 
 

@@ -43,7 +43,7 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
                 load_vectors.integrate_over_polygon(mesh, elements, part, load_types.pressure_function(load)).sum()
             )
         elif isinstance(load, load_types.PatchLoad | load_types.AreaLoad):
-            for piece in _pieces(part, load.drawn(chord)):
+            for piece in _pieces(part, load.to_shapely(chord)):
                 force[load.case] += float(
                     load_vectors.integrate_over_polygon(mesh, elements, piece, load_types.pressure_function(load)).sum()
                 )
@@ -94,12 +94,12 @@ def _on_line(load: load_types.LineLoad, plate: Plate, part: Polygon, chord: floa
 def _may_meet(load: load_types.PointLoad, model: Model, part: Polygon) -> bool:
     """Return whether a load that names a column may stand on a part of the plate, by the column's place."""
     named = [each for each in model.columns if each.name == load.column]
-    return not named or bool(named[0].drawn(FLAT * max(model.plate.sides)).intersects(part))
+    return not named or bool(named[0].to_shapely(FLAT * max(model.plate.sides)).intersects(part))
 
 
 def _on_footprint(load: load_types.PointLoad, part: Polygon, chord: float) -> float:
     """Return the force [N] of a point load on a part of the plate, by its pressure where it has a footprint."""
-    place = load.drawn(chord)
+    place = load.to_shapely(chord)
     if place.geom_type == "Point":
         return load.P if part.covers(place) else 0.0
     center, inertia = load_vectors.inertia(place)

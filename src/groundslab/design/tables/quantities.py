@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.design.design_moments import derived, fields_of
+from groundslab.design.design_moments import derive_field, fields_of
 from groundslab.results.contact_zone import has_line_force
 from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS, ResultField
 from groundslab.results.results import CombinationResult, Results
@@ -15,12 +15,12 @@ from groundslab.results.results import CombinationResult, Results
 
 def point_values(fields: Mapping[str, Array]) -> list[Array]:
     """Return the quantities of POINT_FIELDS (n,), in its order and units of display, from PLATE_FIELDS (n,) in SI."""
-    return [derived(fields, name) * about.scale for name, about in POINT_FIELDS.items()]
+    return [derive_field(fields, name) * about.scale for name, about in POINT_FIELDS.items()]
 
 
 def nodal_values(results: CombinationResult, name: str) -> Array:
     """Return a quantity of RANGED_FIELDS at the plate's nodes (n,), in its unit of display."""
-    return derived(fields_of(results.plate), name) * RANGED_FIELDS[name].scale
+    return derive_field(fields_of(results.plate), name) * RANGED_FIELDS[name].scale
 
 
 def solved_results(combined: Results) -> list[CombinationResult]:

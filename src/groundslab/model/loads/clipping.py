@@ -121,7 +121,9 @@ def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, Bas
         (
             n,
             load,
-            load.drawn(math.inf) if not isinstance(load, LineLoad) or load.straight else bounding_box(load.segments()),
+            load.to_shapely(math.inf)
+            if not isinstance(load, LineLoad) or load.straight
+            else bounding_box(load.segments()),
         )
         for n, load in enumerate(loads)
         if isinstance(load, Spread)

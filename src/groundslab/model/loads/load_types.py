@@ -66,7 +66,7 @@ class PatchLoad(_Pressure):
     x: AcrossX
     y: AcrossY
 
-    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
+    def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
         """Return the rectangle."""
         from shapely import box
 
@@ -102,7 +102,7 @@ class AreaLoad(_Pressure):
     shape: Annotated[Shape, Table("where; what lies off the plate does not act, and is reported")]
     holes: Annotated[tuple[Shape, ...], Table("parts of the shape that are not loaded, as in a ring")] = ()
 
-    def drawn(self, chord: float) -> BaseGeometry:  # noqa: ARG002
+    def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
         """Return the loaded area, its arcs as chords that enclose the same area."""
         from shapely import union_all
 
@@ -188,7 +188,7 @@ class LineLoad(_Load):
         parts = [edge.at(np.arange(n) / n) for edge in edges for n in (edge.chords(chord),)]
         return np.concatenate([*parts, [edges[-1].end]])
 
-    def drawn(self, chord: float) -> BaseGeometry:
+    def to_shapely(self, chord: float) -> BaseGeometry:
         """Return the line, arcs as chords at most so far off [m]."""
         from shapely import LineString
 
@@ -260,7 +260,7 @@ class PointLoad(_Load):
     ] = None
     column: Annotated[str, Text("column that it acts on and is spread over, one of [[columns]]")] = ""
 
-    def drawn(self, chord: float) -> BaseGeometry:
+    def to_shapely(self, chord: float) -> BaseGeometry:
         """Return the footprint, or the point; arcs as chords at most so far off [m]."""
         from shapely import Point
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Placed(Protocol):
     """Anything with a position in plan."""
 
-    def drawn(self, chord: float) -> BaseGeometry:
+    def to_shapely(self, chord: float) -> BaseGeometry:
         """Return it, arcs as chords at most so far off [m]."""
         ...
 
@@ -52,11 +52,11 @@ def _on_shape(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) 
     expected = "a place on the plate, not in an opening nor beside the outline"
     (x0, x1, y0, y1), far = covered.bounds, covered.size
     # arcs drawn roughly: chords so short would be too many for what is so large
-    left, low, right, high = part.drawn(math.inf).bounds
+    left, low, right, high = part.to_shapely(math.inf).bounds
     if not (x0 - far <= left and right <= x1 + far and y0 - far <= low and high <= y1 + far):
         yield RelativeIssue(place, "a part that reaches far off the plate", expected)
         return
-    loaded = part.drawn(CHORD * covered.size)
+    loaded = part.to_shapely(CHORD * covered.size)
     if not covered.reach.covers(loaded):
         left = loaded.difference(covered.area)
         off = left.representative_point()
@@ -76,7 +76,7 @@ def check_point_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[Rela
     covered = PlateRegion(plate)
     for position, load in enumerate(loads):
         on_column = isinstance(load, PointLoad) and load.column
-        if hasattr(load, "drawn") and not isinstance(load, Spread) and not on_column:
+        if hasattr(load, "to_shapely") and not isinstance(load, Spread) and not on_column:
             yield from on_plate(covered, load, ("loads", position))
 
 

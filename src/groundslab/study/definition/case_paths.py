@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, nested
+from groundslab.schema.base import Section, get_field_type, get_sections
 from groundslab.schema.fields import Factors, FieldType, ListOf, Number
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
@@ -64,7 +64,9 @@ def place_of(model: Model, path: str) -> Place:
     left = list(steps)
     while left:
         name = left.pop(0)
-        known = [key for key, info in type(part).model_fields.items() if get_field_type(info) or nested(info).parts]
+        known = [
+            key for key, info in type(part).model_fields.items() if get_field_type(info) or get_sections(info).parts
+        ]
         where = f"{walked} has" if walked else "the case has"
         if not isinstance(name, str) or name not in known:
             if name in type(part).model_fields:
@@ -78,7 +80,7 @@ def place_of(model: Model, path: str) -> Place:
         if key is not None:
             return Place(path, steps, *_within(key, getattr(part, name), left, path, walked))
         held = getattr(part, name)
-        if nested(info).many:
+        if get_sections(info).many:
             if not left or not isinstance(left[0], int):
                 count = f"{walked} is a list of {len(held)}"
                 raise path_error(path, f"a position after {walked}, such as {walked}[1]", count)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
-from groundslab.design.design_moments import derived, fields_of, wood_armer
+from groundslab.design.design_moments import derive_field, fields_of, wood_armer
 from groundslab.design.tilt import tilt
 from groundslab.errors import InputError, Issue
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
@@ -218,12 +218,12 @@ def _value_at(results: CombinationResult, output: RequestedOutput) -> float:
 def _derive(results: CombinationResult, name: str, fields: dict[str, Array], thickness: Array) -> Array:
     """Return a field of FIELDS (n,) from the plate's own fields (n,), all in SI units."""
     if name in _RESULT_FIELDS:
-        return derived(fields, _RESULT_FIELDS[name])
+        return derive_field(fields, _RESULT_FIELDS[name])
     if name == "shear":
         return np.hypot(fields["shear_x"], fields["shear_y"])
     if name == "tensile stress":
         # linear over the thickness: at the bottom by the larger moment, at the top by the smaller one
-        moment = np.maximum(derived(fields, "m_1"), -derived(fields, "m_2"))
+        moment = np.maximum(derive_field(fields, "m_1"), -derive_field(fields, "m_2"))
         stress: Array = 6 * np.maximum(moment, 0.0) / thickness**2
         return stress
     design = wood_armer(fields["moment_x"], fields["moment_y"], fields["moment_xy"])

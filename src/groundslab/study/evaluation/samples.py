@@ -102,7 +102,7 @@ class Samples:
         return self.planned // (len(self.inputs) + 2)
 
     @cached_property
-    def drawn(self) -> Flags:
+    def by_chance(self) -> Flags:
         """Which rows (n,) follow the inputs' distributions: of Saltelli's sample A and B, else all."""
         if self.kind != "saltelli":
             return np.ones(len(self.number), dtype=bool)
@@ -143,7 +143,7 @@ class Samples:
 
     def there(self, output: Output, group: Group) -> Array:
         """Return the values of an output in one design that follow the inputs' distributions and are not missing."""
-        values = output.values[group.rows[self.drawn[group.rows]]]
+        values = output.values[group.rows[self.by_chance[group.rows]]]
         return values[~np.isnan(values)]
 
     def of(self, output: Output, group: Group) -> Array:

@@ -136,7 +136,7 @@ def _limit_cells(sample: Samples, group: Group, limit: Limit, level: float) -> l
     x = sample.there(output, group)
     failed, n = int(limit.fails(x).sum()), len(x)
     p = statistics.probability(failed, n, level)
-    lost = int(sample.drawn[group.rows].sum()) - n
+    lost = int(sample.by_chance[group.rows].sum()) - n
     high = statistics.probability(failed + lost, n + lost, level).high
     index = -float(ndtri(p.value)) if 0 < failed < n else None
     verdict = None if limit.target is None else ("yes" if high < limit.target else "no")
@@ -247,7 +247,7 @@ def rank_inputs(sample: Samples, group: Group, output: Output, level: float = LE
 
 def _complete_rows(sample: Samples, group: Group, output: Output) -> Integers:
     """Return the rows of a design that were drawn and have the output."""
-    rows = group.rows[sample.drawn[group.rows]]
+    rows = group.rows[sample.by_chance[group.rows]]
     return rows[np.isfinite(output.values[rows])]
 
 

@@ -58,7 +58,7 @@ def inputs(sample: Samples) -> Markup:
     def draw() -> Figure:
         figure, panels = _panels(len(sample.varied))
         for axes, each in zip(panels, sample.varied, strict=False):
-            x = each.values[sample.drawn] * each.unit.scale
+            x = each.values[sample.by_chance] * each.unit.scale
             _histogram(axes, x, named(each.name, each.unit))
             if each.density is not None and np.ptp(x) > 0:
                 _density(axes, each, x)
@@ -109,7 +109,7 @@ def scatter(sample: Samples) -> Markup:
     def draw() -> Figure:
         figure = _figure(0.5 + 0.85 * WIDTH / max(len(across), 3) * len(down), WIDTH)
         panels = figure.subplots(len(down), len(across), sharex="col", sharey="row", squeeze=False)
-        rows = np.flatnonzero(sample.drawn)[:MOST_POINTS]
+        rows = np.flatnonzero(sample.by_chance)[:MOST_POINTS]
         size = 2.2 if len(rows) > 300 else 4.0
         for i, output in enumerate(down):
             for j, each in enumerate(across):

@@ -162,7 +162,7 @@ def _first_only(sample: Samples) -> list[str]:
 
 def _shown(sample: Samples) -> list[str]:
     """Return a remark if the scatter plots show less than all."""
-    notes, drawn = [], int(sample.drawn.sum())
+    notes, drawn = [], int(sample.by_chance.sum())
     if drawn > figures.MOST_POINTS:
         notes.append(f"Of {drawn} variants the first {figures.MOST_POINTS} are shown.")
     if max(len(sample.varied), len(sample.outputs)) > figures.MOST_PANELS:

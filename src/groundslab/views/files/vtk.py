@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.design_moments import derived, fields_of
+from groundslab.design.design_moments import derive_field, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.results.fields import DIRECTION, ELEMENT_FIELDS, LAYERS, PLATE_FIELDS, PRINCIPAL
 from groundslab.results.mesh_results import in_space
@@ -26,7 +26,7 @@ def plate_mesh(results: CombinationResult) -> meshio.Mesh:
     plate = results.plate
     fields, data = fields_of(plate), plate.point_data()
     design = {
-        about.name: derived(fields, name) * about.scale for name, about in (PRINCIPAL | LAYERS | DIRECTION).items()
+        about.name: derive_field(fields, name) * about.scale for name, about in (PRINCIPAL | LAYERS | DIRECTION).items()
     }
     data = {about.name: data.pop(about.name) for about in PLATE_FIELDS.values()} | design | data
     cells = {

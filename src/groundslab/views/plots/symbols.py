@@ -84,7 +84,7 @@ def draw_voids(axes: Axes, model: Model) -> Entries:
     """Outline the parts where the ground lies deeper or is missing."""
     entries: Entries = {}
     for void in model.contact.voids:
-        around = np.asarray(void.drawn(DRAWN_CHORD * max(model.plate.sides)).exterior.coords)
+        around = np.asarray(void.to_shapely(DRAWN_CHORD * max(model.plate.sides)).exterior.coords)
         look = {"edgecolor": GROUND, "linewidth": 0.9, "linestyle": (0, (1.5, 1.5)), "zorder": 3.2}
         entries["void in the ground"] = draw_ring(axes, around, **look)
     return entries
@@ -108,7 +108,7 @@ def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
             entries["load on the entire plate"] = draw_ring(axes, np.array(model.plate.ring().flat(chord)), **look)
         elif load.kind == "patch" or load.kind == "area":
             look = {"edgecolor": LOAD, "linewidth": 1.2, "linestyle": (0, (4, 2)), "zorder": 4.5}
-            for ring in _borders(load.drawn(chord)):
+            for ring in _borders(load.to_shapely(chord)):
                 entries["loaded area"] = draw_ring(axes, ring, **look)
     return entries
 
@@ -169,10 +169,10 @@ def _supported_edges(model: Model) -> list[Array]:
     x0, x1, y0, y1 = model.plate.bounds
     near = 1e-9 * max(model.plate.sides)
     sides = {"left": (0, x0), "right": (0, x1), "bottom": (1, y0), "top": (1, y1)}
-    held = [line for side, line in sides.items() if getattr(model.plate.edges, side) != "free"]
+    supported = [line for side, line in sides.items() if getattr(model.plate.edges, side) != "free"]
     return [
         np.array([a, b])
-        for axis, where in held
+        for axis, where in supported
         for a, b in pairwise(closed)
         if abs(a[axis] - where) <= near and abs(b[axis] - where) <= near
     ]

@@ -30,7 +30,7 @@ LEAST_DIMENSION, CHAIN = 8.0, 5.0
 #: Of more loads than these none is labeled.
 MOST_LABELS = 60
 #: Kinds of loads that have a place in plan; the others act on the plate everywhere or at a support.
-PLACED = tuple(kind.model_fields["kind"].default for kind in get_args(AnyLoad) if hasattr(kind, "drawn"))
+PLACED = tuple(kind.model_fields["kind"].default for kind in get_args(AnyLoad) if hasattr(kind, "to_shapely"))
 #: The sides of a place on which its label may stand, the better ones first.
 SIDES: tuple[Point, ...] = ((1, 0), (-1, 0), (1, -1), (-1, -1), (1, 1), (-1, 1), (0, 1), (0, -1))
 

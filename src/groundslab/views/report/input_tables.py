@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.shapes import Circle, Polygon, Rectangle
-from groundslab.schema.base import Section, get_field_type, get_meaning, nested
+from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
 from groundslab.units import coordinate, together
 from groundslab.views.report.table_layout import (
@@ -177,7 +177,7 @@ def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayo
         called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
             value = getattr(part, inner)
-            if nested(field).many and value:
+            if get_sections(field).many and value:
                 yield from _list(value, inner, f"{called}: {inner}")
             elif isinstance(value, Section) and not isinstance(value, Rectangle | Polygon | Circle):
                 yield from _part(value, f"{called}: {inner}")

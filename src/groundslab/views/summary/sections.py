@@ -101,7 +101,9 @@ def _plate(results: CombinationResult) -> SummarySection:
 
     plate, edges = results.model.plate, results.model.plate.edges
     quality = quality_of(results.plate.nodes[results.plate.elements])
-    held = [f"{side} {kind}" for side in ("left", "right", "bottom", "top") if (kind := getattr(edges, side)) != "free"]
+    edges_text = [
+        f"{side} {kind}" for side in ("left", "right", "bottom", "top") if (kind := getattr(edges, side)) != "free"
+    ]
     directions = [name for name, used in zip("xy", results.symmetry, strict=True) if used]
     rows = (
         Row("length_x", "length along x", plate.sides[0], UNITS["m"]),
@@ -110,7 +112,7 @@ def _plate(results: CombinationResult) -> SummarySection:
         Row("thickness", "thickness", plate.thickness, UNITS["m"], "t"),
         Row("E", "Young's modulus", plate.E, UNITS["MPa"], "E"),
         Row("nu", "Poisson's ratio", plate.nu, None, "nu"),
-        Row("supports", "supported edges", ", ".join(held) or "none"),
+        Row("supports", "supported edges", ", ".join(edges_text) or "none"),
         Row("element", "element", plate.element),
         Row("elements", "elements on the plate", len(results.plate.elements)),
         Row("worst_element", "worst element, scaled Jacobian", round(quality.worst, 4)),

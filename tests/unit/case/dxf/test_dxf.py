@@ -757,7 +757,7 @@ class TestSpreadLoads:
         model = casefile.loads(filled(dxf.to_case(drawing)))
         areas = [load for load in model.loads if isinstance(load, AreaLoad)]
         assert [load.q for load in areas] == [30e3, 5e3, 20e3, 10e3]
-        assert [load.drawn(0).area for load in areas] == pytest.approx([8 * math.pi, 16, 1, 1])
+        assert [load.to_shapely(0).area for load in areas] == pytest.approx([8 * math.pi, 16, 1, 1])
         assert areas[0].holes == (Circle(radius=1),)
         assert "area loads: 4 (sum" in dxf.report_text(drawing)
 

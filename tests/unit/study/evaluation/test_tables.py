@@ -175,7 +175,7 @@ def test_sobol_indices_of_a_product() -> None:
     mixed = [np.where(np.arange(2) == i, B, A) for i in range(2)]
     made = sample("saltelli", np.concatenate([A, B, *mixed]))
     assert made.base == 1024
-    assert made.drawn.sum() == 2048
+    assert made.by_chance.sum() == 2048
     found = table(made, "sobol")
     mean_x, var_x = np.exp(0.3**2 / 2) / 40e6, (np.exp(0.3**2) - 1) * np.exp(0.3**2) / 40e6**2
     parts = np.array([var_x * 50e3**2, 5e3**2 * mean_x**2, 5e3**2 * var_x])
