@@ -94,7 +94,9 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "model": model(shear=shear),
         "plate": plate,
         "ground": GroundResult(ground_nodes, ground_elements, np.stack([top, top / 2]) if shear else top[None]),
-        "constants": Constants((K0, 2 * K0), (K1, K1 / 2), 1.1316, 5) if shear else Constants((K0,), (0.0,), None, 0),
+        "constants": Constants((K0, 2 * K0), (K1, K1 / 2), 1.1316, 5, 0.25)
+        if shear
+        else Constants((K0,), (0.0,), None, 0),
         "certificate": CERTIFICATE,
         "steps": (
             Step(340, 1, None, 1, 25, 8, finest=False),

@@ -80,15 +80,14 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     over the plan).
     """
     model, constants = results.model, results.constants
-    columns = list_columns(model)
-    if constants.gamma is None or constants.decay is None:
+    columns, soils = list_columns(model), [each for each in grounds_of(model) if isinstance(each, Soil)]
+    if constants.decay is None or len(soils) < len(columns):
         known = len(columns) == 1
         k0, k1 = (constants.k0, constants.k1) if known else ((), ())
         none = np.zeros(0)
         return tuple(Profile(name, strata_of(layers), None, k0, k1, none, none) for name, layers in columns)
     found = []
-    for (name, layers), soil in zip(columns, grounds_of(model), strict=True):
-        assert isinstance(soil, Soil)
+    for (name, layers), soil in zip(columns, soils, strict=True):
         own = soil.gamma_of(constants.decay**2) if soil.gamma is None else soil.gamma
         k0, k1 = (tuple(map(float, values)) for values in soil.layer_parameters(own))
         mode = soil.mode(own)

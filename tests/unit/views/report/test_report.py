@@ -137,7 +137,7 @@ def solved(model: Model, n: int = 6, **changes: Any) -> Results:
     for number_of, each in enumerate(model.combinations[:-1], 1):
         one = synthetic.results(
             n, model=model, combination=each.name, limit_state=each.limit_state, factors=each.factors,
-            supports=supports, constants=Constants((2e7,), (3e7,), 1.2, 3), **changes,
+            supports=supports, constants=Constants((2e7,), (3e7,), 1.2, 3, 0.25), **changes,
         )  # fmt: skip
         plate = replace(one.plate, settlement=number_of * one.plate.settlement)
         made[each.name] = replace(one, plate=plate)
