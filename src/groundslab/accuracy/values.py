@@ -6,6 +6,8 @@ from groundslab.results.results import Comparison
 
 #: A mesh on which the energy norm falls by less has not begun to converge: no more is taken from the change.
 SLOWEST = 0.75
+#: Below this error in energy the elements hold the solution, and what changes is rounding.
+EXACT = 1e-9
 
 
 def estimate_error(value: float, coarser: float, comparison: Comparison) -> float:
@@ -15,5 +17,7 @@ def estimate_error(value: float, coarser: float, comparison: Comparison) -> floa
     error that is left (Richardson 1911). q is that of the energy norm, whose error is known on both meshes: what is
     recovered converges faster, so that the estimate is on the safe side (docs/theory.md, discretization error).
     """
+    if comparison.energy_error < EXACT:
+        return 0.0
     q = min(comparison.reduction, SLOWEST)
     return abs(value - coarser) * q / (1 - q)

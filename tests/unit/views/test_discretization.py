@@ -52,7 +52,7 @@ def test_figures_have_their_errors() -> None:
     assert row_of(results, "section_forces", "largest_moment_y").error == 0.0
     assert row_of(synthetic.results(4), "section_forces", "largest_moment_x").error is None
     assert row_of(results, "discretization", "energy").value == 0.02
-    largest = row_of(results, "discretization", "largest")
+    largest = row_of(results, "discretization", "largest_error")
     assert (largest.value, largest.symbol, largest.place) == (pytest.approx(0.04), "m_x", row.place)
 
 

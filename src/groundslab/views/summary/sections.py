@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.resolution import find_unresolved
 from groundslab.accuracy.values import estimate_error
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme
@@ -25,6 +24,8 @@ if TYPE_CHECKING:
 
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12
+#: Figures below this share of the largest of their unit are rounding.
+NOTHING = 1e-9
 #: Of more supports than these only the extremes are shown.
 MOST_SUPPORTS = 12
 
@@ -115,7 +116,7 @@ def _discretization(results: CombinationResult, found: Sequence[SummarySection])
     error, row = largest_error(found)
     rows = [Row("energy", "error in energy norm", results.comparison.energy_error, UNITS["%"])]
     if row is not None:
-        rows.append(Row("largest", "largest error of a figure", error, UNITS["%"], row.symbol, row.place))
+        rows.append(Row("largest_error", "largest error of a figure", error, UNITS["%"], row.symbol, row.place))
     notes: tuple[str, ...] = ()
     if error > results.model.mesh.accuracy:
         notes = (
@@ -135,17 +136,31 @@ def largest_error(found: Sequence[SummarySection]) -> tuple[float, Row | None]:
     rows = [row for row in judged if row.error is not None and row.symbol.strip("-") != PLATE_FIELDS[LINE_FORCE].symbol]
     largest: dict[str, float] = defaultdict(float)
     for row in rows:
-        quantity = row.symbol.strip("-|") or row.key
-        largest[quantity] = max(largest[quantity], abs(float(row.value)))
-    shares = [(row.error or 0.0) / (largest[row.symbol.strip("-|") or row.key] or 1.0) for row in rows]
+        for name in (_quantity(row), _unit(row)):
+            largest[name] = max(largest[name], abs(float(row.value)))
+    # twisting moments of a strip, for example, are nothing but rounding
+    rows = [row for row in rows if largest[_quantity(row)] > NOTHING * largest[_unit(row)]]
+    shares = [(row.error or 0.0) / largest[_quantity(row)] for row in rows]
     if not shares:
         return 0.0, None
     worst = int(np.argmax(shares))
     return shares[worst], rows[worst]
 
 
+def _quantity(row: Row) -> str:
+    """Return which quantity a row is a figure of."""
+    return row.symbol.strip("-|") or row.key
+
+
+def _unit(row: Row) -> str:
+    """Return the name of a row's unit, in brackets, so that it is no quantity's."""
+    return "[]" if row.unit is None else f"[{row.unit.name}]"
+
+
 def coarse_words(combined: Results) -> str:
     """Return in words that the mesh is too coarse for the accuracy asked for, or "" where it is not."""
+    from groundslab.accuracy.resolution import find_unresolved
+
     for results in combined.values():
         small = find_unresolved(results)
         if small is not None:
