@@ -1,1 +1,0 @@
-"""Discretization errors: in energy, element by element, and of every value that is reported."""
