@@ -11,6 +11,7 @@ no other process can have them run anything.
 from __future__ import annotations
 
 import functools
+import gc
 import itertools
 import logging
 import secrets
@@ -37,8 +38,6 @@ TASKS_PER_THREAD = 16
 CONNECT_TIMEOUT = 10.0
 #: Time limit for the first worker of a cluster [s].
 WORKER_TIMEOUT = 60.0
-#: Time limit for the start of the cluster's event loop, and for its end [s].
-START_PATIENCE = 60.0
 #: Interval at which the number of threads is updated [s].
 UPDATE_INTERVAL = 2.0
 #: Keeps a worker's libraries from starting threads that compete with the other workers.
@@ -99,16 +98,17 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
     import dask.config
     import dask.system
 
+    # a forgotten client that is collected while an event loop starts would wait for the lock of that start
+    gc.collect()
     port = _free_port(DASHBOARD) if dashboard else 0
     pages: dict[str, list[str]] = {"distributed.scheduler.http.routes": []}
     if dashboard:
         # connections from its own pages only
         origins = [f"{LOOPBACK}:{port}", f"localhost:{port}"]
         pages = {"distributed.scheduler.dashboard.bokeh-application.allow_websocket_origin": origins}
-    with dask.config.set(SETTINGS | pages), _event_loop() as loop:
+    with dask.config.set(SETTINGS | pages):
         try:
             cluster = distributed.LocalCluster(
-                loop=loop,
                 n_workers=min(workers or dask.system.CPU_COUNT, most),
                 threads_per_worker=1,
                 processes=True,
@@ -127,32 +127,6 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
         with cluster, distributed.Client(cluster) as client:
             _restrict_pages(cluster.scheduler, dashboard)
             yield Cluster(client, cluster.dashboard_link if dashboard else "", own=True)
-
-
-@contextmanager
-def _event_loop() -> Iterator[Any]:
-    """Yield an event loop that runs on a thread of its own: Dask's would have to start within ten seconds."""
-    import asyncio
-    from concurrent.futures import Future
-    from threading import Thread
-
-    from tornado.ioloop import IOLoop
-
-    started: Future[tuple[Any, asyncio.Event]] = Future()
-
-    async def run() -> None:
-        end = asyncio.Event()
-        started.set_result((IOLoop.current(), end))
-        await end.wait()
-
-    thread = Thread(target=asyncio.run, args=(run(),), name="event loop of Dask", daemon=True)
-    thread.start()
-    loop, end = started.result(START_PATIENCE)
-    try:
-        yield loop
-    finally:
-        loop.add_callback(end.set)
-        thread.join(START_PATIENCE)
 
 
 def _restrict_pages(scheduler: Any, dashboard: bool) -> None:
