@@ -227,7 +227,7 @@ def test_two_tabs_show_the_same(server: Server, tabs: Any, case: Path) -> None:
 
 
 def test_the_result_is_read_at_places_and_along_lines(server: Server, bench: Bench, case: Path) -> None:
-    """Pick and section show values; zoom, field and combination stay when the model is solved anew."""
+    """Pick and section show values; zoom, field and combination stay when the model is solved again."""
     bench.open(server.start(case))
     bench.wait_solved()
     page = bench.page

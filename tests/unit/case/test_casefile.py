@@ -283,7 +283,7 @@ def test_too_large(tmp_path: Path) -> None:
 
 
 def test_units_are_mandatory_in_files() -> None:
-    """A bare number for a dimensional key is an error in a file, with its place and how to mend it."""
+    """A bare number for a dimensional key is an error in a file, with its place and a hint."""
     reported = issue(starter().replace('"60 MPa"', "60"))
     expected = 'ground.layers[2].E: found 60, expected a pressure such as "30 MPa"; write number and unit in quotes'
     assert str(reported) == expected

@@ -250,7 +250,7 @@ def test_what_gmsh_says_becomes_our_error() -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
 @pytest.mark.parametrize("thread", [False, True], ids=["main thread", "another thread"])
 def test_a_broken_pipe_stays_an_error(thread: bool) -> None:
-    """After a session of Gmsh, which sets the signal anew, writing to nobody is an error, not the program's end."""
+    """After a session of Gmsh, which sets the signal itself, writing to nobody is an error, not the program's end."""
     pytest.importorskip("gmsh")
     program = (
         "import os, threading\nfrom groundslab.meshing import gmsh as backend\n"

@@ -346,7 +346,7 @@ def test_suggestion_for_words() -> None:
 
 
 def test_hints() -> None:
-    """The commonest slips are reported how to mend."""
+    """The commonest mistakes are reported with a hint."""
     assert issues(case(plate__E=30))[0][3] == "write number and unit in quotes"
     assert issues(case(plate__nu="0.2"))[0][3] == "write it without quotes"
     assert issues(case(contact__tensionless="true"))[0][3] == "write it without quotes"

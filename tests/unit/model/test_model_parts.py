@@ -1,4 +1,4 @@
-"""The rules of supports, columns, cases, combinations, ground that varies, and what is wanted, told by place."""
+"""The rules of supports, columns, cases, combinations, ground that varies, and requested outputs, reported by location."""
 
 from __future__ import annotations
 

@@ -153,7 +153,7 @@ def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def asked_anew() -> Iterator[None]:
-    """Let it be asked anew whether PARDISO can be loaded, in this test and after it."""
+    """Forget whether PARDISO can be loaded, in this test and after it."""
     pardiso.pardiso_import_error.cache_clear()
     yield
     pardiso.pardiso_import_error.cache_clear()

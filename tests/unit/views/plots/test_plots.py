@@ -261,7 +261,7 @@ class TestPlan:
         assert rings == {(0.0, 0.0), (4.8, 3.6)}
 
     def test_zeros_are_no_extremes(self) -> None:
-        """The smallest pressure is not told where it is zero; a field of zeros is called so."""
+        """The smallest pressure is not labeled where it is zero; a field of zeros is called so."""
         results = synthetic.results(4)
         reported = words(groundslab.plot(results, "p", "s"))
         assert "smallest" not in reported
@@ -692,7 +692,7 @@ class TestConvergence:
         assert touching.get_xlabel() == "step"
 
     def test_gamma_has_axes_of_its_own_if_it_is_iterated(self) -> None:
-        """Each step's gamma is drawn, and the last one told."""
+        """Each step's gamma is drawn, and the last one labeled."""
         base = synthetic.results()
         steps = tuple(replace(step, gamma=1.0 + n / 10) for n, step in enumerate(base.steps))
         figure = groundslab.plot(replace(base, steps=steps), kind="convergence")
@@ -895,7 +895,7 @@ class TestCommand:
 
     @pytest.mark.slow
     def test_writes_a_pdf_beside_the_folder(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        """The file is named after the folder and what it shows, and told on standard error."""
+        """The file is named after the folder and what it shows, and reported on standard error."""
         assert main.main(["plot", str(folder)]) == 0
         assert main.main(["plot", f"{folder}/", "w", "--kind", "plan", "m_x"]) == 0
         assert main.main(["plot", str(folder), "--line", "-4,0,4,0"]) == 0

@@ -1,4 +1,4 @@
-"""What a browser draws of a solved model: its plan as described, its fields as computed, quantised as told."""
+"""What a browser draws of a solved model: its plan as described, its fields as computed, quantized as documented."""
 
 from __future__ import annotations
 

@@ -112,7 +112,7 @@ class App:
         """Collect events from now on; the thread ends with the stream."""
         started = threading.Event()
 
-        def hear() -> None:
+        def receive() -> None:
             connection = self.connection()
             connection.request("GET", f"/api/events?token={self.token}")
             answer = connection.getresponse()
@@ -130,7 +130,7 @@ class App:
                 pass
             connection.close()
 
-        thread = threading.Thread(target=hear, daemon=True)
+        thread = threading.Thread(target=receive, daemon=True)
         thread.start()
         assert started.wait(PATIENCE)
         return thread
