@@ -30,6 +30,7 @@ def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, t
     bench.tab("Form")
     page.locator('[data-section="mesh"] > summary').click()
     bench.fill("0.5 m", "mesh", "size")
+    bench.wait_text('size = "0.5 m"')
     bench.tab("Plan")
     bench.wait_solved()
     settlement = bench.largest("largest settlement")
@@ -37,9 +38,11 @@ def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, t
 
     page.keyboard.press("Control+s")
     dialog = page.get_by_role("dialog")
-    dialog.get_by_label("folder", exact=True).fill(str(tmp_path))
-    dialog.get_by_label("folder", exact=True).press("Enter")
-    bench.until(lambda: dialog.locator(".path").input_value() == str(tmp_path))
+    folder = dialog.get_by_label("folder", exact=True)
+    bench.until(lambda: folder.input_value() != "")  # else its first content comes between selecting and typing
+    folder.fill(str(tmp_path))
+    folder.press("Enter")
+    bench.until(lambda: folder.input_value() == str(tmp_path), lambda: f"{folder.input_value()}: {dialog.inner_text()}")
     dialog.get_by_label("Name").fill("drawn")
     dialog.get_by_role("button", name="Save").click()
     page.wait_for_selector(".file-title:has-text('drawn.toml')")
@@ -49,7 +52,7 @@ def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, t
 
     page.reload()
     page.wait_for_selector("svg.drawing[data-view]")
-    assert bench.text() == saved
+    bench.until(lambda: bench.text() == saved)
     bench.wait_solved()
     assert bench.largest("largest settlement") == settlement
 
@@ -59,7 +62,7 @@ def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, t
         undo.click()
         bench.until(lambda before=before: bench.text() != before)
     bench.wait_text('name = "C1"')
-    assert page.locator(".unsaved").inner_text() == "● unsaved"
+    bench.until(lambda: bench.seen(".unsaved") == "● unsaved")
 
 
 def test_a_drag_is_one_edit_in_the_unit_that_stood_there(server: Server, bench: Bench, case: Path) -> None:
@@ -146,8 +149,8 @@ def test_a_wrong_unit_is_reported_at_its_field(server: Server, bench: Bench, cas
     bench.page.locator(".issue-list summary").click()
     bench.page.locator(".issue-list li button").click()
     bench.fill("300 mm", "plate", "thickness")
-    bench.wait_solved()
     bench.wait_text('thickness = "300 mm"  # as on the drawing')
+    bench.wait_solved()
     # all that was typed into one field in one go is one step
     assert bench.page.locator(".issue-count").inner_text() == "No errors"
 
