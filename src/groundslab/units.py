@@ -58,6 +58,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "moment per length": Dimension(
         "a moment per length", "25 kNm/m", "N m/m", (1, 1, -2, 0), _steps("Nm/m", "kM", "N m/m")
     ),
+    "share": Dimension("a share", "5 %", "%", (0, 0, 0, 0), ((0.01, "%"),), 1e-6, 1.0),
     "area per length": Dimension("an area per length", "5 cm^2/m", "m^2/m", (1, 0, 0, 0), ((1e-4, "cm^2/m"),)),
     "slope": Dimension("a slope", "2 mm/m", "m/m", (0, 0, 0, 0), ((1e-3, "mm/m"), (1.0, "m/m"))),
     "temperature difference": Dimension(
@@ -95,7 +96,7 @@ NUMBER = r"[+-]?(?:[0-9]{1,40}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})(?:[eE][+-]?[0-9]
 _QUANTITY = re.compile(rf"\s*(?P<number>{NUMBER})\s*(?P<unit>\S.*?)?\s*")
 _UNIT = re.compile(
     r"(?P<operator>\s*[*/·]\s*|\s+)?"
-    r"(?P<name>[A-Za-zµμ_]{1,30})"
+    r"(?P<name>[A-Za-zµμ_]{1,30}|%)"
     r"(?P<power>(?:\^|\*\*)-?[1-9]|[1-9]|⁻?[¹²³⁴])?"
 )
 _PLAIN = str.maketrans("⁻¹²³⁴", "-1234", "^*")
@@ -220,7 +221,9 @@ def _fitting(value: float, dimension: str) -> tuple[float, str]:
 
 def write(value: float, dimension: str) -> str:
     """Return a quantity given in SI units with all its digits: ``parse`` gives back the same float."""
-    return f"{value!r} {DIMENSIONS[dimension].si}"
+    unit = DIMENSIONS[dimension].si
+    number = Decimal(repr(value)).scaleb(2) if unit == "%" else repr(value)
+    return f"{number} {unit}"
 
 
 @lru_cache(maxsize=1024)
@@ -247,6 +250,8 @@ def _name(name: str, expected: str) -> tuple[Decimal, tuple[int, ...]]:
     """Return size in SI units and powers of a unit's name."""
     if name in _EVERYDAY:
         return _EVERYDAY[name]
+    if name == "%":
+        return Decimal("0.01"), (0, 0, 0, 0)
     if name in _ALIASES:
         return _unit(_ALIASES[name], expected)
     found = _ask_pint(name)

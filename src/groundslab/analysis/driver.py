@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from groundslab.accuracy.comparison import compare
 from groundslab.analysis.gamma_iteration import GAMMA_START, OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
@@ -25,8 +26,8 @@ from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
 from groundslab.results.record import Step
-from groundslab.results.recovery import increment, recover
-from groundslab.results.results import CombinationResult, Results
+from groundslab.results.recovery import expand, recover, recover_fields
+from groundslab.results.results import CombinationResult, Increment, Results
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution
 
@@ -243,7 +244,8 @@ def _solve_each(
     for hierarchy in hierarchies if _is_infinite(model) else [finest]:
         for coarsening in required_coarsenings(hierarchy, combinations):
             hierarchy.level(coarsening)
-    finest.level(0).result_mesh(model)
+    for coarsening in {0, 1} & finest.levels.keys():
+        finest.level(coarsening).result_mesh(model)
     of_lanes = [hierarchies, *([each.clone() for each in hierarchies] for _ in range(lanes - 1))]
     # whichever lane is faster, each has the same tasks in the same order, and so the same factors to begin with
     tasks = [
@@ -270,12 +272,17 @@ def _outcome(
 
     factors = _case_factors(model, combination)
     try:
-        *earlier, solution = solve_nested(finest, combination.name, factors, report)
+        (*earlier, solution), coarser = solve_nested(finest, combination.name, factors, report)
         effect = margin_effect(margins, combination.name, factors) if _is_infinite(model) else None
-        result_mesh, before = finest.result_mesh(solution), _with_load_shares(earlier)
+        frame, before = finest.result_mesh(solution, 0), _with_load_shares(earlier)
         proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
-        increments = tuple(increment(each, result_mesh, share) for share, each in before)
-        results = recover(model, combination, solution, result_mesh, proof, tuple(steps), solver, increments)
+        increments = tuple(Increment(share, *expand(recover_fields(each, frame), frame)) for share, each in before)
+        fields = recover_fields(solution, frame)
+        comparison = None
+        if coarser is not None:
+            comparison = compare(model, solution, coarser, (frame, finest.result_mesh(coarser, 1)), fields)
+        parts = expand(fields, frame)
+        results = recover(model, combination, solution, parts, proof, tuple(steps), solver, increments, comparison)
         return results if results.certificate.holds else NotCertified(results)
     except (IllConditioned, NoEquilibrium, NotConverged, SingularMatrix) as error:
         # its traceback would keep meshes and factors alive

@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.analysis.mesh_hierarchy import Level
 from groundslab.arrays import Array, Integers
 from groundslab.errors import NotConverged
-from groundslab.fem.bearings import CLOSED, YIELDING, Contact, plastic_slip
+from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
 from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import Soil
@@ -78,9 +78,17 @@ class _ContactIteration:
             self.state = warm_start.solve_contact_border(
                 step.system, A, f, law, self.state, self.expected, level.solver
             )
-        found = contact.solve(
-            A, f, level.factorization, law, self.state, step.max_iterations, report, self.near, level.motions
-        )
+        try:
+            found = contact.solve(
+                A, f, level.factorization, law, self.state, step.max_iterations, report, self.near, level.motions
+            )
+        except NotConverged as error:
+            last = error.last
+            if step.finest and "force" in last:
+                # which of many solutions it is may never be decided
+                state = np.where(last["closed"], CLOSED, OPEN)
+                require_hold(step.system.problem, Contact(last["u"], state, last["force"]))
+            raise
         self.near, self.state = found.u, found.state
         return found
 

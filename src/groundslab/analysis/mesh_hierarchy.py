@@ -131,9 +131,9 @@ class MeshHierarchy:
         """Return the same hierarchy with factors of its own, for use on another thread."""
         return replace(self, levels={number: level.clone() for number, level in self.levels.items()})
 
-    def result_mesh(self, solution: Solution) -> ResultMesh:
-        """Return the mesh of the results of a solution on the finest mesh."""
-        level = self.levels.get(self.finest)
+    def result_mesh(self, solution: Solution, coarsening: int) -> ResultMesh:
+        """Return the mesh of the results of a solution on one of the meshes."""
+        level = self.levels.get(coarsening)
         return make_result_mesh(self.model, solution.system.problem) if level is None else level.result_mesh(self.model)
 
     def store(self, combination: str, solutions: list[Solution]) -> None:

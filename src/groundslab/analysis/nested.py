@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.analysis.gamma_iteration import GAMMA_START, LoadStep, OnStep, solve_load_step
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
-from groundslab.discretize.plan_layout import coarsest
+from groundslab.discretize.plan_layout import coarsest, has_coarser
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import W
@@ -27,30 +27,47 @@ from groundslab.solvers.solution import Solution
 HALVINGS = 2
 
 
-def solve_nested(hierarchy: MeshHierarchy, combination: str, factors: Array, report: OnStep) -> list[Solution]:
+def solve_nested(
+    hierarchy: MeshHierarchy, combination: str, factors: Array, report: OnStep
+) -> tuple[list[Solution], Solution | None]:
     """Return the solution of each load increment on the finest mesh, reached from the coarsest mesh upwards.
 
-    Or started from that of a similar model, if that converges. factors (cases,) are those of the combination.
+    Or started from that of a similar model, if that converges. factors (cases,) are those of the combination. Also
+    returns the solution under the full load on the next coarser mesh, if there is one.
     """
-    model, found = hierarchy.model, list[Solution]()
+    model, found, coarser = hierarchy.model, list[Solution](), None
     if hierarchy.has_reference(combination):
         level = hierarchy.level(hierarchy.finest)
         s = _load_system(level, factors)
         start = hierarchy.matching(combination, s)
         if start:
             with suppress(NotConverged, SingularMatrix):
-                return _solve_increments(model, s, level, start, report, True)
-    for coarsening in _coarsenings(max(_first(model), hierarchy.finest), hierarchy.finest):
+                return _solve_increments(model, s, level, start, report, True), None
+    for coarsening in _coarsenings(hierarchy):
         level = hierarchy.level(coarsening)
         if coarsening == hierarchy.finest:
-            found = _solve_increments(model, _load_system(level, factors), level, found, report, True)
+            coarser = found[-1] if found else None
+            found = _solve_finest(model, _load_system(level, factors), level, found, report)
         else:
             # without equilibrium or convergence on a coarse mesh the next mesh has no start
             start, found = found, []
             with suppress(NoEquilibrium, NotConverged, SingularMatrix):
-                found = _solve_increments(model, _load_system(level, factors), level, start, report, False)
+                on_step = report if model.analysis.nested else _ignore
+                found = _solve_increments(model, _load_system(level, factors), level, start, on_step, False)
     hierarchy.store(combination, found)
-    return found
+    return found, coarser
+
+
+def _solve_finest(model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep) -> list[Solution]:
+    """Return the solution of each load increment on the finest mesh, without the coarser ones where they mislead."""
+    if coarser and model.analysis.nested:
+        with suppress(NotConverged):
+            return _solve_increments(model, s, level, coarser, report, True)
+    return _solve_increments(model, s, level, [], report, True)
+
+
+def _ignore(_: Step) -> None:
+    """Report no step."""
 
 
 def margin_effect(margins: Sequence[MeshHierarchy], combination: str, factors: Array) -> float:
@@ -58,7 +75,7 @@ def margin_effect(margins: Sequence[MeshHierarchy], combination: str, factors: A
 
     Both meshes are the same on the plate, where their nodes have the same numbers.
     """
-    narrow, wide = (solve_nested(hierarchy, combination, factors, lambda _: None)[-1] for hierarchy in margins)
+    narrow, wide = (solve_nested(hierarchy, combination, factors, _ignore)[0][-1] for hierarchy in margins)
     under = narrow.system.problem.plate_nodes
     before, after = narrow.U[under, W], wide.U[under, W]
     largest = max(np.abs(before).max(), np.abs(after).max())
@@ -68,7 +85,7 @@ def margin_effect(margins: Sequence[MeshHierarchy], combination: str, factors: A
 def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[Combination]) -> list[int]:
     """Return how often the mesh is coarsened for each of the meshes on which the combinations will be solved."""
     known = all(hierarchy.has_reference(each.name) for each in combinations)
-    return _coarsenings(hierarchy.finest if known else max(_first(hierarchy.model), hierarchy.finest), hierarchy.finest)
+    return [hierarchy.finest] if known else _coarsenings(hierarchy)
 
 
 def _load_system(level: Level, factors: Array) -> System:
@@ -80,9 +97,16 @@ def _load_system(level: Level, factors: Array) -> System:
     return replace(level.system, problem=problem)
 
 
-def _coarsenings(first: int, last: int) -> list[int]:
-    """Return how often the mesh is coarsened, from first to last: HALVINGS at a time, or fewer to begin with."""
-    return sorted({*range(last, first + 1, HALVINGS), first}, reverse=True)
+def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
+    """Return how often the mesh is coarsened for each of the meshes, the coarsest first.
+
+    The next coarser mesh shows how far the results of the finest one depend on the mesh; before it the size changes by
+    HALVINGS at a time.
+    """
+    last, first = hierarchy.finest, max(_first(hierarchy.model), hierarchy.finest)
+    if last > 0 or not has_coarser(hierarchy.model):
+        return sorted({*range(last, first + 1, HALVINGS), first}, reverse=True)
+    return sorted({last, *range(last + 1, first + 1, HALVINGS), max(first, last + 1)}, reverse=True)
 
 
 def _first(model: Model) -> int:

@@ -24,7 +24,7 @@ from groundslab.fem.mesh import (
 )
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
-from groundslab.geometry.plan import Plan, Ring, rectangle
+from groundslab.geometry.plan import Plan, Ring, Segment, rectangle
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.model import Model
 from groundslab.model.supports import plan_of_plate
@@ -96,17 +96,15 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     With a `margin` above 1 the meshed strip of ground beyond is made wider by (margin - 1) times its width, at least by
     as many lengths over which the ground dies out, with further rows of elements; the rest of the mesh stays as it is.
     """
-    symmetry = symmetries(model)
-    width, size = _width_beyond(model, grounds), _edge_size(model, grounds, coarsening)
+    symmetry, width = symmetries(model), _width_beyond(model, grounds)
     wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
-    source: tuple[Hashable, ...]
-    if uniform(model, width):
-        counts, sides = _counts(model, symmetry, coarsening), model.beyond.sides if width else ()
-        source = model.plate.sides, symmetry, counts, model.mesh.counts, sides, width, size
-        found = meshes.of(source, lambda: _make_grid(model, symmetry, counts, width, size))
-    else:
-        source = plan, largest, _ = plan_of(model, width), _size(model) * 2**coarsening, size
-        found = meshes.of(source, lambda: _make_plan_mesh(plan, largest, size))
+    divided = coarsening == 0 and not uniform(model, width)
+    source, make, arcs = _mesh_of(model, grounds, symmetry, width, coarsening + divided)
+    found = meshes.of(source, make)
+    if divided:
+        coarser = found
+        source = source, "halved"
+        found = meshes.of(source, lambda: _divide(coarser, arcs))
     if wider:
         narrow = found
         found = meshes.of((source, wider), lambda: _widen(model, symmetry, narrow, wider))
@@ -115,6 +113,28 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     outer, axis = _outer_sides(model, symmetry, mesh)
     borders = find_followed_borders(model, width)
     return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, borders)
+
+
+def _divide(coarser: Meshed, arcs: list[Segment]) -> tuple[Mesh, Integers]:
+    """Return a mesh with every element cut into four, and the sections."""
+    from groundslab.meshing.refinement import halve
+
+    return halve(coarser[0], arcs), np.repeat(coarser[1], 4)
+
+
+def _mesh_of(
+    model: Model, grounds: list[Soil | Column], symmetry: tuple[bool, bool], width: float, coarsening: int
+) -> tuple[Hashable, Callable[[], tuple[Mesh, Integers]], list[Segment]]:
+    """Return what a mesh is made from, with ground beyond of a width [m], what makes it, and arcs that it follows."""
+    edge_size = _edge_size(model, grounds, coarsening)
+    if uniform(model, width):
+        counts = _counts(model, symmetry, coarsening)
+        sides = model.beyond.sides if width else ()
+        source = model.plate.sides, symmetry, counts, model.mesh.counts, sides, width, edge_size
+        return source, lambda: _make_grid(model, symmetry, counts, width, edge_size), []
+    plan, size = plan_of(model, width), _size(model) * 2**coarsening
+    arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
+    return (plan, size, edge_size), lambda: _make_plan_mesh(plan, size, edge_size), arcs
 
 
 def uniform(model: Model, width: float) -> bool:
@@ -156,6 +176,12 @@ def coarsest(model: Model) -> int:
     while COARSEST <= min(_counts(model, symmetry, times + 1)) < min(_counts(model, symmetry, times)):
         times += 1
     return times
+
+
+def has_coarser(model: Model) -> bool:
+    """Return whether the next coarser mesh has clearly fewer elements."""
+    symmetry = symmetries(model)
+    return 2 * math.prod(_counts(model, symmetry, 1)) <= math.prod(_counts(model, symmetry, 0))
 
 
 def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple[int, int]:

@@ -129,15 +129,17 @@ class Problem:
         return replace(self, loading=sum(others, first))
 
 
-def without_rigid_motion(problem: Problem, U: Array) -> Array:
-    """Return W, BETA_X and BETA_Y (n, 3) less the plane that fits the plate best: strains are those of U (n, F).
+def plate_unknowns(problem: Problem, U: Array) -> Array:
+    """Return w, beta_x and beta_y of each plate element (mp, 27) from U (n, F), less the plane that fits best.
 
-    Stiffness times what a nearly rigid plate moves as a whole would be rounding alone.
+    Strains are the same; stiffness times what a nearly rigid plate moves as a whole would be rounding alone.
     """
-    motions, corners = planes(problem), problem.mesh.elements[problem.plate_elements, :4].ravel()
+    motions, elements = planes(problem), problem.mesh.elements[problem.plate_elements]
+    corners = elements[:, :4].ravel()
     plane = np.linalg.lstsq(motions[corners, W], U[corners, W], rcond=None)[0]
-    moved: Array = U[:, :TOP] - motions @ plane
-    return moved
+    moved = U[:, :TOP] - motions @ plane
+    u: Array = np.concatenate([moved[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
+    return u
 
 
 def planes(problem: Problem) -> Array:

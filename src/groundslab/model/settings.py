@@ -20,6 +20,8 @@ Symmetry = Literal["auto", "off"]
 Solver = Literal["auto", "pardiso", "superlu", "mumps"]
 
 
+#: Of what the mesh is allowed to be off.
+SHARE = Range(at_least=1e-4, at_most=0.5)
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
 
@@ -132,6 +134,10 @@ class Mesh(Section):
     counts: Annotated[
         tuple[int, int] | None, ListOf(Integer("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
     ] = None
+    accuracy: Annotated[
+        float,
+        Quantity("share", "", "largest discretization error of a value that is reported without a warning", SHARE),
+    ] = 0.05
     symmetry: Annotated[
         Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")
     ] = "auto"

@@ -11,7 +11,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, without_rigid_motion
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, plate_unknowns
 from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
 from groundslab.results.record import Certificate
 from groundslab.solvers.equilibrium import free_motions
@@ -70,9 +70,7 @@ def plate_forces(s: System, U: Array) -> Array:
     """Return the forces (n, 3) that the plate's deformation puts on w, beta_x, beta_y of each node."""
     problem, b = s.problem, s.blocks
     elements = problem.mesh.elements[problem.plate_elements]
-    U = without_rigid_motion(problem, U)
-    u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
-    f = apply(b.plate, b.kind[problem.plate_elements], u)
+    f = apply(b.plate, b.kind[problem.plate_elements], plate_unknowns(problem, U))
     n = len(problem.mesh.nodes)
     return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
 

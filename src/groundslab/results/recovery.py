@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
-from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, without_rigid_motion
+from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, plate_unknowns
 from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
 from groundslab.model.loads.load_cases import Combination
@@ -16,7 +18,7 @@ from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import ResultMesh
-from groundslab.results.results import CombinationResult, Increment, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
 from groundslab.solvers.solution import Solution
 
 #: What is recovered from the Gauss points, in the order of plate.section_forces.
@@ -25,18 +27,29 @@ FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
 SIZES = (np.array([1.0, 1.0, 2.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0, 1.0]))
 
 
+@dataclass(frozen=True, slots=True)
+class MeshedFields:
+    """Fields of the meshed part of plate and ground: k nodes of the results' mesh, mp plate elements, S surfaces."""
+
+    forces: Array  # (mp, 9, 5): recovered section forces at the nodes of each element, see FORCES
+    nodal: dict[str, Array]  # (k,)
+    elements: dict[str, Array]  # (mp,)
+    surfaces: Array  # (S, n) [m]: settlements
+
+
 def recover(
     model: Model,
     combination: Combination,
     solution: Solution,
-    frame: ResultMesh,
+    parts: tuple[PlateResult, ElementResult, GroundResult],
     proof: Certificate,
     steps: tuple[Step, ...],
     solver: str,
     increments: tuple[Increment, ...] = (),
+    comparison: Comparison | None = None,
 ) -> CombinationResult:
-    """Return the results of a solution: nodal fields on the full plate and ground."""
-    plate, elements, ground = _parts(solution, frame)
+    """Return the results of a solution, whose fields on the full plate and ground are given."""
+    plate, elements, ground = parts
     return CombinationResult(
         model=model,
         plate=plate,
@@ -51,39 +64,40 @@ def recover(
         combination=combination.name,
         limit_state=combination.limit_state,
         factors=combination.factors if model.cases else (),
-        supports=_supports(model, solution),
+        supports=support_results(model, solution),
         increments=increments,
+        comparison=comparison,
     )
 
 
-def increment(solution: Solution, frame: ResultMesh, share: float) -> Increment:
-    """Return the state under a share of the load; the solution's problem has that share for its load."""
-    return Increment(share, *_parts(solution, frame))
-
-
-def _parts(solution: Solution, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:
-    """Return the full plate, its elements and the ground with their fields."""
-    problem, plate, ground = solution.system.problem, frame.plate, frame.ground
+def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
+    """Return the fields of a solution on the meshed part."""
+    s, U, problem = solution.system, solution.U, solution.system.problem
     contact, pressure = contact_fields(solution, frame)
-    s, U = solution.system, solution.U
-    fields = {"settlement": plate_settlement(s, U), "rotation_x": U[:, BETA_X], "rotation_y": U[:, BETA_Y]}
-    fields = {name: field[frame.node] for name, field in fields.items()}
-    fields |= {"area": frame.area, "edge_length": frame.edge_length}
-    fields |= section_forces(problem, U, frame) | contact
-    at_centres = _element_fields(problem, U, frame) | {"pressure": pressure}
-    nodal = {name: plate.nodal(name, field) for name, field in fields.items()}
-    elements = {name: plate.by_element(name, field) for name, field in at_centres.items()}
+    gauss = gauss_forces(problem, U, frame)
+    forces = frame.at_nodes(gauss, FORCES, SIZES)
+    moved = {"settlement": plate_settlement(s, U), "rotation_x": U[:, BETA_X], "rotation_y": U[:, BETA_Y]}
+    nodal = {name: field[frame.node] for name, field in moved.items()}
+    nodal |= {"area": frame.area, "edge_length": frame.edge_length} | section_forces(frame, forces) | contact
+    elements = _element_fields(problem, gauss) | {"pressure": pressure}
+    return MeshedFields(forces, nodal, elements, surface_settlement(s, U))
+
+
+def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:
+    """Return the full plate, its elements and the ground with their fields."""
+    plate, ground = frame.plate, frame.ground
+    nodal = {name: plate.nodal(name, field) for name, field in fields.nodal.items()}
+    elements = {name: plate.by_element(name, field) for name, field in fields.elements.items()}
     section = elements.pop("section").astype(np.int64)
     in_contact = nodal.pop("in_contact") > 0
-    surfaces = surface_settlement(s, U)
     return (
         PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, **nodal),
         ElementResult(section=section, **elements),
-        GroundResult(ground.mesh.nodes, ground.mesh.elements, surfaces[:, ground.node]),
+        GroundResult(ground.mesh.nodes, ground.mesh.elements, fields.surfaces[:, ground.node]),
     )
 
 
-def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
+def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     """Return what each support carries."""
     problem, b = solution.system.problem, solution.system.problem.bearing
     if not model.supports:
@@ -116,46 +130,39 @@ def _supports(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     return tuple(found)
 
 
-def _element_fields(problem: Problem, U: Array, frame: ResultMesh) -> dict[str, Array]:
+def _element_fields(problem: Problem, gauss: Array) -> dict[str, Array]:
     """Return the fields at the centers of the plate's elements (mp,) but the pressure, the section's number a float."""
-    forces = dict(zip(FORCES, centre_forces(problem, U, frame).T, strict=True))
+    forces = dict(zip(FORCES, gauss.mean(axis=1).T, strict=True))
     return {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
 
 
 def gauss_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
-    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5)."""
-    elements = problem.mesh.elements[problem.plate_elements]
-    U = without_rigid_motion(problem, U)
-    u = np.concatenate([U[elements, field] for field in (W, BETA_X, BETA_Y)], axis=1)
-    forces = apply(frame.matrices, frame.kind, u).reshape(len(elements), 4, 5)
-    if problem.loading.thermal_curvature.any():
-        # what bends freely carries nothing
-        free = problem.bending[:, :, :2].sum(axis=2)[problem.section] * problem.loading.thermal_curvature[:, None]
-        forces[..., :3] += free[:, None]
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5).
+
+    Their mean over an element, in which nothing is averaged between elements, is their value at its center.
+    """
+    forces = apply(frame.matrices, frame.kind, plate_unknowns(problem, U)).reshape(-1, 4, 5)
+    forces[..., :3] += thermal_moments(problem)[:, None]
     return forces
 
 
-def centre_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
-    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the centers of the plate's elements, (mp, 5).
-
-    Nothing is averaged between elements: each has the mean of its 2 x 2 Gauss points, which is their bilinear field's
-    value at its center. The elements are those of the meshed part, in its order.
-    """
-    centers: Array = gauss_forces(problem, U, frame).mean(axis=1)
-    return centers
+def thermal_moments(problem: Problem) -> Array:
+    """Return what the curvature that temperature would give freely takes off the moments, (mp, 3) [N m/m]."""
+    stiffness = problem.bending[:, :, :2].sum(axis=2)[problem.section]
+    moments: Array = stiffness * problem.loading.thermal_curvature[:, None]
+    return moments
 
 
-def section_forces(problem: Problem, U: Array, frame: ResultMesh) -> dict[str, Array]:
-    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh, recovered part by part.
+def section_forces(frame: ResultMesh, forces: Array) -> dict[str, Array]:
+    """Return moments [N m/m] and shear forces [N/m] at the nodes of the plate's mesh from those of elements (mp, 9, 5).
 
-    From the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992) in the parts of the
-    mesh in which they are smooth, whose nodes stand apart; nodes that are one in the mesh take the mean.
+    They are recovered from the 2 x 2 Gauss points, where they are most accurate, by patches (Zienkiewicz and Zhu 1992)
+    in the parts of the mesh in which they are smooth, whose nodes stand apart; nodes that are one take the mean.
     """
     mesh = frame.mesh
-    at_nodes = frame.at_nodes(gauss_forces(problem, U, frame), FORCES, SIZES)
     n = len(mesh.nodes)
     meeting = np.bincount(mesh.elements.ravel(), minlength=n)
-    return {name: scatter(mesh.elements, at_nodes[..., i], n) / meeting for i, name in enumerate(FORCES)}
+    return {name: scatter(mesh.elements, forces[..., i], n) / meeting for i, name in enumerate(FORCES)}
 
 
 def _constants(solution: Solution) -> Constants:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -116,6 +116,34 @@ class OnlyPart(Generic[Part]):
         return part
 
 
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """What elements twice as large give, at the nodes of the finer mesh, and the discretization error in energy.
+
+    Attributes
+    ----------
+    plate : PlateResult
+        The plate.
+    elements : ElementResult
+        The plate's elements.
+    ground : GroundResult
+        The ground.
+    supports : tuple of SupportResult
+        What the supports carry, at nodes of the coarser mesh.
+    energy_error : float
+        The error of the finer mesh in the energy norm, over that of its solution.
+    reduction : float
+        That error over the one of the coarser mesh.
+    """
+
+    plate: PlateResult
+    elements: ElementResult
+    ground: GroundResult
+    supports: tuple[SupportResult, ...]
+    energy_error: float
+    reduction: float
+
+
 @dataclass(frozen=True, slots=True, repr=False)
 class CombinationResult:
     """Results of one combination of loads, with the model that they belong to.
@@ -150,6 +178,8 @@ class CombinationResult:
         What the supports carry.
     increments : tuple of Increment
         The states under smaller shares of the load, if it was applied in increments.
+    comparison : Comparison or None
+        What elements twice as large give, by which discretization errors are estimated.
     """
 
     model: Model
@@ -167,6 +197,23 @@ class CombinationResult:
     factors: tuple[tuple[str, float], ...]
     supports: tuple[SupportResult, ...]
     increments: tuple[Increment, ...] = ()
+    comparison: Comparison | None = None
+
+    @property
+    def coarser(self) -> CombinationResult | None:
+        """The results on elements twice as large, their fields at the nodes of this mesh."""
+        if (other := self.comparison) is None:
+            return None
+        return replace(
+            self,
+            plate=other.plate,
+            elements=other.elements,
+            ground=other.ground,
+            supports=other.supports,
+            increments=(),
+            comparison=None,
+        )
+
     plot = plot_results
 
     def __repr__(self) -> str:

@@ -91,7 +91,8 @@ def solve(
             break
         inside = interior_point.solve(A, f, factorization, b, record)
         state, last, near, progress = inside.state, inside.u, None, _Progress(len(b))
-    raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN})
+    forces = {} if inside is None else {"force": inside.force}
+    raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN} | forces)
 
 
 def _is_balanced(A: Symmetric, f: Array, b: Bearings, found: Contact) -> bool:

@@ -16,7 +16,7 @@ from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
-from groundslab.results.results import CombinationResult, Increment, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
 from groundslab.views.files.validation import require_sound
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 4
+FORMAT = 5
 
 
 #: Longest text of a library's reason.
@@ -58,10 +58,15 @@ class _About:
     factors: tuple[tuple[str, float], ...]
     supports: tuple[str, ...]
     increments: tuple[float, ...]
+    comparison: tuple[float, float] | None  # error in energy, and its reduction
 
 
 #: What an archive says of results as they have it themselves.
-PLAIN = [item.name for item in fields(_About) if item.name not in ("format", "version", "supports", "increments")]
+PLAIN = [
+    item.name
+    for item in fields(_About)
+    if item.name not in ("format", "version", "supports", "increments", "comparison")
+]
 
 
 def write(results: CombinationResult, path: Path) -> None:
@@ -71,15 +76,17 @@ def write(results: CombinationResult, path: Path) -> None:
     arrays: dict[str, Any] = _arrays("", results)
     for number, increment in enumerate(results.increments):
         arrays |= _arrays(f"increments.{number}.", increment)
-    for number, support in enumerate(results.supports):
-        names = (item.name for item in fields(support) if item.name != "name")
-        arrays |= {f"supports.{number}.{name}": getattr(support, name) for name in names}
+    arrays |= _support_arrays("", results.supports)
+    other = results.comparison
+    if other is not None:
+        arrays |= _arrays("coarser.", other) | _support_arrays("coarser.", other.supports)
     about = _About(
         format=FORMAT,
         version=__version__,
         **{name: getattr(results, name) for name in PLAIN},
         supports=tuple(support.name for support in results.supports),
         increments=tuple(each.share for each in results.increments),
+        comparison=None if other is None else (other.energy_error, other.reduction),
     )
     text = json.dumps(asdict(about), allow_nan=False, default=lambda number: number.item())
     arrays |= {"model": np.array(casefile.to_toml(results.model)), "about": np.array(text)}
@@ -169,16 +176,25 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
         model=casefile.loads(str(arrays["model"])),
         **_parts("", arrays),
         **{name: getattr(about, name) for name in PLAIN},
-        supports=tuple(_support(name, number, arrays) for number, name in enumerate(about.supports)),
+        supports=_supports("", about.supports, arrays),
         increments=tuple(
             Increment(share, **_parts(f"increments.{number}.", arrays)) for number, share in enumerate(about.increments)
         ),
+        comparison=None if about.comparison is None else _comparison(about, arrays),
     )
     require_sound(found)
     return found
 
 
-def _arrays(below: str, state: CombinationResult | Increment) -> dict[str, Any]:
+def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
+    """Return what the coarser mesh gave."""
+    assert about.comparison is not None
+    energy_error, reduction = about.comparison
+    supports = _supports("coarser.", about.supports, arrays)
+    return Comparison(**_parts("coarser.", arrays), supports=supports, energy_error=energy_error, reduction=reduction)
+
+
+def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> dict[str, Any]:
     """Return the arrays of a state by their names, which begin with `below`; a mesh that is known stands there once."""
     found: dict[str, Any] = {}
     for part, values in (("plate", state.plate), ("elements", state.elements), ("ground", state.ground)):
@@ -198,10 +214,25 @@ def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _support(name: str, number: int, arrays: dict[str, Any]) -> SupportResult:
-    """Return the support of a number among the arrays of an archive."""
-    names = (item.name for item in fields(SupportResult) if item.name != "name")
-    return SupportResult(name=name, **{each: arrays[f"supports.{number}.{each}"] for each in names})
+#: What a support has by its nodes.
+_OF_SUPPORT = [item.name for item in fields(SupportResult) if item.name != "name"]
+
+
+def _support_arrays(below: str, supports: tuple[SupportResult, ...]) -> dict[str, Any]:
+    """Return the arrays of supports by their names, which begin with `below`."""
+    return {
+        f"{below}supports.{number}.{name}": getattr(support, name)
+        for number, support in enumerate(supports)
+        for name in _OF_SUPPORT
+    }
+
+
+def _supports(below: str, names: tuple[str, ...], arrays: dict[str, Any]) -> tuple[SupportResult, ...]:
+    """Return the supports of these names from the arrays whose names begin with `below`."""
+    return tuple(
+        SupportResult(name=name, **{each: arrays[f"{below}supports.{number}.{each}"] for each in _OF_SUPPORT})
+        for number, name in enumerate(names)
+    )
 
 
 def _refusal(path: Path, found: str) -> InputError:

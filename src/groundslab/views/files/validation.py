@@ -10,9 +10,9 @@ import numpy as np
 
 if TYPE_CHECKING:
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.results import CombinationResult, Increment, SupportResult
+    from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
 
-    State: TypeAlias = CombinationResult | Increment
+    State: TypeAlias = CombinationResult | Comparison | Increment
 
 #: NumPy's type by the annotation of a field.
 _TYPES = {"Array": np.float64, "Integers": np.int64, "Flags": np.bool_}
@@ -38,6 +38,12 @@ def _faults(results: CombinationResult) -> Iterator[str]:
         yield from _of_state(f"increment {increment.share:g}: ", increment, layers)
         if not 0 < increment.share <= 1:
             yield f"an increment of {increment.share:g} of the load"
+    if (other := results.comparison) is not None:
+        yield from _of_state("coarser: ", other, layers)
+        for number, support in enumerate(other.supports, 1):
+            yield from _of_support(f"coarser: support {number}", support)
+        if not (0 <= other.energy_error <= 1 and 0 <= other.reduction <= LARGEST):
+            yield "errors of a comparison that are none"
     if not results.steps:
         yield "no step of the iteration"
 

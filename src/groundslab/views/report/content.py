@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from groundslab.views.summary.sections import Row
 
 
-_VALUE = ("", "symbol", "#value", "unit")
+_VALUE = ("", "symbol", "#value", "unit", "#error")
 CERTIFICATE_NOTES = (
     "All but the sums are ratios, computed afresh from the solution with none of the factorized matrices. Each must "
     f"be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
@@ -51,7 +51,7 @@ def build_page(combined: Results, text: str | None = None, file: str = "case.tom
         "text": text,
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
         "facts": list(_facts(combined, there)),
-        "verdict": dict(zip(("good", "words"), _verdict(found), strict=True)),
+        "verdict": dict(zip(("status", "words"), _verdict(combined, found), strict=True)),
         "design": design_of(combined),
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
@@ -76,17 +76,18 @@ def _facts(combined: Results, there: Sequence[CombinationResult]) -> Iterator[tu
         yield "Mesh", f"{len(there[0].plate.elements)} elements on the plate, {there[0].unknowns} unknowns"
 
 
-def _verdict(found: Sequence[Entry]) -> tuple[bool, str]:
-    """Return whether the results of all combinations may be used, and that in words."""
+def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
+    """Return how good the results of all combinations are (good, doubtful, bad), and that in words."""
     numbers = [str(entry.number) for entry in found if entry.refused is not None]
     if not numbers:
-        return (True, sections.certified_words(len(found)))
+        certified, coarse = sections.certified_words(len(found)), sections.coarse_words(combined)
+        return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
     if len(found) == 1:
-        return (False, "FAILED: there is no certified result; use nothing of it.")
+        return ("bad", "FAILED: there is no certified result; use nothing of it.")
     if len(numbers) == len(found):
-        return (False, "FAILED: no combination has a certified result; use nothing of it.")
+        return ("bad", "FAILED: no combination has a certified result; use nothing of it.")
     words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
-    return (False, f"FAILED: {words} The results of the others are certified.")
+    return ("bad", f"FAILED: {words} The results of the others are certified.")
 
 
 def _section(section: sections.SummarySection) -> TableLayout:
@@ -98,7 +99,8 @@ def _section(section: sections.SummarySection) -> TableLayout:
 def _row(row: Row) -> tuple[Cell, ...]:
     """Return a row of the summary without its place."""
     shown = shown_row(row)
-    return (Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown.figure, "number"), Cell(shown.unit))
+    words = Cell(row.label, "words"), Cell(row.symbol, "symbol")
+    return (*words, Cell(shown.figure, "number"), Cell(shown.unit), Cell(shown.error, "number"))
 
 
 def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout]:

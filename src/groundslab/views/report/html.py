@@ -69,7 +69,7 @@ def write_report(
 
     Parameters
     ----------
-    results : Results or Combined
+    results : CombinationResult or Results
         Results of one or of several combinations.
     path : str or Path
         File to write; an existing file is replaced only if it is a report of groundslab.

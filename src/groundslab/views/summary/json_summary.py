@@ -163,4 +163,5 @@ def _row(row: Row) -> Any:
         return row.value
     assert isinstance(row.value, (int, float))
     place = {} if row.place is None else {"place": list(row.place)}
-    return _quantity(row.value, row.unit) | place
+    error = {} if row.error is None else {"error": row.error}
+    return _quantity(row.value, row.unit) | error | place

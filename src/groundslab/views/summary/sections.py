@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from dataclasses import dataclass, replace
 from operator import itemgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.accuracy.values import estimate_error
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
-from groundslab.results.fields import PLATE_FIELDS, extreme
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme
 from groundslab.units import UNITS, Unit
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from groundslab.arrays import Array
     from groundslab.model.model import Model
     from groundslab.results.record import Certificate
-    from groundslab.results.results import CombinationResult, SupportResult
+    from groundslab.results.results import CombinationResult, Results, SupportResult
 
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12
+#: Figures below this share of the largest of their unit are rounding.
+NOTHING = 1e-9
 #: Of more supports than these only the extremes are shown.
 MOST_SUPPORTS = 12
 
@@ -36,7 +42,7 @@ CERTIFICATE_WORDS = {
     "residual": "force left over at a node",
     "force_balance": "loads against reactions",
     "moment_balance": "moments of loads and reactions",
-    "ground_balance": "contact against the ground's forces",
+    "ground_balance": "contact against ground's forces",
     "worst_gap": "plate inside the ground (gap < 0)",
     "worst_pressure": "ground pulls (pressure < 0)",
     "worst_product": "pressure across an open gap",
@@ -57,6 +63,7 @@ class Row:
     place: tuple[float, float] | None = None  # [m]
     tolerance: float | None = None
     ok: bool | None = None
+    error: float | None = None  # estimated discretization error, in SI
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +74,7 @@ class SummarySection:
     title: str
     rows: tuple[Row, ...]
     notes: tuple[str, ...] = ()
+    singular: bool = False  # whether the figures may grow without limit as the mesh is refined
 
 
 def summary(results: CombinationResult) -> list[SummarySection]:
@@ -81,9 +89,94 @@ def description(results: CombinationResult) -> list[SummarySection]:
 
 
 def figures(results: CombinationResult) -> list[SummarySection]:
-    """Return what came out: settlement, contact, what supports carry, section forces."""
+    """Return what came out: settlement, contact, what supports carry, section forces, with discretization errors."""
     supports = [_supports(results)] if results.supports else []
-    return [_settlement(results), _contact(results), *supports, _section_forces(results)]
+    found = [_settlement(results), _contact(results), *supports, _section_forces(results)]
+    if results.coarser is None:
+        return found
+    coarser = {(section.key, row.key): row for section in figures(results.coarser) for row in section.rows}
+    found = [
+        replace(each, rows=tuple(_with_error(row, coarser.get((each.key, row.key)), results) for row in each.rows))
+        for each in found
+    ]
+    return [*found, _discretization(results, found)]
+
+
+def _with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row:
+    """Return a figure with its discretization error, if the next coarser mesh has one to compare."""
+    if coarser is None or row.unit is None or isinstance(row.value, str) or isinstance(coarser.value, str):
+        return row
+    assert results.comparison is not None
+    return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
+
+
+def _discretization(results: CombinationResult, found: Sequence[SummarySection]) -> SummarySection:
+    """Return the discretization error in energy, and the largest of the figures'."""
+    assert results.comparison is not None
+    error, row = largest_error(found)
+    rows = [Row("energy", "error in energy norm", results.comparison.energy_error, UNITS["%"])]
+    if row is not None:
+        rows.append(Row("largest_error", "largest error of a figure", error, UNITS["%"], row.symbol, row.place))
+    notes: tuple[str, ...] = ()
+    if error > results.model.mesh.accuracy:
+        notes = (
+            f"The mesh is too coarse for errors of {100 * results.model.mesh.accuracy:g} % (mesh.accuracy): make "
+            "mesh.size smaller. Errors are estimated from the same analysis on elements twice as large.",
+        )
+    return SummarySection("discretization", "Discretization error", tuple(rows), notes)
+
+
+def largest_error(found: Sequence[SummarySection]) -> tuple[float, Row | None]:
+    """Return the largest discretization error of any figure, and its row; 0 and None if no figure has one.
+
+    Each as a share of the largest figure of the same quantity: of what nearly vanishes no share is told. Figures that
+    have no limit as the mesh is refined are left out.
+    """
+    judged = [row for section in found if not section.singular for row in section.rows]
+    rows = [row for row in judged if row.error is not None and row.symbol.strip("-") != PLATE_FIELDS[LINE_FORCE].symbol]
+    largest: dict[str, float] = defaultdict(float)
+    for row in rows:
+        for name in (_quantity(row), _unit(row)):
+            largest[name] = max(largest[name], abs(float(row.value)))
+    # twisting moments of a strip, for example, are nothing but rounding
+    rows = [row for row in rows if largest[_quantity(row)] > NOTHING * largest[_unit(row)]]
+    shares = [(row.error or 0.0) / largest[_quantity(row)] for row in rows]
+    if not shares:
+        return 0.0, None
+    worst = int(np.argmax(shares))
+    return shares[worst], rows[worst]
+
+
+def _quantity(row: Row) -> str:
+    """Return which quantity a row is a figure of."""
+    return row.symbol.strip("-|") or row.key
+
+
+def _unit(row: Row) -> str:
+    """Return the name of a row's unit, in brackets, so that it is no quantity's."""
+    return "[]" if row.unit is None else f"[{row.unit.name}]"
+
+
+def coarse_words(combined: Results) -> str:
+    """Return in words that the mesh is too coarse for the accuracy asked for, or "" where it is not."""
+    from groundslab.accuracy.resolution import find_unresolved
+
+    for results in combined.values():
+        small = find_unresolved(results)
+        if small is not None:
+            loads = f"{small.count} loads" if small.count > 1 else "a load"
+            return (
+                f"The mesh is too coarse for the footprint of {loads}: {small.footprint:.3g} m in elements of "
+                f"{small.element:.3g} m. Moments and shear forces there are too small. Make mesh.size smaller."
+            )
+    found = [largest_error(figures(each)) for each in combined.values()]
+    error, row = max(found, key=itemgetter(0), default=(0.0, None))
+    if row is None or error <= combined.model.mesh.accuracy:
+        return ""
+    return (
+        f"The mesh is too coarse: the largest discretization error is {100 * error:.2g} % ({row.label}), more than "
+        f"{100 * combined.model.mesh.accuracy:g} %. Make mesh.size smaller."
+    )
 
 
 def certified_words(count: int) -> str:
@@ -240,7 +333,7 @@ def _section_forces(results: CombinationResult) -> SummarySection:
         )
     if any(support.kind == "point" for support in model.supports):
         notes += ("At a point support moments and shear forces grow without limit as the mesh is refined.",)
-    return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)
+    return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes, bool(notes))
 
 
 def _supports(results: CombinationResult) -> SummarySection:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ from groundslab._version import __version__
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.units import format_number
 from groundslab.views.summary import combinations
-from groundslab.views.summary.sections import Row, SummarySection, certified_words, summary
+from groundslab.views.summary.sections import Row, SummarySection, certified_words, coarse_words, summary
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
 
-#: Widths of the columns of words and of values; unit and place follow, 78 in all.
-LABEL, VALUE = 36, 12
+#: Widths of the columns of words, values, units and discretization errors; with the place, 80 in all.
+LABEL, VALUE, UNIT, ERROR = 34, 11, 5, 7
 
 
 def print_summary(combined: Results, console: Console) -> None:
@@ -45,7 +46,7 @@ def print_summary(combined: Results, console: Console) -> None:
         _print_several(combined, found, console)
     console.print()
     if not combined.refused:
-        _print_certified(len(found), design, console)
+        _print_certified(combined, design, console)
         return
     failed = "FAILED: the certificate does not hold; do not use the result."
     if only is None:
@@ -135,9 +136,12 @@ _STYLES: dict[Status, str] = {
 }  # fmt: skip
 
 
-def _print_certified(count: int, design: Design, console: Console) -> None:
-    """Print what the certificate of so many results says, and again what fails in the design."""
-    _print_lines(textwrap.wrap(certified_words(count), 78), "green", console)
+def _print_certified(combined: Results, design: Design, console: Console) -> None:
+    """Print what the certificate of all results says, whether the mesh is fine enough, and what fails in the design."""
+    coarse = coarse_words(combined)
+    style = "yellow" if coarse else "green"
+    _print_lines(textwrap.wrap(certified_words(len(combined.combinations)), 78), style, console)
+    _print_lines(textwrap.wrap(coarse, 78), "bold yellow", console)
     if design.open:
         _print_lines(textwrap.wrap(f"{design.headline} See the first lines.", 78), _STYLES[design.status], console)
 
@@ -194,8 +198,8 @@ def _line(row: Row, taken: int = 0) -> Text:
         pieces = textwrap.wrap(row.value, 78 - LABEL - 2)
         line.append(row.value.rjust(VALUE) if len(row.value) <= VALUE else f"\n{' ' * (LABEL + 2)}".join(pieces))
     else:
-        place = f"at {shown.place}" if shown.place else ""
-        line.append(f"{shown.figure:>{VALUE}} {shown.unit:<6} {place}".rstrip())
+        error = shown.error.replace("±", "+-")  # not every terminal has it
+        line.append(f"{shown.figure:>{VALUE}} {shown.unit:<{UNIT}} {error:<{ERROR}} {shown.place}".rstrip())
     return line
 
 
@@ -206,6 +210,7 @@ class Shown:
     figure: str
     unit: str = ""
     place: str = ""
+    error: str = ""  # relative to the figure
 
 
 def shown_row(row: Row) -> Shown:
@@ -217,4 +222,14 @@ def shown_row(row: Row) -> Shown:
     scale, unit = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.name)
     figure = str(row.value) if isinstance(row.value, int) else format_number(row.value * scale)
     place = "" if row.place is None else "({:.3f}, {:.3f})".format(*(round(x, 3) + 0.0 for x in row.place))
-    return Shown(figure, unit, place)
+    return Shown(figure, unit, place, "" if row.error is None else error_text(row.error, row.value))
+
+
+def error_text(error: float, value: float) -> str:
+    """Return a discretization error as a share of its value, such as "± 0.4 %"."""
+    if not error:
+        return ""
+    share = 100 * abs(error / value) if value else math.inf
+    if share >= 99:
+        return "±>99 %"
+    return "±<0.1 %" if share < 0.1 else f"±{share:.0f} %" if share >= 10 else f"±{share:.1f} %"

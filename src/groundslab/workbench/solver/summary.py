@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.units import format_number
 from groundslab.views.summary import combinations, json_summary, sections
+from groundslab.views.summary.terminal import error_text
 
 if TYPE_CHECKING:
     from groundslab.results.results import Results
@@ -19,6 +20,7 @@ def build_summary(combined: Results) -> dict[str, Any]:
     combinations.require_finite(combined)
     return {
         "design": json_summary.design(combined),
+        "coarse": sections.coarse_words(combined),
         "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)],
     }
 
@@ -58,6 +60,8 @@ def _row_to_json(row: Row) -> dict[str, Any]:
     else:
         plain = isinstance(row.value, int)
         value = str(row.value) if plain else format_number(row.value * (1.0 if row.unit is None else row.unit.scale))
+        error = "" if row.error is None else error_text(row.error, row.value)
         note = "" if row.place is None else "at ({:.3f}, {:.3f}) m".format(*(round(x, 3) + 0.0 for x in row.place))
+        note = f"{error} {note}".strip()
     about = {"key": row.key, "label": row.label, "symbol": row.symbol, "value": value, "unit": unit, "note": note}
     return about | ({"ok": row.ok} if row.ok is not None else {})

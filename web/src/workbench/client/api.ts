@@ -68,6 +68,8 @@ export interface DesignCheck {
 export interface Summary {
   design?: { status: DesignCheck["status"]; headline: string; checks: DesignCheck[] };
   combinations: CombinationSummary[];
+  /** That the mesh is too coarse, in words; empty where it is not. */
+  coarse?: string;
 }
 
 /** The connection is lost. */

@@ -95,14 +95,15 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
     return h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, mark), ...figures);
   });
   const table = h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows));
-  fill(element, makeVerdict(combinations), h("div", { class: "wide" }, table));
+  fill(element, makeVerdict(summary), h("div", { class: "wide" }, table));
 }
 
 /** Make the verdict on all combinations together. */
-function makeVerdict(all: readonly CombinationSummary[]): HTMLElement {
+function makeVerdict({ combinations: all, coarse = "" }: Summary): HTMLElement {
   const bad = all.filter((one) => verdictOf(one) !== "certified").length;
   const whose = all.length === 1 ? "The result is" : `The results of all ${all.length} combinations are`;
   const good = `${whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is no approval of the design.`;
+  if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, `${good} ${coarse}`);
   if (bad === 0) return h("p", { class: "verdict good" }, good);
   const some = `${bad} of ${all.length} combinations have no result that may be used.`;
   return h("p", { class: "verdict bad" }, all.length === 1 ? "This result must not be used." : some);

@@ -1,0 +1,1 @@
+"""Discretization errors: in energy, element by element, and of every value that is reported."""

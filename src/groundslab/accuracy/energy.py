@@ -1,0 +1,111 @@
+"""Discretization error in energy: recovered fields against those of the elements (Zienkiewicz and Zhu 1992).
+
+Recovered moments, shear forces and slopes of the ground are one order more accurate than those of the elements, so that
+their difference is nearly the error. Its energy is summed element by element; what is smooth in parts is recovered part
+by part.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.fem import plate
+from groundslab.fem.assembly import find_congruent, scatter
+from groundslab.fem.problem import Problem, plate_unknowns
+from groundslab.fem.shape_functions import gauss, jacobian, q9
+from groundslab.fem.system import surface_settlement
+from groundslab.results.certificate import apply
+from groundslab.results.patch_recovery import extrapolation
+from groundslab.results.recovery import thermal_moments
+from groundslab.results.result_mesh import ResultMesh
+from groundslab.solvers.solution import Solution
+
+_CHUNK = 2048
+
+
+def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
+    """Return the squared error of each element of plate and ground in the energy norm, (m,) [N m].
+
+    recovered (mp, 9, 5) are moments and shear forces at the nodes of the plate's elements.
+    """
+    errors = _ground_errors(solution)
+    errors[solution.system.problem.plate_elements] += _plate_errors(solution, frame, recovered)
+    return errors
+
+
+def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
+    """Return int (M* - M) . D^-1 (M* - M) + |Q* - Q|^2 / S of each plate element, (mp,)."""
+    problem, (points, weights) = solution.system.problem, gauss(3)
+    N, dN = q9(points)
+    u = plate_unknowns(problem, solution.U)
+    free = thermal_moments(problem)
+    _, first, kind = np.unique(frame.kind, return_index=True, return_inverse=True)
+    xy = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]]
+    found = np.empty(len(u))
+    compliance = np.linalg.inv(problem.bending)
+    for start in range(0, len(u), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        kinds, own = np.unique(kind[part], return_inverse=True)
+        some = first[kinds]
+        section = problem.section[some]
+        D, S = problem.bending[section], problem.shear[section]
+        matrices = plate.section_matrices(problem.element, points, xy[some], D, S).reshape(len(some), -1, 27)
+        error = N @ recovered[part] - apply(matrices, own, u[part]).reshape(-1, len(points), 5)
+        error[..., :3] -= free[part, None]
+        C, dA = compliance[problem.section[part]], jacobian(dN, xy[part])[2] * weights
+        moments, shear = error[..., :3], error[..., 3:]
+        of_moments = np.einsum("epi,eij,epj->ep", moments, C, moments, optimize=True)
+        of_shear = (shear**2).sum(axis=2) / problem.shear[problem.section[part], None]
+        found[part] = (dA * (of_moments + of_shear)).sum(axis=1)
+    return found
+
+
+def _ground_errors(solution: Solution) -> Array:
+    """Return int grad(w* - w) . A1 grad(w* - w) of each element, summed over surfaces, (m,).
+
+    Slopes are recovered as means of the elements that meet, on the plate and beyond its edge apart: there they jump.
+    """
+    s, column = solution.system, solution.column
+    problem, mesh = s.problem, s.problem.mesh
+    m = len(mesh.elements)
+    if not column.A1.any():
+        return np.zeros(m)
+    w = surface_settlement(s, solution.U)
+    parts, n = _parts(problem)
+    shapes, kind = find_congruent(mesh.xy)
+    xy = mesh.xy[shapes]
+    (at_two, _), (at_three, weights) = gauss(2), gauss(3)
+    own = w[:, mesh.elements]
+    own = own - own[..., 8:]  # else rounding makes slopes of a settlement that is everywhere the same
+    S = len(w)
+    inner, outer = (
+        np.stack([apply(_slopes(points, xy), kind, each) for each in own], axis=-1) for points in (at_two, at_three)
+    )
+    at_nodes = np.einsum("na,eaxs->enxs", extrapolation(), inner.reshape(m, 4, 2, S))
+    meeting = np.bincount(parts.ravel(), minlength=n)
+    star = np.stack(
+        [scatter(parts, at_nodes[:, :, x, k], n) / meeting for x in range(2) for k in range(S)], axis=-1
+    ).reshape(n, 2, S)
+    error = np.einsum("pa,eaxs->epxs", q9(at_three)[0], star[parts]) - outer.reshape(m, 9, 2, S)
+    dA = (jacobian(q9(at_three)[1], xy)[2] * weights)[kind]
+    A1 = np.broadcast_to(column.A1, (m, S, S))
+    squares: Array = np.einsum("ep,epxs,est,epxt->e", dA, error, A1, error, optimize=True)
+    return squares
+
+
+def _parts(problem: Problem) -> tuple[Integers, int]:
+    """Return the elements of the ground with nodes of their own under the plate and beyond, and how many nodes."""
+    under = np.zeros(len(problem.mesh.elements), dtype=np.int64)
+    under[problem.plate_elements] = 1
+    n = len(problem.mesh.nodes)
+    keys, own = np.unique(problem.mesh.elements + n * under[:, None], return_inverse=True)
+    return own.reshape(-1, 9), len(keys)
+
+
+def _slopes(points: Array, xy: Array) -> Array:
+    """Return the matrices (u, 2 p, 9) from nodal values to their slopes along x and y at points (p, 2)."""
+    _, dN = q9(points)
+    _, inverse, _ = jacobian(dN, xy)
+    slopes: Array = np.einsum("epxi,pia->epxa", inverse, dN).reshape(len(xy), -1, 9)
+    return slopes

@@ -1,0 +1,42 @@
+"""Footprints of loads that are too small for the mesh: elements that do not see them cannot tell their error either."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.fem.mesh import Mesh, locate_nearest
+from groundslab.fem.shape_functions import areas
+from groundslab.model.loads.load_types import PointLoad
+from groundslab.results.results import CombinationResult
+
+#: A footprint is resolved by elements up to so many times as long as its shorter side.
+RESOLVED = 1.5
+
+
+@dataclass(frozen=True, slots=True)
+class Unresolved:
+    """How many footprints the mesh does not resolve, and side of footprint and element where it is worst [m]."""
+
+    count: int
+    footprint: float
+    element: float
+
+
+def find_unresolved(results: CombinationResult) -> Unresolved | None:
+    """Return what the mesh does not resolve of the footprints of point loads, None if it resolves all."""
+    model, mesh = results.model, Mesh(results.plate.nodes, results.plate.elements)
+    found = []
+    for load in (each.on(model.columns) for each in model.loads if isinstance(each, PointLoad)):
+        sides = [side for side in (load.width_x, load.width_y, load.diameter) if side]
+        if sides:
+            found.append((load.x, load.y, min(sides)))
+    if not found:
+        return None
+    x, y, side = np.array(found, dtype=float).T
+    element = np.sqrt(areas(mesh.xy[locate_nearest(mesh, np.column_stack([x, y]))[0]]))
+    worst = int(np.argmax(element / side))
+    if element[worst] <= RESOLVED * side[worst]:
+        return None
+    return Unresolved(int((element > RESOLVED * side).sum()), float(side[worst]), float(element[worst]))

@@ -1,0 +1,116 @@
+"""Discretization errors: in energy, carried from mesh to mesh, of values; footprints that the mesh does not see."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundslab
+from groundslab.accuracy.energy import energy_errors
+from groundslab.accuracy.prolongation import prolong
+from groundslab.accuracy.resolution import find_unresolved
+from groundslab.accuracy.values import SLOWEST, estimate_error
+from groundslab.analysis import nested
+from groundslab.analysis.mesh_hierarchy import MeshHierarchy
+from groundslab.fem.problem import BETA_X, BETA_Y, W
+from groundslab.model.model import Model
+from groundslab.results.recovery import expand, recover_fields
+from groundslab.results.result_mesh import ResultMesh, make_result_mesh
+from groundslab.results.results import Comparison
+from groundslab.solvers import factorization
+from groundslab.solvers.solution import Solution
+from helpers import synthetic
+
+
+def slab(**changes: Any) -> Model:
+    """Return a small slab with a thicker zone under a uniform load."""
+    zone = {"shape": {"kind": "rectangle", "x": (-1.0, 1.0), "y": (-1.0, 1.0)}, "thickness": 0.5}
+    parts: dict[str, Any] = {
+        "plate": {"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.2, "zones": [zone]},
+        "ground": {"kind": "pasternak", "k0": 20e6, "k1": 5e6},
+        "contact": {"tensionless": False},
+        "loads": [{"kind": "uniform", "q": 1e4}],
+        "mesh": {"size": 0.5, "symmetry": "off"},
+    }
+    return Model(**parts | changes)
+
+
+def solved(model: Model) -> tuple[tuple[Solution, ResultMesh], tuple[Solution, ResultMesh]]:
+    """Return the solutions on the finest mesh and on the next coarser one, each with its mesh of results."""
+    hierarchy = MeshHierarchy(model, factorization.choose("auto")[1], 0, 1.0, False)
+    found, coarser = nested.solve_nested(hierarchy, "", np.ones(1), lambda _: None)
+    assert coarser is not None
+    fine, coarse = ((each, make_result_mesh(model, each.system.problem)) for each in (found[-1], coarser))
+    return fine, coarse
+
+
+def bend(solution: Solution, power: int) -> None:
+    """Set the deflection to a power of x, in place, without shear."""
+    x = solution.system.problem.mesh.nodes[:, 0]
+    solution.U[:] = 0.0
+    solution.U[:, W], solution.U[:, BETA_X], solution.U[:, BETA_Y] = x**power, power * x ** (power - 1), 0.0
+
+
+def test_what_elements_hold_exactly_has_no_error_in_energy() -> None:
+    """Constant curvature, with a jump of the moments at the zone's border, which is no error."""
+    (fine, frame), _ = solved(slab(ground={"kind": "winkler", "k": 2e7}))
+    bend(fine, 2)
+    forces = recover_fields(fine, frame).forces
+    bend(fine, 5)
+    scale = energy_errors(fine, frame, recover_fields(fine, frame).forces).sum()
+    bend(fine, 2)
+    assert energy_errors(fine, frame, forces).sum() < 1e-12 * scale
+
+
+def test_error_in_energy_falls_with_the_elements() -> None:
+    """By a half at least from one mesh to the next."""
+    patch = {"kind": "patch", "x": (-1.0, 1.5), "y": (-1.0, 0.5), "q": 1e5}
+    results = groundslab.solve(slab(loads=[patch])).only
+    assert results.comparison is not None
+    assert 0 < results.comparison.energy_error < 0.1
+    assert 0.1 < results.comparison.reduction < 0.6
+
+
+@pytest.mark.parametrize("counts", [(8, 6), (9, 7)])
+def test_fields_of_the_coarser_mesh_at_the_nodes_of_the_finer(counts: tuple[int, int]) -> None:
+    """A quadratic settlement is the same on both, whether the meshes are nested or not."""
+    plate = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.2}
+    (fine, frame), (coarse, own) = solved(slab(plate=plate, mesh={"counts": counts, "symmetry": "off"}))
+    bend(coarse, 2)
+    plate_fields, elements, ground = expand(prolong(recover_fields(coarse, own), coarse, (own, frame), fine), frame)
+    np.testing.assert_allclose(plate_fields.settlement, plate_fields.nodes[:, 0] ** 2, atol=1e-12)
+    np.testing.assert_allclose(ground.settlement[0][: len(plate_fields.nodes)].max(), 9.0)
+    np.testing.assert_allclose(plate_fields.area.sum(), 24.0)
+    assert plate_fields.contact_share == pytest.approx(1.0)
+    assert len(elements.moment_x) == len(plate_fields.elements)
+
+
+def test_nothing_is_averaged_across_a_border() -> None:
+    """On both sides of the zone's border the moments are those of their own thickness."""
+    (fine, frame), (coarse, own) = solved(slab())
+    bend(coarse, 2)
+    plate, elements, _ = expand(prolong(recover_fields(coarse, own), coarse, (own, frame), fine), frame)
+    thickness, _ = elements.at_nodes(plate)
+    D = 30e9 * thickness**3 / 12 / (1 - 0.04)
+    np.testing.assert_allclose(plate.moment_x, -2 * D, rtol=1e-9)
+
+
+def test_error_of_a_value() -> None:
+    """A sequence that halves its error with each mesh is told its error; slow convergence is not believed."""
+    parts = synthetic.results()
+    about = Comparison(parts.plate, parts.elements, parts.ground, (), 0.1, 0.5)
+    assert estimate_error(1.1, 1.2, about) == pytest.approx(0.1)
+    slow = Comparison(parts.plate, parts.elements, parts.ground, (), 0.1, 0.99)
+    assert estimate_error(1.1, 1.2, slow) == pytest.approx(0.1 * SLOWEST / (1 - SLOWEST))
+
+
+def test_footprints_that_the_mesh_does_not_see() -> None:
+    """The worst is told with its sides; elements as small as the footprint see it."""
+    loads = [{"kind": "point", "P": 1e5, "x": 0.3, "y": 0.2, "width_x": 0.2, "width_y": 0.4}]
+    coarse = find_unresolved(groundslab.solve(slab(loads=loads)).only)
+    assert coarse is not None
+    assert (coarse.count, coarse.footprint, coarse.element) == (1, 0.2, pytest.approx(0.5))
+    assert find_unresolved(groundslab.solve(slab(loads=loads, mesh={"size": 0.2})).only) is None
+    assert find_unresolved(groundslab.solve(slab()).only) is None

@@ -1,0 +1,118 @@
+"""Discretization errors as they are shown: beside figures, in the verdict, in JSON, archive, report and workbench."""
+
+from __future__ import annotations
+
+import io
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from groundslab.results.results import CombinationResult, Comparison, results_of
+from groundslab.views.files import npz
+from groundslab.views.report.html import render_report
+from groundslab.views.summary import sections, terminal
+from groundslab.views.summary.json_summary import json_text
+from groundslab.workbench.solver.summary import build_summary
+from helpers import synthetic
+from helpers.pages import page
+
+
+def compared(share: float, **parts: Any) -> CombinationResult:
+    """Return made-up results whose moments m_x are so much smaller on elements twice as large, their error halved."""
+    uniform = synthetic.model().replace(loads=[{"kind": "uniform", "q": 1e4}])
+    found = synthetic.results(4, **{"model": uniform} | parts)
+    plate = replace(found.plate, moment_x=(1 - share) * found.plate.moment_x)
+    other = Comparison(plate, found.elements, found.ground, found.supports, energy_error=0.02, reduction=0.5)
+    return replace(found, comparison=other)
+
+
+def shown_on_terminal(results: CombinationResult) -> str:
+    """Return what the terminal shows."""
+    console = Console(file=io.StringIO(), width=80)
+    terminal.print_summary(results_of(results), console)
+    return console.file.getvalue()  # type: ignore[attr-defined]
+
+
+def row_of(results: CombinationResult, section: str, key: str) -> sections.Row:
+    """Return a row of the summary."""
+    own = next(each for each in sections.summary(results) if each.key == section)
+    return next(row for row in own.rows if row.key == key)
+
+
+def test_figures_have_their_errors() -> None:
+    """A change of 4 % whose error is halved leaves 4 %; what did not change has none; without a coarser mesh none."""
+    results = compared(0.04)
+    row = row_of(results, "section_forces", "largest_moment_x")
+    assert row.error == pytest.approx(0.04 * 1e5)
+    assert row_of(results, "section_forces", "largest_moment_y").error == 0.0
+    assert row_of(synthetic.results(4), "section_forces", "largest_moment_x").error is None
+    assert row_of(results, "discretization", "energy").value == 0.02
+    largest = row_of(results, "discretization", "largest_error")
+    assert (largest.value, largest.symbol, largest.place) == (pytest.approx(0.04), "m_x", row.place)
+
+
+def test_terminal() -> None:
+    """Each in percent of its figure, within 80 columns and in plain ASCII; the verdict on the mesh comes last."""
+    fine, coarse = shown_on_terminal(compared(0.04)), shown_on_terminal(compared(0.2))
+    assert max(map(len, coarse.splitlines())) <= 80
+    assert coarse.isascii()
+    assert "kNm/m +-4.0 %" in next(line for line in fine.splitlines() if "largest moment m_x" in line)
+    assert "kNm/m +-20 %" in next(line for line in coarse.splitlines() if "largest moment m_x" in line)
+    assert "too coarse" not in fine
+    assert "The mesh is too coarse: the largest discretization error is 20 % (largest" in coarse
+
+
+@pytest.mark.parametrize(
+    ("error", "value", "text"),
+    [(0.0, 1.0, ""), (4e-4, 1.0, "±<0.1 %"), (0.0123, -1.0, "±1.2 %"), (0.3, 1.0, "±30 %"), (1.0, 0.0, "±>99 %")],
+)
+def test_text_of_an_error(error: float, value: float, text: str) -> None:
+    """Two digits at most, and none for what is exact."""
+    assert terminal.error_text(error, value) == text
+
+
+def test_accuracy_decides() -> None:
+    """The same error is fine for one accuracy, and too large for another."""
+    model = compared(0.2).model
+    wide = model.replace(mesh=model.mesh.replace(accuracy=0.25))
+    assert sections.coarse_words(results_of(compared(0.2))) != ""
+    assert sections.coarse_words(results_of(compared(0.2, model=wide))) == ""
+
+
+def test_figures_without_a_limit_are_not_judged() -> None:
+    """Under a point load moments have no limit; that is said in a note, and not held against the mesh."""
+    model = synthetic.model()
+    model = model.replace(loads=[{"kind": "point", "P": 1e5, "x": 0.0, "y": 0.0}])
+    assert sections.coarse_words(results_of(compared(0.2, model=model))) == ""
+
+
+def test_json_has_errors_in_si_units() -> None:
+    """Beside value and unit."""
+    document = json.loads(json_text(results_of(compared(0.04))))
+    assert document["section_forces"]["largest_moment_x"]["error"] == pytest.approx(4e3)
+    assert document["discretization"]["energy"] == 0.02
+
+
+def test_archive_keeps_the_coarser_mesh(tmp_path: Path) -> None:
+    """Its arrays and both figures come back."""
+    results = compared(0.04)
+    npz.write(results, tmp_path / "results.npz")
+    found = npz.load(tmp_path / "results.npz").comparison
+    assert found is not None
+    assert results.comparison is not None
+    np.testing.assert_array_equal(found.plate.moment_x, results.comparison.plate.moment_x)
+    assert (found.energy_error, found.reduction) == (0.02, 0.5)
+
+
+def test_report_and_workbench_do_not_call_a_coarse_mesh_good() -> None:
+    """The verdict of the report is doubtful, and the workbench has the words."""
+    good, coarse = results_of(compared(0.04)), results_of(compared(0.2))
+    for combined, status in ((good, "good"), (coarse, "doubtful")):
+        verdict = page(render_report(combined)).one("p", class_=f"verdict {status}").text
+        assert ("too coarse" in verdict) == (combined is coarse)
+        assert bool(build_summary(combined)["coarse"]) == (combined is coarse)
