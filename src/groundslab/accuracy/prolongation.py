@@ -2,72 +2,69 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
+from scipy.sparse import csr_array
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh, local_coordinates, locate_nearest
 from groundslab.fem.shape_functions import q9
 from groundslab.results.recovery import MeshedFields
 from groundslab.results.result_mesh import ResultMesh
-from groundslab.solvers.solution import Solution
 
 #: What belongs to the nodes of a mesh, not to what is computed on it.
 OF_THE_MESH = ("area", "edge_length")
 
 
-def prolong(
-    fields: MeshedFields, coarse: Solution, frames: tuple[ResultMesh, ResultMesh], fine: Solution
-) -> MeshedFields:
-    """Return fields of a solution on a coarser mesh as fields of a finer one of the same problem.
+@dataclass(frozen=True, slots=True)
+class Prolongation:
+    """What takes fields from a coarser mesh to a finer one of the same problem, shared by all combinations."""
 
-    frames are the meshes of results of both, the coarser one first. Where meshes are nested, nothing is averaged across
-    borders of sections, loads or supports.
+    coarser: ResultMesh
+    finer: ResultMesh
+    plate: csr_array  # (k, kc): from nodal values to those at the finer nodes of the plate
+    ground: csr_array  # (n, nc)
+    element: Integers  # (mp,): the coarser element in which the center of each element of the plate lies
+
+    def apply(self, fields: MeshedFields) -> MeshedFields:
+        """Return fields on the coarser mesh as fields on the finer one, without section forces of elements."""
+        names = [name for name in fields.nodal if name not in OF_THE_MESH]
+        columns = np.column_stack([fields.nodal[name] for name in names])
+        found = dict(zip(names, (self.plate @ columns).T, strict=True))
+        found["in_contact"] = (found["in_contact"] > 0.5).astype(np.float64)
+        share = self.plate @ (fields.nodal["contact_area"] / fields.nodal["area"])
+        found["contact_area"] = np.clip(share, 0, 1) * self.finer.area
+        found["line_force"] = np.where(self.finer.edge_length > 0, found["line_force"], 0.0)
+        return MeshedFields(
+            forces=np.zeros((0, 9, 5)),
+            nodal=found | {"area": self.finer.area, "edge_length": self.finer.edge_length},
+            elements={name: field[self.element] for name, field in fields.elements.items()},
+            surfaces=(self.ground @ fields.surfaces.T).T,
+        )
+
+
+def make_prolongation(coarser: ResultMesh, finer: ResultMesh, ground: tuple[Mesh, Mesh]) -> Prolongation:
+    """Return what takes fields of plate and ground from a coarser mesh to a finer one.
+
+    ground are the meshed parts of the ground, the coarser one first. Where the meshes are nested, nothing is taken
+    across borders of sections, loads or supports.
     """
-    own, target = frames
-    where = _places(own.mesh, target.mesh)
-
-    def nodal(field: Array) -> Array:
-        return _mean(target.mesh, _values(field[own.mesh.elements], where))
-
-    found = {name: nodal(field) for name, field in fields.nodal.items() if name not in OF_THE_MESH}
-    found["in_contact"] = (found["in_contact"] > 0.5).astype(np.float64)
-    share = fields.nodal["contact_area"] / fields.nodal["area"]
-    found["contact_area"] = np.clip(nodal(share), 0, 1) * target.area
-    found["line_force"] = np.where(target.edge_length > 0, found["line_force"], 0.0)
-    found |= {"area": target.area, "edge_length": target.edge_length}
-    center = where[0][:, 8]
-    meshes = coarse.system.problem.mesh, fine.system.problem.mesh
-    on_ground = _places(*meshes)
-    surfaces = [_mean(meshes[1], _values(w[meshes[0].elements], on_ground)) for w in fields.surfaces]
-    return MeshedFields(
-        forces=np.stack([_values(fields.forces[..., k], where) for k in range(fields.forces.shape[2])], axis=-1),
-        nodal=found,
-        elements={name: field[center] for name, field in fields.elements.items()},
-        surfaces=np.array(surfaces),
-    )
+    plate, element = _interpolation(coarser.mesh, finer.mesh)
+    return Prolongation(coarser, finer, plate, _interpolation(*ground)[0], element)
 
 
-def _places(coarse: Mesh, fine: Mesh) -> tuple[Integers, Array]:
-    """Return in which element of a coarser mesh the nodes of a finer one's elements lie (m, 9), and where (m, 9, 2).
+def _interpolation(coarse: Mesh, fine: Mesh) -> tuple[csr_array, Integers]:
+    """Return the matrix from values at coarser nodes to those at finer ones, and the coarser element of each finer one.
 
-    All nodes of an element lie in the element that holds its center; where meshes are not nested, a little outside.
+    A node lies in the coarser element that holds the center of one of its elements; where meshes are not nested, a
+    little outside.
     """
-    parent = np.repeat(locate_nearest(coarse, fine.xy[:, 8])[0], 9)
-    place = local_coordinates(coarse.xy[parent], fine.xy.reshape(-1, 2))
-    return parent.reshape(-1, 9), place.reshape(-1, 9, 2)
-
-
-def _values(nodal: Array, where: tuple[Integers, Array]) -> Array:
-    """Return values (m, 9) at places in elements from values at the nodes of these (c, 9)."""
-    element, place = where
-    N = q9(place.reshape(-1, 2))[0].reshape(*element.shape, 9)
-    values: Array = np.einsum("eba,eba->eb", N, nodal[element])
-    return values
-
-
-def _mean(mesh: Mesh, values: Array) -> Array:
-    """Return nodal values (n,) from those of elements (m, 9)."""
-    n = len(mesh.nodes)
-    mean: Array = scatter(mesh.elements, values, n) / np.bincount(mesh.elements.ravel(), minlength=n)
-    return mean
+    parent = locate_nearest(coarse, fine.xy[:, 8])[0]
+    owner = np.empty(len(fine.nodes), dtype=np.int64)
+    owner[fine.elements] = np.arange(len(fine.elements))[:, None]
+    element = parent[owner]
+    N: Array = q9(local_coordinates(coarse.xy[element], fine.nodes))[0]
+    nodes = coarse.elements[element]
+    shape = len(fine.nodes), len(coarse.nodes)
+    return csr_array((N.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, 9)), shape=shape), parent

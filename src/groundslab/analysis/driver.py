@@ -280,7 +280,8 @@ def _outcome(
         fields = recover_fields(solution, frame)
         comparison = None
         if coarser is not None:
-            comparison = compare(model, solution, coarser, (frame, finest.result_mesh(coarser, 1)), fields)
+            prolongation = finest.prolongation(coarser, solution, frame)
+            comparison = compare(model, solution, coarser, prolongation, fields)
         parts = expand(fields, frame)
         results = recover(model, combination, solution, parts, proof, tuple(steps), solver, increments, comparison)
         return results if results.certificate.holds else NotCertified(results)

@@ -59,7 +59,7 @@ class _ContactIteration:
         state: Integers = np.full(len(problem.bearing.law), CLOSED)
         if start is not None and start.system.problem.mesh is problem.mesh:
             state, self.near = start.contact.state, start.contact.u if start.system is step.system else None
-        elif start is not None:
+        elif start is not None and len(problem.bearing.law):
             if step.level.locations is None:
                 step.level.locations = warm_start.locate_nodes(start.system.problem, problem)
             state, self.expected = warm_start.from_coarser(start, problem, step.level.locations)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from groundslab.accuracy.prolongation import Prolongation, make_prolongation
 from groundslab.arrays import Array
 from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
@@ -39,6 +40,7 @@ class Level:
     locations: warm_start.NodeLocations | None = None  # of its nodes in the next coarser mesh
     rigid: Array | None = None  # the plate's rigid motions
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
+    prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
@@ -135,6 +137,16 @@ class MeshHierarchy:
         """Return the mesh of the results of a solution on one of the meshes."""
         level = self.levels.get(coarsening)
         return make_result_mesh(self.model, solution.system.problem) if level is None else level.result_mesh(self.model)
+
+    def prolongation(self, coarser: Solution, finer: Solution, frame: ResultMesh) -> Prolongation:
+        """Return what takes fields from the next coarser mesh to the finest one, whose mesh of results is `frame`."""
+        level, before = self.levels.get(self.finest), self.result_mesh(coarser, self.finest + 1)
+        known = None if level is None else level.prolongation
+        if known is None or known.coarser is not before or known.finer is not frame:
+            known = make_prolongation(before, frame, (coarser.system.problem.mesh, finer.system.problem.mesh))
+        if level is not None:
+            level.prolongation = known
+        return known
 
     def store(self, combination: str, solutions: list[Solution]) -> None:
         """Store the solutions of a combination, one for each load increment, for similar models."""

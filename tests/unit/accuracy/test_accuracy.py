@@ -9,7 +9,7 @@ import pytest
 
 import groundslab
 from groundslab.accuracy.energy import energy_errors
-from groundslab.accuracy.prolongation import prolong
+from groundslab.accuracy.prolongation import make_prolongation
 from groundslab.accuracy.resolution import find_unresolved
 from groundslab.accuracy.values import SLOWEST, estimate_error
 from groundslab.analysis import nested
@@ -79,7 +79,8 @@ def test_fields_of_the_coarser_mesh_at_the_nodes_of_the_finer(counts: tuple[int,
     plate = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.2}
     (fine, frame), (coarse, own) = solved(slab(plate=plate, mesh={"counts": counts, "symmetry": "off"}))
     bend(coarse, 2)
-    plate_fields, elements, ground = expand(prolong(recover_fields(coarse, own), coarse, (own, frame), fine), frame)
+    prolongation = make_prolongation(own, frame, (coarse.system.problem.mesh, fine.system.problem.mesh))
+    plate_fields, elements, ground = expand(prolongation.apply(recover_fields(coarse, own)), frame)
     np.testing.assert_allclose(plate_fields.settlement, plate_fields.nodes[:, 0] ** 2, atol=1e-12)
     np.testing.assert_allclose(ground.settlement[0][: len(plate_fields.nodes)].max(), 9.0)
     np.testing.assert_allclose(plate_fields.area.sum(), 24.0)
@@ -91,7 +92,8 @@ def test_nothing_is_averaged_across_a_border() -> None:
     """On both sides of the zone's border the moments are those of their own thickness."""
     (fine, frame), (coarse, own) = solved(slab())
     bend(coarse, 2)
-    plate, elements, _ = expand(prolong(recover_fields(coarse, own), coarse, (own, frame), fine), frame)
+    prolongation = make_prolongation(own, frame, (coarse.system.problem.mesh, fine.system.problem.mesh))
+    plate, elements, _ = expand(prolongation.apply(recover_fields(coarse, own)), frame)
     thickness, _ = elements.at_nodes(plate)
     D = 30e9 * thickness**3 / 12 / (1 - 0.04)
     np.testing.assert_allclose(plate.moment_x, -2 * D, rtol=1e-9)
