@@ -174,7 +174,7 @@ def carried(f_ck: float, alpha: float, f_yk: float, d: float, d_2: float, A_s: f
     mu=st.floats(1e-4, 0.6),
 )
 def test_section_carries_its_moment(f_ck: float, alpha: float, f_yk: float, d: float, ratio: float, mu: float) -> None:
-    """A section with the bars asked for fails under exactly the given moment, with the neutral axis that is returned."""
+    """A section with the bars asked for fails under exactly the given moment, with the neutral axis returned."""
     m = mu * alpha * f_ck / 1.5 * 1e6 * d**2
     concrete, steel = Concrete(f_ck * 1e6, alpha_cc=alpha), Steel(f_yk * 1e6)
     found = required(np.array([m]), d, concrete, steel, d_2=ratio * d)

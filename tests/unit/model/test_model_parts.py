@@ -1,4 +1,4 @@
-"""The rules of supports, columns, cases, combinations, ground that varies, and requested outputs, reported by location."""
+"""The rules of supports, columns, cases, combinations, varying ground and requested outputs, reported by location."""
 
 from __future__ import annotations
 
