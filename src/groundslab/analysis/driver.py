@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 
 from groundslab.accuracy.comparison import compare
+from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.gamma_iteration import GAMMA_START, OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
@@ -17,7 +18,7 @@ from groundslab.analysis.parallel import run_parallel
 from groundslab.arrays import Array
 from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
-from groundslab.discretize.plan_layout import coarsest
+from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.fem.foundation import Column
 from groundslab.model.combinations import list_combinations
@@ -134,7 +135,11 @@ def solve_combinations(
 ) -> Results:
     """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
     combinations = list_combinations(model)
-    return _combine(model, combinations, _outcomes(model, combinations, on_step), on_combination)
+
+    def solve_on(meshes: Meshes) -> Results:
+        return _combine(model, combinations, _outcomes(model, combinations, on_step, meshes), on_combination)
+
+    return solve_adaptively(model, solve_on)
 
 
 class Variants:
@@ -146,10 +151,14 @@ class Variants:
 
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
-        self._reference = ReferenceSolutions()
         combinations = list_combinations(base)
-        #: The results of the base case.
-        self.base = _combine(base, combinations, _outcomes(base, combinations, None, self._reference))
+
+        def solve_on(meshes: Meshes) -> Results:
+            self._reference = ReferenceSolutions(meshes)
+            return _combine(base, combinations, _outcomes(base, combinations, None, meshes, self._reference))
+
+        #: The results of the base case, whose mesh all variants have.
+        self.base = solve_adaptively(base, solve_on)
         self._reference.close()
 
     def solve_combinations(
@@ -164,7 +173,8 @@ class Variants:
         if factors:
             model = model.replace(mesh=model.mesh.replace(symmetry="off"))
         combinations = list_combinations(model)
-        return _combine(model, combinations, _outcomes(model, combinations, on_step, self._reference, factors))
+        reference = self._reference
+        return _combine(model, combinations, _outcomes(model, combinations, on_step, reference.meshes, reference, factors))
 
 
 def _combine(
@@ -191,6 +201,7 @@ def _outcomes(
     model: Model,
     combinations: Sequence[Combination],
     on_step: OnStep | None,
+    meshes: Meshes,
     reference: ReferenceSolutions | None = None,
     ground: Factors | None = None,
 ) -> Iterator[CombinationResult | GroundslabError]:
@@ -199,7 +210,7 @@ def _outcomes(
     first: dict[tuple[float, ...], Combination] = {}
     for key, combination in zip(keys, combinations, strict=True):
         first.setdefault(key, combination)
-    solved = _solve_each(model, list(first.values()), on_step or (lambda _: None), reference, ground)
+    solved = _solve_each(model, list(first.values()), on_step or (lambda _: None), meshes, reference, ground)
     found: dict[tuple[float, ...], CombinationResult | GroundslabError] = {}
     for key, combination in zip(keys, combinations, strict=True):
         if key not in found:
@@ -223,6 +234,7 @@ def _solve_each(
     model: Model,
     combinations: Sequence[Combination],
     on_step: OnStep,
+    meshes: Meshes,
     reference: ReferenceSolutions | None,
     ground: Factors | None,
 ) -> Iterator[CombinationResult | GroundslabError]:
@@ -231,8 +243,8 @@ def _solve_each(
     keep = len(combinations) > 1 or reference is not None
     # the effect of the margin is judged on the next coarser mesh, where it costs little
     level = min(HALVINGS, coarsest(model))
-    finest = MeshHierarchy(model, solver, 0, 1.0, keep, ground, reference)
-    margins = [MeshHierarchy(model, solver, level, margin, keep, ground, reference) for margin in (1.0, 2.0)]
+    finest = MeshHierarchy(model, solver, 0, 1.0, keep, meshes, ground, reference)
+    margins = [MeshHierarchy(model, solver, level, margin, keep, meshes, ground, reference) for margin in (1.0, 2.0)]
     hierarchies = [finest, *margins]
     lanes = min(MAX_LANES, factorization.threads(solver), len(combinations))
     if lanes > 1 and finest.level(0).system.pattern.size > MAX_PARALLEL_UNKNOWNS:

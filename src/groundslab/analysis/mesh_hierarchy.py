@@ -101,6 +101,7 @@ class MeshHierarchy:
     finest: int  # how often the finest of these meshes is coarsened
     margin: float  # factor on the width of the meshed ground beyond the plate
     keep: bool
+    meshes: Meshes
     factors: Factors | None = None  # on constants of the ground
     reference: ReferenceSolutions | None = None  # of a similar model
     levels: dict[int, Level] = field(default_factory=dict)
@@ -116,7 +117,7 @@ class MeshHierarchy:
         reference = self.reference or ReferenceSolutions()
         like = reference.levels.get((coarsening, self.margin))
         earlier = None if like is None else (like.model, like.system.problem)
-        problem = discretize(self.model, coarsening, self.margin, reference.meshes, self.factors, earlier)
+        problem = discretize(self.model, coarsening, self.margin, self.meshes, self.factors, earlier)
         s = build_system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
             level = Level(self.model, s, self.solver, like.factorization, locations=like.locations, cached=like.cached)

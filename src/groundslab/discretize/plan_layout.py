@@ -25,6 +25,7 @@ from groundslab.fem.mesh import (
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Plan, Ring, Segment, rectangle
+from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.model import Model
 from groundslab.model.supports import plan_of_plate
@@ -49,6 +50,7 @@ class Meshes:
     """Meshes by what they were made from, so that models of the same shape share them: sections and ranks with each."""
 
     made: dict[Hashable, Meshed] = field(default_factory=dict)
+    local: Sources | None = None  # smaller elements that all of them have in places
     closed: bool = False  # whether no further ones are kept
 
     def of(self, source: Hashable, make: Callable[[], tuple[Mesh, Integers]]) -> Meshed:
@@ -99,7 +101,7 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     symmetry, width = symmetries(model), _width_beyond(model, grounds)
     wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
     divided = coarsening == 0 and not uniform(model, width)
-    source, make, arcs = _mesh_of(model, grounds, symmetry, width, coarsening + divided)
+    source, make, arcs = _mesh_of(model, grounds, symmetry, width, coarsening + divided, meshes.local)
     found = meshes.of(source, make)
     if divided:
         coarser = found
@@ -123,7 +125,12 @@ def _divide(coarser: Meshed, arcs: list[Segment]) -> tuple[Mesh, Integers]:
 
 
 def _mesh_of(
-    model: Model, grounds: list[Soil | Column], symmetry: tuple[bool, bool], width: float, coarsening: int
+    model: Model,
+    grounds: list[Soil | Column],
+    symmetry: tuple[bool, bool],
+    width: float,
+    coarsening: int,
+    local: Sources | None,
 ) -> tuple[Hashable, Callable[[], tuple[Mesh, Integers]], list[Segment]]:
     """Return what a mesh is made from, with ground beyond of a width [m], what makes it, and arcs that it follows."""
     edge_size = _edge_size(model, grounds, coarsening)
@@ -134,7 +141,9 @@ def _mesh_of(
         return source, lambda: _make_grid(model, symmetry, counts, width, edge_size), []
     plan, size = plan_of(model, width), _size(model) * 2**coarsening
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
-    return (plan, size, edge_size), lambda: _make_plan_mesh(plan, size, edge_size), arcs
+    if local is not None:
+        local = local[0], local[1] * 2**coarsening
+    return (plan, size, edge_size), lambda: _make_plan_mesh(plan, size, edge_size, local), arcs
 
 
 def uniform(model: Model, width: float) -> bool:
@@ -142,7 +151,7 @@ def uniform(model: Model, width: float) -> bool:
 
     width [m] is that of the ground beyond.
     """
-    if not model.plain:
+    if not model.plain or model.mesh.adaptive or model.mesh.refine:
         return False
     borders = void_rings(model) + zone_rings(model)
     if model.mesh.counts is not None or not borders:
@@ -288,11 +297,11 @@ def _size(model: Model) -> float:
     return model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
 
 
-def _make_plan_mesh(plan: Plan, size: float, edge_size: float) -> tuple[Mesh, Integers]:
+def _make_plan_mesh(plan: Plan, size: float, edge_size: float, local: Sources | None) -> tuple[Mesh, Integers]:
     """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
     from groundslab import meshing
 
-    found = meshing.mesh(plan, size, edge_size=edge_size)
+    found = meshing.mesh(plan, size, edge_size=edge_size, local=local)
     return Mesh(found.nodes, found.elements), found.section
 
 

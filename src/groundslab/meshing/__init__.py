@@ -6,6 +6,8 @@ quadrilaterals here. Nodes on arcs, midside nodes too, are put exactly on them.
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Plan, sections
 from groundslab.meshing import quadrangulation, sizing
@@ -14,6 +16,7 @@ from groundslab.meshing.cells import Cells
 from groundslab.meshing.grid import rectilinear
 from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish
 from groundslab.meshing.quality import quality
+from groundslab.meshing.sizing import Sources
 
 __all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
 
@@ -21,6 +24,9 @@ __all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netge
 ENOUGH = 0.35
 #: Such a next mesh takes the place of the one before if its least scaled Jacobian is larger by this.
 CLEARLY = 0.05
+#: Smaller elements in places make a grid of lines through the whole plan while it has no more than this many times the
+#: elements that would do: those of a grid are the better ones.
+MORE = 2.0
 
 
 def mesh(
@@ -29,16 +35,26 @@ def mesh(
     beyond_growth: float | None = None,
     maker: Maker | None = None,
     edge_size: float | None = None,
+    local: Sources | None = None,
 ) -> PlanMesh:
     """Return a mesh with sides of at most about `size` [m], smaller where the plan requires it.
 
     On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
     the plate's longer side). Along the plate's edges on this ground, on both sides, they are at most `edge_size` [m]
-    (default: `size`). Where a grid does not fit, `maker` makes the cells (default: what `choose` returns).
+    (default: `size`); near the places `local` at most of the sizes there, from where they grow. Where a grid does
+    not fit, or would have many more elements, `maker` makes the cells (default: what `choose` returns).
     """
-    if plan.rectilinear:
-        return rectilinear(plan, size, beyond_growth, edge_size)
-    return unstructured(plan, size, beyond_growth, maker, edge_size)
+    if local is not None and not (local[1] < size).any():
+        local = None
+    if not plan.rectilinear:
+        return unstructured(plan, size, beyond_growth, maker, edge_size, local)
+    if local is None or not available():
+        return rectilinear(plan, size, beyond_growth, edge_size, local)
+    with suppress(InputError):
+        found = rectilinear(plan, size, beyond_growth, edge_size, local)
+        if len(found.elements) <= MORE * sizing.estimate_count(plan, size, local):
+            return found
+    return unstructured(plan, size, beyond_growth, maker, edge_size, local)
 
 
 def unstructured(
@@ -47,6 +63,7 @@ def unstructured(
     beyond_growth: float | None = None,
     maker: Maker | None = None,
     edge_size: float | None = None,
+    local: Sources | None = None,
 ) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)
@@ -55,7 +72,9 @@ def unstructured(
     best = None
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
     smaller = sizing.sources(plan, size, edge_size or size)
-    for cells in make(plan, size, smaller, scale):
+    if local is not None:
+        local = local[0][local[1] < size], local[1][local[1] < size]
+    for cells in make(plan, size, smaller, scale, local):
         try:
             result = _quadrilaterals(plan, cells)
         except InputError as error:

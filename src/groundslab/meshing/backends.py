@@ -11,14 +11,17 @@ from groundslab.meshing import gmsh, netgen
 from groundslab.meshing.cells import Cells
 from groundslab.meshing.sizing import Sources
 
-#: Takes a plan, the required size [m], where smaller ones are required, and the distance at which sizes are doubled
-#: beyond the plate; yields cells of twice these sizes, further ones if the first do not make a good mesh.
-Maker = Callable[[Plan, float, Sources, float], Iterator[Cells]]
+#: Takes a plan, the required size [m], where the plan requires smaller ones, the distance at which sizes are doubled
+#: beyond the plate, and smaller ones elsewhere; yields cells of twice these sizes, further ones if the first do not
+#: make a good mesh.
+Maker = Callable[[Plan, float, Sources, float, Sources | None], Iterator[Cells]]
 
 
-def with_gmsh(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
+def with_gmsh(
+    plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None
+) -> Iterator[Cells]:
     """Yield Gmsh's cells, once."""
-    yield gmsh.cells_of(plan, size, smaller, scale)
+    yield gmsh.cells_of(plan, size, smaller, scale, local)
 
 
 with_netgen: Maker = netgen.cells_of

@@ -16,7 +16,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment
 from groundslab.meshing.cells import Cells, FixedSides, project_onto
-from groundslab.meshing.sizing import Sources, along
+from groundslab.meshing.sizing import Sources, along, limit_of, quarter
 
 #: Gmsh's geometry merges places less than 1e-7 apart, whatever the extent: plans are scaled to this extent.
 SCALED_EXTENT = 100.0
@@ -52,6 +52,7 @@ def session() -> Iterator[Any]:
     _ignore_broken_pipes()
     before = {} if ours else {name: gmsh.option.getNumber(name) for name in OPTIONS}
     current = "" if ours else gmsh.model.getCurrent()
+    views = set() if ours else set(gmsh.view.getTags())
     try:
         for name, value in OPTIONS.items():
             gmsh.option.setNumber(name, value)
@@ -68,6 +69,8 @@ def session() -> Iterator[Any]:
         else:
             gmsh.model.setCurrent("groundslab")
             gmsh.model.remove()
+            for view in set(gmsh.view.getTags()) - views:
+                gmsh.view.remove(view)
             gmsh.model.setCurrent(current)
             for name, value in before.items():
                 gmsh.option.setNumber(name, value)
@@ -90,11 +93,11 @@ def load() -> Any:
 
 
 @session()
-def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Cells:
-    """Return Gmsh's mesh of twice the required sizes: mostly quadrilaterals, some triangles."""
+def cells_of(plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None) -> Cells:
+    """Return Gmsh's mesh of twice the required sizes, local ones too: mostly quadrilaterals, some triangles."""
     gmsh = load()
     geometry = PlanGeometry(gmsh, plan)
-    _set_sizes(geometry, plan, size, smaller, scale)
+    _set_sizes(geometry, plan, size, smaller, scale, local)
     unwanted = [part for part in gmsh.model.getEntities(2) if part[1] not in geometry.faces]
     gmsh.model.removeEntities(unwanted, recursive=True)
     gmsh.model.mesh.generate(2)
@@ -174,7 +177,9 @@ class PlanGeometry:
         return int(occ.addPlaneSurface([occ.addCurveLoop(list(curves))]))
 
 
-def _set_sizes(geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources, scale: float) -> None:
+def _set_sizes(
+    geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None
+) -> None:
     """Set the size field: twice the required sizes, since elements are halved afterwards."""
     gmsh = geometry.gmsh
     coarse = float(2 * size * geometry.scale)
@@ -208,9 +213,30 @@ def _set_sizes(geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources
         limits += [only, near(around, coarse, coarse / (scale * geometry.scale))]
     else:
         limits.append(plate)
+    if local is not None:
+        limits.append(_local_field(geometry, plan, size, local))
     least = field.add("Min")
     field.setNumbers(least, "FieldsList", limits)
     field.setAsBackgroundMesh(least)
+
+
+def _local_field(geometry: PlanGeometry, plan: Plan, size: float, local: Sources) -> int:
+    """Add a field of twice the local sizes, linear over squares about as large as these, and return its tag."""
+    gmsh = geometry.gmsh
+    limit = limit_of((local[0], 2 * local[1]), 2 * size)
+
+    def wanted(at: Array) -> Array:
+        return np.minimum(limit(at), 2 * size)
+
+    low, sides = quarter(plan.bounds, wanted)
+    corners = low[:, None] + sides[:, None, None] * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    sizes = wanted(corners.reshape(-1, 2)).reshape(-1, 4) * geometry.scale
+    x, y = np.moveaxis((corners - geometry.middle) * geometry.scale, 2, 0)
+    view = gmsh.view.add("sizes")
+    gmsh.view.addListData(view, "SQ", len(low), np.hstack([x, y, np.zeros(x.shape), sizes]).ravel())
+    tag = int(gmsh.model.mesh.field.add("PostView"))
+    gmsh.model.mesh.field.setNumber(tag, "ViewTag", view)
+    return tag
 
 
 def _clockwise(nodes: Array, *kinds: Integers) -> bool:

@@ -18,7 +18,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import FLAT, Place, Plan, Segment
 from groundslab.meshing.arrangement import Piece, pieces
 from groundslab.meshing.cells import Cells, FixedSides, find_sides, project_onto, sides_of, sort_by_corners
-from groundslab.meshing.sizing import Sources, cell_sizes
+from groundslab.meshing.sizing import Sources, cell_sizes, join, quarter
 
 #: Extent of plans in Netgen's coordinates: it merges places less than 1e-6 of the extent apart.
 SCALED_EXTENT = 100.0
@@ -52,9 +52,11 @@ def load() -> Any:
     return netgen.geom2d, netgen.meshing
 
 
-def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
+def cells_of(
+    plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None
+) -> Iterator[Cells]:
     """Yield Netgen's meshes of twice the wanted sizes: mostly quadrilaterals with some triangles, at last triangles."""
-    wanted = cell_sizes(plan, size, smaller, scale)
+    wanted = cell_sizes(plan, size, join(smaller, local), scale)
     parts, points = pieces(plan)
     chords = _chords(parts, points, wanted)
     refused = []
@@ -193,7 +195,9 @@ def _generate(
     for (a, b), k in zip(chords.ends.tolist(), chords.piece.tolist(), strict=True):
         left, right = (parts[k].left, parts[k].right) if k >= 0 else (True, True)
         geometry.Append(["line", a, b], leftdomain=int(left), rightdomain=int(right))
-    places, sizes = _sample_sizes(plan.bounds, wanted)
+    corners, sides = quarter(plan.bounds, wanted)
+    places = corners + sides[:, None] / 2
+    sizes = wanted(places)
     asked = meshing.MeshingParameters(maxh=float(sizes.max() * scale), quad_dominated=quadrilaterals, grading=grading)
     for (x, y), h in zip(((places - middle) * scale).tolist(), (sizes * scale).tolist(), strict=True):
         asked.RestrictH(x, y, 0.0, h)
@@ -204,27 +208,8 @@ def _generate(
         raise _rejection(refused) from None
     nodes = np.array([point.p[:2] for point in mesh.Points()]) / scale + middle
     cells = [[vertex.nr - 1 for vertex in cell.vertices] for cell in mesh.Elements2D()]
-    sides = np.array([[vertex.nr - 1 for vertex in side.vertices] for side in mesh.Elements1D()], dtype=np.int64)
-    return nodes, sort_by_corners(cells), sides
-
-
-def _sample_sizes(bounds: tuple[float, float, float, float], wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
-    """Return places about as far apart as the sizes wanted there, and these sizes: squares quartered until they are."""
-    x0, y0, x1, y1 = bounds
-    side = max(x1 - x0, y1 - y0)
-    corner = np.array([[(x0 + x1 - side) / 2, (y0 + y1 - side) / 2]])
-    places, sizes = [], []
-    while len(corner):
-        centre = corner + side / 2
-        least = wanted(centre)
-        small = least < side
-        places.append(centre[~small])
-        sizes.append(least[~small])
-        side /= 2
-        corner = np.concatenate([corner[small] + side * np.array(step) for step in ((0, 0), (1, 0), (0, 1), (1, 1))])
-        inside = (corner[:, 0] <= x1) & (corner[:, 1] <= y1) & (corner[:, 0] + side >= x0) & (corner[:, 1] + side >= y0)
-        corner = corner[inside]
-    return np.concatenate(places), np.concatenate(sizes)
+    edges = np.array([[vertex.nr - 1 for vertex in edge.vertices] for edge in mesh.Elements1D()], dtype=np.int64)
+    return nodes, sort_by_corners(cells), edges
 
 
 def _fixed_sides(parts: list[Piece], chords: Chords, nodes: Array, number: Integers, sides: Integers) -> FixedSides:

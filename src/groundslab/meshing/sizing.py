@@ -58,11 +58,32 @@ def sources(plan: Plan, size: float, edge_size: float) -> Sources:
     return np.concatenate(places), np.concatenate(sizes)
 
 
+def join(one: Sources, other: Sources | None) -> Sources:
+    """Return the places of both, and the sizes around them."""
+    if other is None:
+        return one
+    return np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1]])
+
+
 def along(ring: Ring, spacing: float) -> Array:
     """Return places along a ring about a spacing apart."""
     edges = ring.segments()
     counts = [max(1, math.ceil(edge.length / spacing)) for edge in edges]
     return np.concatenate([edge.at(np.arange(n) / n) for edge, n in zip(edges, counts, strict=True)])
+
+
+def estimate_count(plan: Plan, size: float, local: Sources) -> float:
+    """Return about how many elements of at most a size [m], smaller near local sources, fill the plate's rectangle."""
+    limit = limit_of(local, size)
+    outline = np.array(plan.outline.flat(FLAT * plan.extent))
+    (x0, y0), (x1, y1) = outline.min(axis=0), outline.max(axis=0)
+
+    def wanted(at: Array) -> Array:
+        return np.minimum(limit(at), size)
+
+    low, sides = quarter((x0, y0, x1, y1), wanted)
+    inside = np.clip(np.minimum(low + sides[:, None], [x1, y1]) - np.maximum(low, [x0, y0]), 0, None).prod(axis=1)
+    return float((inside / wanted(low + sides[:, None] / 2) ** 2).sum())
 
 
 def growth_distance(plan: Plan, given: float | None) -> float:
@@ -73,6 +94,47 @@ def growth_distance(plan: Plan, given: float | None) -> float:
     return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
 
 
+def limit_of(smaller: Sources, size: float) -> Callable[[Array], Array]:
+    """Return a function from places (p, d) to the largest sizes (p,) [m] of elements that grow from smaller ones.
+
+    The places of the smaller ones are (k, d), d = 1 or 2; their sizes are rounded down to `size` [m] over a power of
+    the square root of 2.
+    """
+    from scipy.spatial import KDTree
+
+    places, sizes = smaller
+    level = np.ceil(2 * np.log2(size / sizes)).astype(np.int64)
+    near = [(size * 2 ** (-k / 2), KDTree(places[level == k])) for k in np.unique(level)]
+
+    def limit(at: Array) -> Array:
+        result = np.full(len(at), np.inf)
+        for least, tree in near:
+            result = np.minimum(result, least + GRADING * tree.query(at)[0])
+        return result
+
+    return limit
+
+
+def quarter(bounds: tuple[float, float, float, float], wanted: Callable[[Array], Array]) -> tuple[Array, Array]:
+    """Return squares about as large as the sizes wanted in their middles: their lower corners (k, 2) and sides (k,).
+
+    They cover the rectangle x0, y0, x1, y1: one square is quartered until it is so.
+    """
+    x0, y0, x1, y1 = bounds
+    side = max(x1 - x0, y1 - y0)
+    corner = np.array([[(x0 + x1 - side) / 2, (y0 + y1 - side) / 2]])
+    corners, sides = [np.zeros((0, 2))], [np.zeros(0)]
+    while len(corner):
+        small = wanted(corner + side / 2) < side
+        corners.append(corner[~small])
+        sides.append(np.full(int((~small).sum()), side))
+        side /= 2
+        corner = np.concatenate([corner[small] + side * np.array(step) for step in ((0, 0), (1, 0), (0, 1), (1, 1))])
+        inside = (corner[:, 0] <= x1) & (corner[:, 1] <= y1) & (corner[:, 0] + side >= x0) & (corner[:, 1] + side >= y0)
+        corner = corner[inside]
+    return np.concatenate(corners), np.concatenate(sides)
+
+
 def cell_sizes(plan: Plan, size: float, smaller: Sources, scale: float) -> Callable[[Array], Array]:
     """Return a function from places (p, 2) to twice the wanted sizes (p,) [m] there.
 
@@ -80,11 +142,8 @@ def cell_sizes(plan: Plan, size: float, smaller: Sources, scale: float) -> Calla
     at a distance `scale` [m], less near `smaller`.
     """
     import shapely
-    from scipy.spatial import KDTree
 
-    places, sizes = smaller
-    level = np.ceil(2 * np.log2(size / sizes)).astype(np.int64)
-    near = [(2 * size * 2 ** (-k / 2), KDTree(places[level == k])) for k in np.unique(level)]
+    limit = limit_of((smaller[0], 2 * smaller[1]), 2 * size)
     plate = plan.outline.polygon(1e-3 * plan.extent)
     shapely.prepare(plate)
 
@@ -92,8 +151,6 @@ def cell_sizes(plan: Plan, size: float, smaller: Sources, scale: float) -> Calla
         result = np.full(len(at), 2 * size)
         if plan.beyond is not None:
             result *= 1 + shapely.distance(plate, shapely.points(at)) / scale
-        for least, tree in near:
-            result = np.minimum(result, least + GRADING * tree.query(at)[0])
-        return result
+        return np.minimum(result, limit(at))
 
     return wanted

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.model.ground import POSITIVE
+from groundslab.model.shapes import Shape
 from groundslab.model.varying_ground import GapPoint, Void, check_gap_points
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity
@@ -22,6 +23,7 @@ Solver = Literal["auto", "pardiso", "superlu", "mumps"]
 
 #: Of what the mesh is allowed to be off.
 SHARE = Range(at_least=1e-4, at_most=0.5)
+DEFAULT_ACCURACY = 0.05
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
 
@@ -117,13 +119,24 @@ class Contact(Section):
     ] = None
 
 
-def _check_size(size: float | None, counts: tuple[int, int] | None) -> Iterator[RelativeIssue]:
+class Refinement(Section):
+    """A part of the plan with smaller elements."""
+
+    shape: Annotated[Shape, Table("where")]
+    size: Annotated[float, Quantity("length", "h", "largest side of an element there", POSITIVE)]
+
+
+def _check_size(
+    size: float | None, counts: tuple[int, int] | None, refine: tuple[Refinement, ...]
+) -> Iterator[RelativeIssue]:
     if size is not None and counts is not None:
         yield RelativeIssue((), "both size and counts", "at most one of size and counts")
+    if refine and counts is not None:
+        yield RelativeIssue(("refine",), "refine beside counts", "no refine", "give a size instead of counts")
 
 
 class Mesh(Section):
-    """The mesh of the plate; without size and counts the shorter side has 24 elements."""
+    """The mesh of the plate; with an accuracy alone it is made, with nothing the shorter side has 24 elements."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_size,)
 
@@ -135,12 +148,29 @@ class Mesh(Section):
         tuple[int, int] | None, ListOf(Integer("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
     ] = None
     accuracy: Annotated[
-        float,
-        Quantity("share", "", "largest discretization error of a value that is reported without a warning", SHARE),
-    ] = 0.05
+        float | None,
+        Quantity(
+            "share",
+            "",
+            "largest discretization error that a value may have without a warning, 5 % by default; without size and "
+            "counts the mesh is refined until errors are below it",
+            SHARE,
+        ),
+    ] = None
+    refine: Annotated[tuple[Refinement, ...], Table("parts of the plan with smaller elements", 1000)] = ()
     symmetry: Annotated[
         Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")
     ] = "auto"
+
+    @property
+    def adaptive(self) -> bool:
+        """Whether the mesh is refined where its errors are largest."""
+        return self.accuracy is not None and self.size is None and self.counts is None
+
+    @property
+    def largest_error(self) -> float:
+        """The largest discretization error that a value may have without a warning."""
+        return DEFAULT_ACCURACY if self.accuracy is None else self.accuracy
 
 
 class Analysis(Section):

@@ -118,9 +118,9 @@ def _discretization(results: CombinationResult, found: Sequence[SummarySection])
     if row is not None:
         rows.append(Row("largest_error", "largest error of a figure", error, UNITS["%"], row.symbol, row.place))
     notes: tuple[str, ...] = ()
-    if error > results.model.mesh.accuracy:
+    if error > results.model.mesh.largest_error:
         notes = (
-            f"The mesh is too coarse for errors of {100 * results.model.mesh.accuracy:g} % (mesh.accuracy): make "
+            f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): make "
             "mesh.size smaller. Errors are estimated from the same analysis on elements twice as large.",
         )
     return SummarySection("discretization", "Discretization error", tuple(rows), notes)
@@ -171,11 +171,11 @@ def coarse_words(combined: Results) -> str:
             )
     found = [largest_error(figures(each)) for each in combined.values()]
     error, row = max(found, key=itemgetter(0), default=(0.0, None))
-    if row is None or error <= combined.model.mesh.accuracy:
+    if row is None or error <= combined.model.mesh.largest_error:
         return ""
     return (
         f"The mesh is too coarse: the largest discretization error is {100 * error:.2g} % ({row.label}), more than "
-        f"{100 * combined.model.mesh.accuracy:g} %. Make mesh.size smaller."
+        f"{100 * combined.model.mesh.largest_error:g} %. Make mesh.size smaller."
     )
 
 

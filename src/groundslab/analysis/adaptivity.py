@@ -1,0 +1,94 @@
+"""Adaptive meshes: elements as small as the largest errors need, the same for all combinations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from groundslab.accuracy.judgment import JudgedValue, judge
+from groundslab.arrays import Array
+from groundslab.discretize.local_sizes import local_sizes
+from groundslab.discretize.plan_layout import Meshes
+from groundslab.fem.mesh import Mesh
+from groundslab.fem.shape_functions import areas
+from groundslab.meshing.sizing import Sources, join
+from groundslab.model.model import Model
+from groundslab.results.results import CombinationResult, Results
+
+#: So many meshes are made at most,
+MOST_MESHES = 5
+#: of about so many unknowns at most; one with more than half of them is not followed by another.
+MOST_UNKNOWNS = 300_000
+#: Errors aimed at, as a share of what is asked for: estimates are no bounds.
+AIM = 0.8
+#: The error in energy is to fall by no more than this from one mesh to the next: one that is large says little.
+MOST_REDUCTION = 3.0
+#: Elements become at most so many times smaller from one mesh to the next, and at most so many times larger.
+SMALLER, LARGER = 8.0, 2.0
+#: Orders of convergence between which the one found is believed.
+ORDERS = (0.5, 2.0)
+
+
+def solve_adaptively(model: Model, solve: Callable[[Meshes], Results]) -> Results:
+    """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
+
+    Or until a mesh would have more than MOST_UNKNOWNS, or MOST_MESHES were made; the accuracy is then told to be missed.
+    Where the mesh is not adaptive, the first one is the only one.
+    """
+    start = local_sizes(model)
+    results = solve(Meshes(local=start))
+    for _ in range(MOST_MESHES - 1 if model.mesh.adaptive else 0):
+        demands = [sizes for each in results.values() if (sizes := _demand(each)) is not None]
+        if not demands:
+            break
+        first = next(iter(results.values()))
+        mesh = Mesh(first.plate.nodes, first.plate.elements)
+        area, sizes = areas(mesh.xy), np.min(demands, axis=0)
+        unknowns = first.unknowns * float((area / sizes**2).sum()) / len(area)
+        if unknowns > MOST_UNKNOWNS:
+            sizes = sizes * np.sqrt(unknowns / MOST_UNKNOWNS)
+            if first.unknowns > MOST_UNKNOWNS / 2:
+                break
+        results = solve(Meshes(local=join((mesh.xy[:, 8], sizes), start)))
+    return results
+
+
+def _demand(results: CombinationResult) -> Array | None:
+    """Return the sizes (m,) [m] that elements should have, None if the judged errors are within the accuracy."""
+    accuracy = results.model.mesh.largest_error
+    judged = [each for each in judge(results) if each.share > accuracy]
+    if not judged or results.comparison is None:
+        return None
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    h, p = np.sqrt(areas(mesh.xy)), float(np.clip(-np.log2(max(results.comparison.reduction, 1e-3)), *ORDERS))
+    ratio = min(judged[0].share / (AIM * accuracy), MOST_REDUCTION)
+    sizes = _equidistributed(h, results.comparison.element_errors, p, ratio)
+    sizes = np.minimum(sizes, _near_values(mesh, h, judged, p, AIM * accuracy))
+    found: Array = np.clip(sizes, h / SMALLER, LARGER * h)
+    return found
+
+
+def _equidistributed(h: Array, squared: Array, p: float, ratio: float) -> Array:
+    """Return sizes (m,) [m] with which the error in energy falls by a ratio with the fewest elements.
+
+    An element's error falls with h^p times its side: the fewest elements have equal errors (Zienkiewicz and Zhu 1987).
+    h are the sides now, `squared` the elements' squared errors now, both (m,).
+    """
+    density = np.sqrt(np.maximum(squared, 1e-12 * squared.max(initial=0.0))) / h
+    if not density.any():
+        return np.full(len(h), np.inf)
+    wanted = (h**p / density) ** (1 / (p + 1))
+    left = (squared * (wanted / h) ** (2 * p)).sum()
+    found: Array = wanted * (squared.sum() / ratio**2 / left) ** (1 / (2 * p))
+    return found
+
+
+def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], p: float, accuracy: float) -> Array:
+    """Return sizes (m,) [m] with which errors at the places of values fall to the accuracy; no limit elsewhere."""
+    found = np.full(len(h), np.inf)
+    for each in judged:
+        if each.place is not None:
+            nearest = int(((mesh.xy[:, 8] - each.place) ** 2).sum(axis=1).argmin())
+            found[nearest] = min(found[nearest], h[nearest] * (accuracy / each.share) ** (1 / p))
+    return found
