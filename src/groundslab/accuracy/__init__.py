@@ -1,1 +1,1 @@
-"""Discretization errors: in energy, element by element, and of every value that is reported."""
+"""Discretization errors in energy, by element, and of every value that is reported; statistics of the mesh."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import sqrt
 
-from groundslab.accuracy.energy import energy_errors
+from groundslab.accuracy.energy import energy_errors, error_density
 from groundslab.accuracy.prolongation import Prolongation
 from groundslab.model.model import Model
 from groundslab.results.certificate import resistance
+from groundslab.results.fields import ERROR
 from groundslab.results.recovery import MeshedFields, expand, recover_fields, support_results
 from groundslab.results.results import Comparison
 from groundslab.solvers.solution import Solution
@@ -15,22 +17,25 @@ from groundslab.solvers.solution import Solution
 
 def compare(
     model: Model, solution: Solution, coarser: Solution, prolongation: Prolongation, fields: MeshedFields
-) -> Comparison:
+) -> tuple[Comparison, MeshedFields]:
     """Return the results of a solution on a coarser mesh at the nodes of a finer one, and the errors of both in energy.
 
-    fields are those of the finer one.
+    fields are those of the finer one, which are returned with the error of each element of the plate among them.
     """
     frame, coarser_frame = prolongation.finer, prolongation.coarser
     coarser_fields = recover_fields(coarser, coarser_frame)
-    squared = energy_errors(solution, frame, fields.forces).sum()
+    by_element = energy_errors(solution, frame, fields.forces)
+    squared = float(by_element.sum())
     before = energy_errors(coarser, coarser_frame, coarser_fields.forces).sum()
-    energy = (resistance(solution)[0] * solution.U).sum()
+    total = float((resistance(solution)[0] * solution.U).sum()) + squared
+    density = error_density(solution, frame, by_element, total)
     plate, elements, ground = expand(prolongation.apply(coarser_fields), frame)
-    return Comparison(
+    comparison = Comparison(
         plate=plate,
         elements=elements,
         ground=ground,
         supports=support_results(model, coarser),
-        energy_error=sqrt(squared / (energy + squared)) if squared > 0 else 0.0,
+        energy_error=sqrt(squared / total) if squared > 0 else 0.0,
         reduction=sqrt(squared / before) if before > 0 else 0.0,
     )
+    return comparison, replace(fields, elements=fields.elements | {ERROR: density})

@@ -13,7 +13,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent, scatter
 from groundslab.fem.problem import Problem, plate_unknowns
-from groundslab.fem.shape_functions import gauss, jacobian, q9
+from groundslab.fem.shape_functions import areas, gauss, jacobian, q9
 from groundslab.fem.system import surface_settlement
 from groundslab.results.certificate import apply
 from groundslab.results.patch_recovery import extrapolation
@@ -32,6 +32,21 @@ def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
     errors = _ground_errors(solution)
     errors[solution.system.problem.plate_elements] += _plate_errors(solution, frame, recovered)
     return errors
+
+
+def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: float) -> Array:
+    """Return sqrt((e^2 / E) / (A_e / A)) of each element of the plate, (mp,) [1].
+
+    squared (m,) are the squared errors e^2 of each element of plate and ground, total is the squared energy norm E of
+    the solution with its error. A_e is an element's area, A that of the plate. Squared and averaged over the plate's
+    area it gives the plate's part of the squared relative error; of a half or a quarter that was meshed it is that of
+    the whole plate.
+    """
+    A = areas(frame.mesh.xy)
+    if not total > 0:
+        return np.zeros(len(A))
+    density: Array = np.sqrt(squared[solution.system.problem.plate_elements] / total * (A.sum() / A))
+    return density
 
 
 def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
@@ -87,6 +102,10 @@ def _ground_errors(solution: Solution) -> Array:
     star = np.stack(
         [scatter(parts, at_nodes[:, :, x, k], n) / meeting for x in range(2) for k in range(S)], axis=-1
     ).reshape(n, 2, S)
+    for axis in (0, 1):
+        if problem.symmetry[axis]:
+            # the slope beyond the line, of the other sign, makes the mean zero
+            star[parts[mesh.xy[..., axis] == 0.0], axis] = 0.0
     error = np.einsum("pa,eaxs->epxs", q9(at_three)[0], star[parts]) - outer.reshape(m, 9, 2, S)
     dA = (jacobian(q9(at_three)[1], xy)[2] * weights)[kind]
     A1 = np.broadcast_to(column.A1, (m, S, S))

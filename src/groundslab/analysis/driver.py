@@ -293,7 +293,7 @@ def _outcome(
         comparison = None
         if coarser is not None:
             prolongation = finest.prolongation(coarser, solution, frame)
-            comparison = compare(model, solution, coarser, prolongation, fields)
+            comparison, fields = compare(model, solution, coarser, prolongation, fields)
         parts = expand(fields, frame)
         results = recover(model, combination, solution, parts, proof, tuple(steps), solver, increments, comparison)
         return results if results.certificate.holds else NotCertified(results)

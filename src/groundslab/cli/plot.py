@@ -21,14 +21,16 @@ def describe(plot: argparse.ArgumentParser) -> None:
         metavar="FIELD",
         help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
         "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
-        "design moments bottom_x, bottom_y, top_x, top_y (default: a usual choice for the kind)",
+        "design moments bottom_x, bottom_y, top_x, top_y; discretization_error, large where the mesh is too coarse "
+        "(default: a usual choice for the kind)",
     )
     plot.add_argument(
         "--kind",
         metavar="KIND",
-        help="plan, deformed (the plate in space), lines (values along section lines), soil (layers, moduli, mode) or "
-        "convergence (default: plan; lines if --line is given)",
+        help="plan, deformed (the plate in space), lines (values along section lines), mesh (the elements), soil "
+        "(layers, moduli, mode) or convergence (default: plan; lines if --line is given)",
     )
+    plot.add_argument("--mesh", action="store_true", help="draw the elements over the fields, in plan and deformed")
     plot.add_argument(
         "--combination",
         action="append",
@@ -69,7 +71,9 @@ def run(options: argparse.Namespace) -> int:
     if options.out is not None:
         check(options.out)
     combined = results_folder.load_results(options.folder)
-    request = parse_request(combined, options.fields, options.kind, options.combination, options.envelope, lines)
+    request = parse_request(
+        combined, options.fields, options.kind, options.combination, options.envelope, lines, options.mesh
+    )
     names = [quantity.name for quantity in request.quantities]
     what = "-".join(names) if options.fields and request.kind == "plan" else request.kind
     file = folder.with_name(f"{folder.name}-{what}.pdf") if options.out is None else Path(options.out)

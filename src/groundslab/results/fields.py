@@ -94,10 +94,13 @@ PLATE_FIELDS: dict[str, ResultField] = {
     "shear_y": _shear("q_y", "transverse shear force on sections y = const"),
 }  # fmt: skip
 
+#: The field of elements that is there only where a coarser mesh was solved.
+ERROR = "discretization_error"
+
 #: The field that only nodes on the plate's edge have.
 LINE_FORCE = "line_force"
 
-#: The fields at the centers of elements.
+#: The fields of elements, at their centers or as means.
 ELEMENT_FIELDS: dict[str, ResultField] = {
     "pressure": replace(PLATE_FIELDS["pressure"], averaged=MEAN),
     **{
@@ -105,7 +108,14 @@ ELEMENT_FIELDS: dict[str, ResultField] = {
         for name in ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
     },
     "thickness": ResultField("thickness", "t", "mm", "length", "thickness of the plate", "not negative", NOT),
-}
+    ERROR: ResultField(
+        "discretization error", "eta_e", "%", "share", "density of the discretization error in energy, large where the "
+        "mesh is too coarse", "not negative", MEAN,
+    ),
+}  # fmt: skip
+
+#: Fields of elements that pictures show, by their means at the nodes.
+SHOWN_ELEMENT_FIELDS = {ERROR: replace(ELEMENT_FIELDS[ERROR], averaged="mean of the elements that meet, by area")}
 
 #: What is computed from the moments at a node: principal moments, and the direction of the larger one.
 PRINCIPAL: dict[str, ResultField] = {

@@ -10,6 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolate, locate
+from groundslab.fem.shape_functions import areas
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -224,6 +225,10 @@ class ElementResult:
         Thickness of the plate [m].
     section : (m,) array of int
         Section of the plate: 0 outside all zones, else the number of the zone, from 1.
+    discretization_error : (m,) array of float or None
+        Density of the discretization error in the energy norm [1], sqrt((e^2 / E) / (A_e / A)): the error of an element
+        and of the ground under it as a share of the solution's, over the root of the element's share of the plate's
+        area. The mesh is too coarse where it is large. None if there was no coarser mesh to compare with.
     """
 
     pressure: Array
@@ -234,6 +239,7 @@ class ElementResult:
     shear_y: Array
     thickness: Array
     section: Integers
+    discretization_error: Array | None = None
 
     def at_nodes(self, plate: PlateResult) -> tuple[Array, Integers]:
         """Return thickness [m] and section of the plate's nodes, (n,) each: a node belongs to one section only.
@@ -308,6 +314,15 @@ class GroundResult:
             expected = f"a whole number from 0 to {len(self.settlement) - 1}"
             raise InputError([Issue("surface", describe(surface), expected)])
         return _values_at(Mesh(self.nodes, self.elements), self.settlement[surface], x, y, "the meshed ground")
+
+
+def mean_at_nodes(plate: PlateResult, values: Array) -> Array:
+    """Return the means (n,) of a field of elements (m,) over the elements that meet at each node, by their areas."""
+    weights = np.repeat(areas(plate.nodes[plate.elements]), plate.elements.shape[1])
+    nodes, n = plate.elements.ravel(), len(plate.nodes)
+    sums = np.bincount(nodes, weights=weights * np.repeat(values, plate.elements.shape[1]), minlength=n)
+    means: Array = sums / np.bincount(nodes, weights=weights, minlength=n)
+    return means
 
 
 def in_space(nodes: Array) -> Array:

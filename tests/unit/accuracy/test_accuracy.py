@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 
 import groundslab
-from groundslab.accuracy.energy import energy_errors
+from groundslab.accuracy.energy import energy_errors, error_density
 from groundslab.accuracy.prolongation import make_prolongation
 from groundslab.accuracy.resolution import find_unresolved
 from groundslab.accuracy.values import SLOWEST, estimate_error
 from groundslab.analysis import nested
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
 from groundslab.fem.problem import BETA_X, BETA_Y, W
+from groundslab.fem.shape_functions import areas
 from groundslab.model.model import Model
 from groundslab.results.recovery import expand, recover_fields
 from groundslab.results.result_mesh import ResultMesh, make_result_mesh
@@ -71,6 +72,44 @@ def test_error_in_energy_falls_with_the_elements() -> None:
     assert results.comparison is not None
     assert 0 < results.comparison.energy_error < 0.1
     assert 0.1 < results.comparison.reduction < 0.6
+
+
+def test_errors_of_the_elements_make_up_the_error_in_energy() -> None:
+    """Squared and averaged over the area, on a plate with nothing beyond it; a concentrated load is where it peaks."""
+    patch = {"kind": "patch", "x": (1.5, 2.0), "y": (-0.5, 0.0), "q": 1e6}
+    results = groundslab.solve(slab(loads=[patch], ground={"kind": "winkler", "k": 2e7})).only
+    density, comparison = results.elements.discretization_error, results.comparison
+    assert density is not None
+    assert comparison is not None
+    assert comparison.elements.discretization_error is None
+    xy = results.plate.nodes[results.plate.elements]
+    share = areas(xy) / areas(xy).sum()
+    assert np.sqrt((density**2 * share).sum()) == pytest.approx(comparison.energy_error, rel=1e-9)
+    assert np.hypot(*(xy[density.argmax(), 8] - (1.75, -0.25))) < 1.0
+    assert density.max() > 3 * np.median(density)
+
+
+def test_errors_of_the_elements_leave_out_the_ground_beyond() -> None:
+    """The ground around the plate has a part of the error in energy, which belongs to no element of the plate."""
+    results = groundslab.solve(slab(beyond={"kind": "margin", "width": 1.0})).only
+    density = results.elements.discretization_error
+    assert density is not None
+    assert results.comparison is not None
+    share = areas(results.plate.nodes[results.plate.elements])
+    mean = np.sqrt((density**2 * share).sum() / share.sum())
+    assert 0.1 * results.comparison.energy_error < mean < results.comparison.energy_error
+
+
+def test_error_of_elements_of_different_size() -> None:
+    """The same error spread evenly has one density everywhere, whatever the sizes of the elements are."""
+    zone = {"shape": {"kind": "rectangle", "x": (-1.0, 0.8), "y": (-1.0, 1.0)}, "thickness": 0.5}
+    plate = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.2, "zones": [zone]}
+    (fine, frame), _ = solved(slab(plate=plate))
+    of_elements = areas(frame.mesh.xy)
+    assert of_elements.max() > 1.05 * of_elements.min()
+    density = error_density(fine, frame, 1e-4 * of_elements / of_elements.sum(), 1.0)
+    np.testing.assert_allclose(density, 1e-2, rtol=1e-12)
+    assert not error_density(fine, frame, np.zeros(len(of_elements)), 0.0).any()
 
 
 @pytest.mark.parametrize("counts", [(8, 6), (9, 7)])

@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from groundslab.errors import InputError
 from groundslab.results.results import CombinationResult, Comparison, results_of
 from groundslab.views.files import npz
+from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.report.html import render_report
 from groundslab.views.summary import sections, terminal
 from groundslab.views.summary.json_summary import json_text
@@ -28,7 +30,8 @@ def compared(share: float, **parts: Any) -> CombinationResult:
     found = synthetic.results(4, **{"model": uniform} | parts)
     plate = replace(found.plate, moment_x=(1 - share) * found.plate.moment_x)
     other = Comparison(plate, found.elements, found.ground, found.supports, energy_error=0.02, reduction=0.5)
-    return replace(found, comparison=other)
+    error = np.linspace(0.0, 0.03, len(found.elements.section))
+    return replace(found, comparison=other, elements=replace(found.elements, discretization_error=error))
 
 
 def shown_on_terminal(results: CombinationResult) -> str:
@@ -99,14 +102,45 @@ def test_json_has_errors_in_si_units() -> None:
 
 
 def test_archive_keeps_the_coarser_mesh(tmp_path: Path) -> None:
-    """Its arrays and both figures come back."""
+    """Its arrays and both figures come back, and so does the error of each element."""
     results = compared(0.04)
     npz.write(results, tmp_path / "results.npz")
-    found = npz.load(tmp_path / "results.npz").comparison
+    loaded = npz.load(tmp_path / "results.npz")
+    found = loaded.comparison
     assert found is not None
     assert results.comparison is not None
+    assert loaded.elements.discretization_error is not None
+    np.testing.assert_array_equal(loaded.elements.discretization_error, results.elements.discretization_error)
+    assert found.elements.discretization_error is None
     np.testing.assert_array_equal(found.plate.moment_x, results.comparison.plate.moment_x)
     assert (found.energy_error, found.reduction) == (0.02, 0.5)
+
+
+def test_archive_with_a_part_of_an_error_is_refused(tmp_path: Path) -> None:
+    """A comparison without errors of elements, or such errors without a comparison, or below zero."""
+    results, plain = compared(0.04), synthetic.results(4)
+    errors = results.elements.discretization_error
+    assert errors is not None
+    damaged = [
+        replace(results, elements=plain.elements),
+        replace(plain, elements=results.elements),
+        replace(results, elements=replace(results.elements, discretization_error=-errors)),
+        replace(results, elements=replace(results.elements, discretization_error=errors[1:])),
+    ]
+    for number, each in enumerate(damaged):
+        npz.write(each, tmp_path / f"{number}.npz")
+        with pytest.raises(InputError, match="discretization_error"):
+            npz.load(tmp_path / f"{number}.npz")
+
+
+def test_vtu_file_has_the_error_of_each_element() -> None:
+    """In percent, where there is a comparison, and no such array where there is none."""
+    name = "discretization error eta_e [%] (centre, mean over the element)"
+    results = compared(0.04)
+    errors = results.elements.discretization_error
+    assert errors is not None
+    np.testing.assert_allclose(plate_mesh(results).cell_data[name][0], 100 * errors)
+    assert name not in plate_mesh(synthetic.results(4)).cell_data
 
 
 def test_report_and_workbench_do_not_call_a_coarse_mesh_good() -> None:

@@ -284,6 +284,10 @@ class TestOverview:
         assert document["extremes"]["settlement"]["largest"]["combination"] == "NUL"
         assert document["extremes"]["contact"]["share"]["combination"] == combined.combinations[0].name
         assert document["plate"] == one["plate"]
+        assert document["mesh"] == one["mesh"]
+        assert document["mesh"]["elements"] == 4
+        assert document["mesh"]["smallest_side"] == {"value": pytest.approx(np.sqrt(4.8 * 3.6)), "unit": "m"}
+        assert "elements" not in document["plate"]
         assert document["files"] == ["summary.json"]
 
     def test_table_fits_80_columns(self) -> None:
@@ -297,14 +301,15 @@ class TestOverview:
         assert lines[place + 1].split() == ["10000", "56.000", "0", "100.00", "3", "ok"]
         assert "REFUSED: the result does not fulfil the equations" in text
         assert "FAILED: 2 of 4" in text
+        assert text.count("unknowns that were solved for") == text.count("elements on the plate") == 1
 
     def test_constants_of_the_ground_that_differ_are_left_out(self) -> None:
         """A row of the ground that is not the same in all is left out, and a note says so."""
         combined = synthetic.combined()
-        assert [row.key for row in combinations.description(combined)[1].rows] == ["kind", "k0", "k1"]
+        assert [row.key for row in combinations.description(combined)[2].rows] == ["kind", "k0", "k1"]
         other = replace(combined["NUL"], constants=replace(combined["NUL"].constants, k0=(1e6,)))
         changed = replace(combined, results=combined.results | {"NUL": other})
-        ground = combinations.description(changed)[1]
+        ground = combinations.description(changed)[2]
         assert [row.key for row in ground.rows] == ["kind", "k1"]
         assert "depend on the combination" in ground.notes[-1]
 

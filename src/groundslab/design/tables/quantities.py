@@ -8,8 +8,10 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.design.design_moments import derive_field, fields_of
+from groundslab.errors import GroundslabError
 from groundslab.results.contact_zone import has_line_force
-from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS, ResultField
+from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, ResultField
+from groundslab.results.mesh_results import mean_at_nodes
 from groundslab.results.results import CombinationResult, Results
 
 
@@ -19,7 +21,15 @@ def point_values(fields: Mapping[str, Array]) -> list[Array]:
 
 
 def nodal_values(results: CombinationResult, name: str) -> Array:
-    """Return a quantity of RANGED_FIELDS at the plate's nodes (n,), in its unit of display."""
+    """Return a quantity of RANGED_FIELDS or SHOWN_ELEMENT_FIELDS at the plate's nodes (n,), in its unit of display.
+
+    Fields of elements by their means over those that meet; raises GroundslabError if these results lack one.
+    """
+    if name in SHOWN_ELEMENT_FIELDS:
+        values = getattr(results.elements, name)
+        if values is None:
+            raise GroundslabError(f"{results.combination} has no {SHOWN_ELEMENT_FIELDS[name].quantity}")
+        return mean_at_nodes(results.plate, values) * SHOWN_ELEMENT_FIELDS[name].scale
     return derive_field(fields_of(results.plate), name) * RANGED_FIELDS[name].scale
 
 

@@ -199,19 +199,20 @@ def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> di
     found: dict[str, Any] = {}
     for part, values in (("plate", state.plate), ("elements", state.elements), ("ground", state.ground)):
         names = (item.name for item in fields(values) if not below or item.name not in MESH)
-        found |= {f"{below}{part}.{name}": getattr(values, name) for name in names}
+        arrays = {f"{below}{part}.{name}": getattr(values, name) for name in names}
+        found |= {name: array for name, array in arrays.items() if array is not None}
     return found
 
 
 def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
     """Return plate, elements and ground of a state from the arrays whose names begin with `below`."""
     kinds = {"plate": PlateResult, "elements": ElementResult, "ground": GroundResult}
-    return {
-        part: kind(
-            **{item.name: arrays[f"{'' if item.name in MESH else below}{part}.{item.name}"] for item in fields(kind)}
-        )
-        for part, kind in kinds.items()
-    }
+    found = {}
+    for part, kind in kinds.items():
+        names = {item.name: f"{'' if item.name in MESH else below}{part}.{item.name}" for item in fields(kind)}
+        optional = {item.name for item in fields(kind) if item.default is None and names[item.name] not in arrays}
+        found[part] = kind(**{name: arrays[key] for name, key in names.items() if name not in optional})
+    return found
 
 
 #: What a support has by its nodes.

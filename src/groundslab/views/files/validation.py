@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     State: TypeAlias = CombinationResult | Comparison | Increment
 
 #: NumPy's type by the annotation of a field.
-_TYPES = {"Array": np.float64, "Integers": np.int64, "Flags": np.bool_}
+_TYPES = {"Array": np.float64, "Array | None": np.float64, "Integers": np.int64, "Flags": np.bool_}
 #: No quantity of a slab is larger in SI units; squares and products of such numbers are finite.
 LARGEST = 1e60
 
@@ -38,6 +38,8 @@ def _faults(results: CombinationResult) -> Iterator[str]:
         yield from _of_state(f"increment {increment.share:g}: ", increment, layers)
         if not 0 < increment.share <= 1:
             yield f"an increment of {increment.share:g} of the load"
+    if (results.elements.discretization_error is None) != (results.comparison is None):
+        yield "elements.discretization_error without a comparison, or a comparison without it"
     if (other := results.comparison) is not None:
         yield from _of_state("coarser: ", other, layers)
         for number, support in enumerate(other.supports, 1):
@@ -61,6 +63,8 @@ def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
         yield f"{name}elements.thickness that is not positive"
     if not np.all(elements.section >= 0):
         yield f"{name}elements.section below 0"
+    if elements.discretization_error is not None and not np.all(elements.discretization_error >= 0):
+        yield f"{name}elements.discretization_error below 0"
     yield from _of_mesh(f"{name}ground", ground)
     n, m = len(ground.nodes), len(ground.elements)
     surfaces = np.shape(ground.settlement)[:1]
@@ -103,6 +107,8 @@ def _of_arrays(
         if kind is None or (usual is None and item.name not in ("nodes", "elements")):
             continue
         values: Any = getattr(part, item.name)
+        if values is None:
+            continue
         if values.dtype != kind:
             yield f"{name}.{item.name} of type {values.dtype} in place of {np.dtype(kind)}"
         shape = None if usual is None else (shapes or {}).get(item.name, usual)

@@ -32,6 +32,7 @@ def plate_mesh(results: CombinationResult) -> meshio.Mesh:
     cells = {
         f"{about.name} (centre, {about.averaged})": getattr(results.elements, name) * about.scale
         for name, about in ELEMENT_FIELDS.items()
+        if getattr(results.elements, name) is not None
     }
     return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
 

@@ -26,6 +26,7 @@ def plot(
     combination: str | Sequence[str] | None = None,
     envelope: str | None = None,
     line: Sequence[Any] | None = None,
+    mesh: bool = False,
     to: str | Path | None = None,
 ) -> Figure:
     """Draw results, and write the figure into a file if one is named.
@@ -37,15 +38,19 @@ def plot(
     *fields : str
         Quantities to draw, by name or symbol: the nodal fields of the plate ("settlement" or "w", "pressure" or "p",
         "moment_x" or "m_x", ...), the principal moments "m_1" and "m_2", and the design moments "bottom_x",
-        "bottom_y", "top_x" and "top_y". Without any, a usual choice for the kind.
+        "bottom_y", "top_x" and "top_y"; "discretization_error", which is large where the mesh is too coarse. Without
+        any, a usual choice for the kind.
     kind : str, optional
-        "plan" (default), "deformed", "lines" (default if a line is given), "soil" or "convergence"; see docs/plots.md.
+        "plan" (default), "deformed", "lines" (default if a line is given), "mesh", "soil" or "convergence"; see
+        docs/plots.md.
     combination : str or sequence of str, optional
         Names of the combinations to draw; without any, all that are certified.
     envelope : str, optional
         Limit state whose combinations are drawn by their largest and smallest values, for plans and lines.
     line : sequence of float, optional
         Section line x1, y1, x2, y2 [m], or several of these; without any, the lines of the case.
+    mesh : bool, default: False
+        Whether the elements' sides are drawn over the fields, in plans and on the deformed plate.
     to : str or Path, optional
         File to write: .pdf (pages of A4 width), .svg or .png (one sheet). An existing file is replaced only if
         groundslab drew it.
@@ -70,7 +75,7 @@ def plot(
     from groundslab.views.plots.request import parse_request
 
     combined = results_of(results) if isinstance(results, CombinationResult) else results
-    request = parse_request(combined, fields, kind, combination, envelope, line)
+    request = parse_request(combined, fields, kind, combination, envelope, line, mesh)
     if to is None:
         return _sheet(request)
     export.check(to)
@@ -117,5 +122,5 @@ def _drawing_module(request: PlotRequest) -> Any:
     """Return the module that draws a kind."""
     from groundslab.views.plots import convergence, deformed, plan, sections, soil
 
-    modules = {"plan": plan, "deformed": deformed, "lines": sections, "soil": soil, "convergence": convergence}
-    return modules[request.kind]
+    modules = {"deformed": deformed, "lines": sections, "soil": soil, "convergence": convergence}
+    return modules.get(request.kind, plan)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 DEPTH = 0.14
 #: Facets that look smooth; each element is cut into so many that there are about as many, but at least 2 x 2.
 FACETS = 16_000
-#: With more elements than this their sides are not drawn.
+#: With more elements than this their sides are drawn only if they are asked for, as pixels.
 MOST_SIDES = 1_200
 #: From tick to tick along x and y at least [mm].
 TICK = 13.0
@@ -69,7 +69,7 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 
 def _surfaces(request: PlotRequest) -> list[Surface]:
     return [
-        Surface(build_panel(quantity, each, request.names_combinations), each.results.plate.settlement)
+        Surface(build_panel(quantity, each, request.names_combinations, request.mesh), each.results.plate.settlement)
         for each in request.combinations
         for quantity in request.quantities
     ]
@@ -150,10 +150,13 @@ def _draw_surface(
     drawn = Poly3DCollection(corners, facecolors=colors, edgecolors=colors, linewidths=0.2, zorder=2, clip_on=False)
     drawn.set_rasterized(True)  # so many facets are smaller as pixels
     axes.add_collection3d(drawn)
-    if len(panel.elements) <= MOST_SIDES:
+    few = len(panel.elements) <= MOST_SIDES
+    if panel.mesh or few:
         ring = panel.elements[:, [0, 4, 1, 5, 2, 6, 3, 7, 0]]
         sides = np.concatenate([panel.nodes[ring], -factor * surface.settlement[ring][..., None]], axis=2)
-        axes.add_collection3d(Line3DCollection(sides, colors=INK, linewidths=0.15, alpha=0.5, zorder=3, clip_on=False))
+        lines = Line3DCollection(sides, colors=INK, linewidths=0.15, alpha=0.5, zorder=3, clip_on=False)
+        lines.set_rasterized(not few)
+        axes.add_collection3d(lines)
     entries = _draw_contact_border(axes, surface, factor)
     chord = DRAWN_CHORD * max(model.plate.sides)
     for ring_ in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -41,28 +41,29 @@ class Panel:
     share: float | None = None  # of the plate's area that is in contact
     certified: bool = True
     governs: tuple[tuple[str, ...], Integers] | None = None  # combinations, and the one that each value comes from
+    mesh: bool = False  # whether the elements' sides are drawn
 
 
 def build_panels(request: PlotRequest) -> list[Panel]:
     """Return the panels of a request: by combination, then by quantity."""
     if request.envelope:
-        panels = (_envelope_panels(each, request.combinations, request.envelope) for each in request.quantities)
-        return list(chain.from_iterable(panels))
+        several = (_envelope_panels(each, request.combinations, request.envelope) for each in request.quantities)
+        return [replace(panel, mesh=request.mesh) for panel in chain.from_iterable(several)]
     return [
-        build_panel(quantity, each, request.names_combinations)
+        build_panel(quantity, each, request.names_combinations, request.mesh)
         for each in request.combinations
         for quantity in request.quantities
     ]
 
 
-def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: bool) -> Panel:
+def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: bool, mesh: bool = False) -> Panel:
     """Return the panel of a quantity in one combination."""
     results, plate = combination.results, combination.results.plate
     source = f"{combination.name} ({combination.limit_state})" if named else ""
     values, takes_part = nodal_values(results, quantity.name), load_filter(results.factors)
     force, contact = _line_force(quantity, [results]), contact_function(results)
     shown = (quantity, source, values, plate.nodes, plate.elements, takes_part, force)
-    return Panel(*shown, contact, plate.contact_share, combination.certified)
+    return Panel(*shown, contact, plate.contact_share, combination.certified, mesh=mesh)
 
 
 def _line_force(

@@ -2,24 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from groundslab.accuracy.mesh_statistics import mesh_statistics
 from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import draw_labels, draw_title, panel_title, title_height
 from groundslab.views.plots.contours import ColorScale, draw_color_bar, draw_contours, triangulation
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panels, shared_scales
-from groundslab.views.plots.style import BASE, GREY, PAGE_HEIGHT, PAGE_WIDTH, PT, WIDE, Page, batch
+from groundslab.views.plots.style import (
+    BASE,
+    GREY,
+    INK,
+    PAGE_HEIGHT,
+    PAGE_WIDTH,
+    PT,
+    WIDE,
+    Page,
+    batch,
+    format_place,
+    number,
+)
+from groundslab.views.plots.symbols import load_filter
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
+    from groundslab.results.results import CombinationResult
     from groundslab.views.plots.request import PlotRequest
 
 #: Space around the box of a plan [mm]: axis on the left, bar on the right, axis below.
 LEFT, RIGHT, BELOW = 13.0, 22.0, 10.5
+#: Space on the right of a plan without a bar [mm].
+EDGE = 4.0
 #: Usual space above it, for two lines of words [mm].
 ABOVE = 10.0
 #: A plan so high relative to its width, or less, has no other beside it.
@@ -61,6 +79,8 @@ def draw_panels(
 
 def draw_sheet(request: PlotRequest) -> Figure:
     """Return all panels on one sheet, side by side on a page that lies on its side unless they are flat."""
+    if request.kind == "mesh":
+        return draw_mesh(request.combinations[0].results)
     panels = build_panels(request)
     ratio = _ratio(request.combined.model)
     columns, width = 1, PAGE_WIDTH
@@ -76,6 +96,8 @@ def draw_sheet(request: PlotRequest) -> Figure:
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the panels on pages that fit on A4: each combination, or each quantity of an envelope, has its own."""
+    if request.kind == "mesh":
+        return [draw_mesh(request.combinations[0].results)]
     panels = build_panels(request)
     model, scales = request.combined.model, shared_scales(panels)
     columns, rows = panels_per_page(_ratio(model))
@@ -84,6 +106,32 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
         groups.setdefault(panel.quantity.name if request.envelope else panel.source, []).append(panel)
     parts = [part for own in groups.values() for part in batch(own, columns * rows)]
     return [draw_panels(model, part, scales, min(columns, len(part)), PAGE_WIDTH, rows) for part in parts]
+
+
+def draw_mesh(results: CombinationResult, *, titled: bool = True) -> Figure:
+    """Return a plan of the elements, which all combinations share; above it their number, sizes and quality, if titled."""
+    model, plate = results.model, results.plate
+    ratio = _ratio(model)
+    width = min(PAGE_WIDTH, max(LEFT + (PAGE_HEIGHT - 20 - ABOVE - BELOW) / ratio + EDGE, NARROW))
+    page = Page(width)
+    top = 2.0 + (page.write_heading(model.title, describe_mesh(results)) if titled else 0.0)
+    box_width = min(width - LEFT - EDGE, (PAGE_HEIGHT - top - BELOW) / ratio)
+    axes = page.add_axes(LEFT, top, box_width, box_width * ratio)
+    x0, x1, *_ = _limits(model)
+    legend = symbols.draw_elements(axes, plate.nodes, plate.elements, box_width / (x1 - x0))
+    legend |= _draw_case(axes, model, load_filter(results.factors), box_width)
+    return page.finish(top + box_width * ratio + BELOW, legend)
+
+
+def describe_mesh(results: CombinationResult) -> tuple[str, str]:
+    """Return in words how many elements there are, how large and how good."""
+    about = mesh_statistics(results)
+    sizes = number(about.largest)
+    if about.largest_place is not None:
+        sizes = f"{number(about.smallest)} to {sizes}"
+    worst = "" if about.worst_place is None else f" at {format_place(about.worst_place)}"
+    quality = f"scaled Jacobian {number(about.mean_quality)} on average, at worst {number(about.worst_quality)}{worst}"
+    return f"Mesh: {about.elements} elements of {sizes} m (root of the area)", quality
 
 
 def panels_per_page(ratio: float) -> tuple[int, int]:
@@ -113,24 +161,34 @@ def _ratio(model: Model) -> float:
 
 def draw_panel(axes: Axes, model: Model, panel: Panel, scale: ColorScale, width: float) -> dict[str, Any]:
     """Draw one plan into axes whose box is so wide [mm]; return its entries in the legend."""
-    from matplotlib.ticker import MaxNLocator
-
-    x0, x1, y0, y1 = _limits(model)
+    x0, x1, *_ = _limits(model)
     triangles = triangulation(panel.nodes, panel.elements)
     draw_contours(axes, triangles, panel.values, scale)
     hatched = symbols.hatch_uplift(axes, triangles, panel.contact) if panel.quantity.name == "pressure" else {}
     legend = symbols.draw_contact_boundary(axes, triangles, panel.contact) | hatched
-    legend |= symbols.draw_plate(axes, model)
+    if panel.mesh:
+        color = INK if scale.parts_at_zero else "white"
+        symbols.draw_elements(axes, panel.nodes, panel.elements, width / (x1 - x0), color)
+    legend |= _draw_case(axes, model, panel.takes_part, width)
+    height = width * _ratio(model)
+    draw_color_bar(axes, scale, panel.quantity.label, (1 + GAP / width, 0.0, BAR / width, 1.0), height)
+    draw_labels(axes, model, panel, width / (x1 - x0))
+    return legend
+
+
+def _draw_case(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool], width: float) -> dict[str, Any]:
+    """Draw what lies on the plate, and axes around it, into a box so wide [mm]; return its entries in the legend."""
+    from matplotlib.ticker import MaxNLocator
+
+    x0, x1, y0, y1 = _limits(model)
+    legend = symbols.draw_plate(axes, model)
     legend |= symbols.draw_voids(axes, model)
-    legend |= symbols.draw_columns(axes, model, panel.takes_part)
+    legend |= symbols.draw_columns(axes, model, takes_part)
     legend |= symbols.draw_supports(axes, model)
-    legend |= symbols.draw_loads(axes, model, panel.takes_part)
+    legend |= symbols.draw_loads(axes, model, takes_part)
     axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal", xlabel="x [m]", ylabel="y [m]")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(nbins=8 if width > 80 else 5, steps=[1, 2, 2.5, 5, 10]))
     axes.tick_params(which="both", length=2)
     axes.spines[:].set(linewidth=0.4, color=GREY)
-    height = width * _ratio(model)
-    draw_color_bar(axes, scale, panel.quantity.label, (1 + GAP / width, 0.0, BAR / width, 1.0), height)
-    draw_labels(axes, model, panel, width / (x1 - x0))
     return legend

@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, ResultField
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, ResultField
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
@@ -49,9 +49,13 @@ class PlotQuantity:
 
 
 #: A force along the edge is no field over the plate; plans of the pressure name its largest.
-QUANTITIES = {name: PlotQuantity(name, field) for name, field in RANGED_FIELDS.items() if name != LINE_FORCE}
+QUANTITIES = {
+    name: PlotQuantity(name, field)
+    for name, field in (RANGED_FIELDS | SHOWN_ELEMENT_FIELDS).items()
+    if name != LINE_FORCE
+}
 #: Symbols serve as names too.
-SYMBOLS = {field.symbol: name for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
+SYMBOLS = {field.symbol: name for name, field in (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS).items() if name != LINE_FORCE}
 
 
 def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
@@ -66,7 +70,7 @@ def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
     return tuple(QUANTITIES[name] for name in dict.fromkeys(SYMBOLS.get(name, name) for name in names))
 
 
-Kind = Literal["plan", "deformed", "lines", "soil", "convergence"]
+Kind = Literal["plan", "deformed", "lines", "mesh", "soil", "convergence"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 #: What is drawn if no quantity is named.
 DEFAULT_QUANTITIES: dict[str, tuple[str, ...]] = {
@@ -115,6 +119,7 @@ class PlotRequest:
     histories: tuple[IterationHistory, ...]  # convergence only
     lines: tuple[SectionLine, ...]  # lines only
     envelope: str  # a limit state, or empty
+    mesh: bool = False  # whether the elements' sides are drawn over fields
 
     @property
     def names_combinations(self) -> bool:
@@ -127,6 +132,7 @@ class PlotRequest:
         panels = len(self.quantities) * (2 if self.envelope else len(self.combinations))
         return {
             "convergence": len(self.histories),
+            "mesh": 1,
             "soil": len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1,
             "lines": len(self.quantities) * len(self.lines),
         }.get(self.kind, panels)
@@ -139,6 +145,7 @@ def parse_request(
     combination: str | Sequence[str] | None,
     envelope: str | None,
     line: Sequence[Any] | None,
+    mesh: bool = False,
 ) -> PlotRequest:
     """Parse and validate a plot request; raises InputError with all issues.
 
@@ -147,7 +154,7 @@ def parse_request(
     lines = _parse_lines(line)
     chosen_kind = kind or ("lines" if lines else "plan")
     names = (combination,) if isinstance(combination, str) else tuple(dict.fromkeys(combination or ()))
-    issues = _find_conflicts(chosen_kind, fields, names, envelope, bool(lines))
+    issues = _find_conflicts(chosen_kind, fields, names, envelope, bool(lines), mesh)
     known = [each.name for each in combined.combinations]
     unknown = [name for name in names if name not in known]
     issues += [Issue("combination", describe(name), one_of(known), suggestion(name, known)) for name in unknown]
@@ -168,7 +175,9 @@ def parse_request(
     combinations = _select_combinations(combined, names, envelope)
     for each in combinations:
         require_finite(each.results)
-    return PlotRequest(combined, chosen_kind, quantities, combinations, (), lines or listed_lines, envelope or "")
+    _require_element_fields(quantities, combinations)
+    shown = lines or listed_lines
+    return PlotRequest(combined, chosen_kind, quantities, combinations, (), shown, envelope or "", mesh)
 
 
 def _parse_lines(line: Sequence[Any] | None) -> tuple[SectionLine, ...]:
@@ -190,8 +199,21 @@ def _parse_lines(line: Sequence[Any] | None) -> tuple[SectionLine, ...]:
     return tuple(SectionLine("", (a, b), (c, d)) for a, b, c, d in values.tolist())
 
 
+def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Sequence[PlottedCombination]) -> None:
+    """Raise InputError if results lack a field of elements that is to be drawn."""
+    hint = "it comes from a comparison with a coarser mesh, which these results have not"
+    issues = [
+        Issue("FIELD", quote(quantity.name), f"a field that {quote(each.name)} has", hint)
+        for quantity in quantities
+        for each in combinations
+        if quantity.name in SHOWN_ELEMENT_FIELDS and getattr(each.results.elements, quantity.name) is None
+    ]
+    if issues:
+        raise InputError(issues)
+
+
 def _find_conflicts(
-    kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool
+    kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool, mesh: bool
 ) -> list[Issue]:
     """Return what does not go together."""
     if kind not in KINDS:
@@ -199,6 +221,11 @@ def _find_conflicts(
     issues = []
     if fields and kind not in DEFAULT_QUANTITIES:
         issues.append(Issue("FIELD", quote(fields[0]), f"none, as kind is {quote(kind)}"))
+    of_elements = [name for name in fields if SYMBOLS.get(name, name) in SHOWN_ELEMENT_FIELDS]
+    if of_elements and kind == "lines":
+        issues.append(Issue("FIELD", quote(of_elements[0]), 'a nodal field, as kind is "lines"'))
+    if mesh and kind not in ("plan", "deformed", "mesh"):
+        issues.append(Issue("mesh", "the mesh over fields", f"none, as kind is {quote(kind)}"))
     if lines and kind != "lines":
         issues.append(Issue("line", "a line", f"none, as kind is {quote(kind)}"))
     if envelope is None:

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
+from groundslab.views.plots.contours import MOST_ELEMENTS
 from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SUPPORT
 
 if TYPE_CHECKING:
@@ -20,11 +22,14 @@ if TYPE_CHECKING:
     from matplotlib.tri import Triangulation
     from shapely.geometry.base import BaseGeometry
 
-    from groundslab.arrays import Array
+    from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
 
     Entries = dict[str, Any]
+
+#: Width of the sides of elements [pt]: a share of their length on paper [mm], within limits.
+LINE_SHARE, LINE_WIDTHS = 0.12, (0.05, 0.4)
 
 
 def white_outline(width: float) -> list[Any]:
@@ -56,6 +61,19 @@ def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:
             look = {"edgecolor": GREY, "linewidth": 0.8, "linestyle": (0, (6, 2, 1, 2)), "zorder": 3.5}
             entries["zone"] = draw_ring(axes, np.asarray(piece.exterior.coords), **look)
     return entries
+
+
+def draw_elements(axes: Axes, nodes: Array, elements: Integers, per_meter: float, color: str = INK) -> Entries:
+    """Draw the sides of nine-node elements (m, 9), each once, on a drawing of so many millimeters for a meter."""
+    side = per_meter * float(np.sqrt(np.prod(np.ptp(nodes, axis=0)) / len(elements)))
+    sides = elements[:, SIDES].reshape(-1, 3)[:, [0, 2, 1]]
+    _, first = np.unique(sides[:, 1], return_index=True)
+    ends = np.full((len(first), 1, 2), np.nan)  # where the pen is lifted
+    path = np.concatenate([nodes[sides[first]], ends], axis=1).reshape(-1, 2)
+    width = float(np.clip(LINE_SHARE * side, *LINE_WIDTHS))
+    (lines,) = axes.plot(*path.T, color=color, linewidth=width, zorder=2.5, solid_capstyle="butt")
+    lines.set_rasterized(len(elements) > MOST_ELEMENTS)
+    return {"element": lines}
 
 
 def draw_contact_boundary(axes: Axes, triangles: Triangulation, contact: Array | None) -> Entries:

@@ -50,13 +50,13 @@ def build_page(combined: Results, text: str | None = None, file: str = "case.tom
         "file": file,
         "text": text,
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
-        "facts": list(_facts(combined, there)),
+        "facts": list(_facts(combined)),
         "verdict": dict(zip(("status", "words"), _verdict(combined, found), strict=True)),
         "design": design_of(combined),
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
         "constants": _constants(found) if there else None,
-        "analysed": _section(combinations.description(combined)[0]) if there else None,
+        "analysed": list(map(_section, combinations.description(combined)[:2])) if there else [],
         "certificates": _certificates(found),
         "extremes": list(_extremes(combined, found)),
         "tables": list(map(_table, tables_of(combined))),
@@ -68,12 +68,10 @@ def build_page(combined: Results, text: str | None = None, file: str = "case.tom
     }
 
 
-def _facts(combined: Results, there: Sequence[CombinationResult]) -> Iterator[tuple[str, str]]:
+def _facts(combined: Results) -> Iterator[tuple[str, str]]:
     """Yield what stands in the title block beside title, program and file."""
     count, refused = len(combined.combinations), len(combined.refused)
     yield "Combinations", f"{count}, of which {refused} refused" if refused else str(count)
-    if there:
-        yield "Mesh", f"{len(there[0].plate.elements)} elements on the plate, {there[0].unknowns} unknowns"
 
 
 def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
@@ -178,8 +176,10 @@ def _constants(found: Sequence[Entry]) -> TableLayout:
 
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
-    """Yield the plan of the case and the ground in section."""
+    """Yield the plan of the case, the mesh and the ground in section."""
     yield drawings.draw_case(combined.model)
+    if leading is not None:
+        yield drawings.draw_mesh_plan(leading)
     soil = None if leading is None else drawings.draw_soil(leading)
     if soil is None or leading is None:
         return

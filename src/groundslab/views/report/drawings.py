@@ -13,6 +13,7 @@ from groundslab.results.fields import PLATE_FIELDS
 from groundslab.views.plots import plot
 from groundslab.views.plots.convergence import draw_thumbnail
 from groundslab.views.plots.export import to_inline_svg
+from groundslab.views.plots.plan import draw_mesh
 from groundslab.views.plots.request import PlottedCombination
 from groundslab.views.plots.soil import draw_columns, soil_columns
 from groundslab.views.report.case_plan import describe_omissions, draw_case_plan
@@ -48,6 +49,12 @@ def draw_case(model: Model) -> Drawing:
     """Return the plan of a case."""
     caption = " ".join(("Plan.", *describe_omissions(model)))
     return Drawing(to_inline_svg(lambda: draw_case_plan(model), "plan", "Plan of the plate"), caption)
+
+
+def draw_mesh_plan(results: CombinationResult) -> Drawing:
+    """Return the plan of the elements."""
+    caption = "Mesh: the elements of the plate."
+    return Drawing(to_inline_svg(partial(draw_mesh, results, titled=False), "mesh", caption), caption)
 
 
 def draw_soil(results: CombinationResult) -> Drawing | None:

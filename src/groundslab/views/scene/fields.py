@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab._version import __version__
+from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import GroundslabError
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme
+from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from groundslab.views.summary.combinations import Entry
 
 FORMAT = 2
-#: The fields that a scene has, if need be; all others can be made of them.
+#: The nodal fields that a scene has, if need be; all others can be made of them.
 SHOWN = (
     "settlement", "pressure", "gap", "penetration", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y",
 )  # fmt: skip
@@ -39,7 +40,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     there = [entry.results for entry in found if entry.results is not None]
     plates = [results.plate for results in there]
     _require_one_mesh(plates)
-    names = _fields_of(plates)
+    names = _fields_of(there)
     blocks = Blocks()
     nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
     if there:
@@ -53,7 +54,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "version": __version__,
         "plan": plan_of(combined.model),
         "mesh": mesh,
-        "fields": [_about(name, plates) for name in names] + [_CONTACT],
+        "fields": [_about(name, there) for name in names] + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept) for entry in found],
         "left_out": [
             entry.combination.name for entry in found if entry.results is not None and entry.number not in kept
@@ -72,16 +73,22 @@ _CONTACT = {
 }
 
 
-def _fields_of(plates: list[PlateResult]) -> list[str]:
-    """Return the names of the fields that are shown; how far the ground has yielded only where it has."""
-    yields = any(plate.penetration.any() for plate in plates)
-    return [name for name in SHOWN if yields or name != "penetration"]
+def _fields_of(there: list[CombinationResult]) -> list[str]:
+    """Return the names of the fields that are shown; how far the ground has yielded only where it has.
+
+    Those of elements only if all combinations have them.
+    """
+    yields = any(each.plate.penetration.any() for each in there)
+    of_elements = [
+        name for name in SHOWN_ELEMENT_FIELDS if all(getattr(each.elements, name) is not None for each in there)
+    ]
+    return [name for name in SHOWN if yields or name != "penetration"] + (of_elements if there else [])
 
 
-def _about(name: str, plates: list[PlateResult]) -> dict[str, Any]:
+def _about(name: str, there: list[CombinationResult]) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
-    about = PLATE_FIELDS[name]
-    signed = about.sign == "any" or any(goes_below_zero(getattr(plate, name)) for plate in plates)
+    about = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS)[name]
+    signed = about.sign == "any" or any(goes_below_zero(nodal_values(each, name)) for each in there)
     words = {each: getattr(about, each) for each in ("symbol", "unit", "meaning", "averaged")}
     return {"name": name, **words, "signed": signed}
 
@@ -91,7 +98,7 @@ def _combination(entry: Entry, names: list[str], blocks: Blocks, kept: bool) -> 
     results = entry.results
     values = None
     if results is not None and kept:
-        values = {name: blocks.put_range(_shown(results.plate, name)) for name in names}
+        values = {name: blocks.put_range(nodal_values(results, name)) for name in names}
         values["contact"] = blocks.put_signed(contact_function(results))
     return {
         "name": entry.combination.name,
@@ -105,20 +112,14 @@ def _combination(entry: Entry, names: list[str], blocks: Blocks, kept: bool) -> 
     }
 
 
-def _shown(plate: PlateResult, name: str) -> Array:
-    """Return a field (n,) in its unit of display."""
-    values: Array = getattr(plate, name) * PLATE_FIELDS[name].scale
-    return values
-
-
 def _extremes(results: CombinationResult, names: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield the extremes of each field with their places: [value, x, y]; of the line force those along the edge."""
     plate = results.plate
     for name in names:
-        yield name, _range(plate.nodes, _shown(plate, name))
+        yield name, _range(plate.nodes, nodal_values(results, name))
     if has_line_force(results):
         on_edge = plate.edge_length > 0
-        yield LINE_FORCE, _range(plate.nodes[on_edge], _shown(plate, LINE_FORCE)[on_edge])
+        yield LINE_FORCE, _range(plate.nodes[on_edge], nodal_values(results, LINE_FORCE)[on_edge])
 
 
 def _range(nodes: Array, values: Array) -> dict[str, list[float]]:
@@ -132,7 +133,7 @@ def _kept(found: list[Entry], names: list[str], count: int) -> set[int]:
     plates = {entry.number: entry.results.plate for entry in found if entry.results and entry.refused is None}
     others = [entry.number for entry in found if entry.results is not None]
     order: dict[int, None] = {}
-    for name in names:
+    for name in (each for each in names if each in SHOWN):
         for sign in (1, -1):
             highest = {number: float((sign * getattr(plate, name)).max()) for number, plate in plates.items()}
             if highest:

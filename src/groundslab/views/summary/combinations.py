@@ -66,13 +66,13 @@ def factors_text(combination: Combination) -> str:
 def description(combined: Results) -> list[SummarySection]:
     """Return what was analyzed; of the ground only what is the same in all combinations."""
     found = [entry.results for entry in entries(combined) if entry.results is not None]
-    plate, ground, *cut = sections.description(found[0])
+    plate, mesh, ground, *cut = sections.description(found[0])
     others = [sections.description_of_ground(results).rows for results in found[1:]]
     same = tuple(row for row in ground.rows if all(row in rows for rows in others))
     notes = ground.notes
     if len(same) < len(ground.rows):
         notes += ("The ground's other constants depend on the combination; each has its own in summary.json.",)
-    return [plate, replace(ground, rows=same, notes=notes), *cut]
+    return [plate, mesh, replace(ground, rows=same, notes=notes), *cut]
 
 
 def extremes(combined: Results) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from groundslab.views.summary.sections import Row, SummarySection
 
 #: The version of the layout; it grows when a key changes its name or meaning.
-FORMAT = 1
+FORMAT = 2
 
 
 def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> dict[str, Any]:

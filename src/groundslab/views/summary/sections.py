@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.accuracy.values import estimate_error
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme
@@ -35,6 +36,12 @@ CROSSED = (
     "An element across the border of a soil zone or void takes the mean of the ground in it, by area; of a void in "
     "ground with shear it takes all or nothing. With mesh.size instead of mesh.counts the mesh follows borders that "
     "are not finer than a thousandth of the plan."
+)
+
+#: What is said of a mesh with poor elements.
+CROOKED = (
+    f"An element has a scaled Jacobian below {POOR:g} (1 is a rectangle): near it results are less accurate. Make "
+    "mesh.size smaller, or leave out details of the outline there that do not matter."
 )
 
 #: What the figures of the certificate mean, in words.
@@ -84,8 +91,8 @@ def summary(results: CombinationResult) -> list[SummarySection]:
 
 
 def description(results: CombinationResult) -> list[SummarySection]:
-    """Return what was analyzed: plate, ground, and loads that were cut off at the plate's edge."""
-    return [_plate(results), description_of_ground(results), *cut_loads(results.model)]
+    """Return what was analyzed: plate, mesh, ground, and loads that were cut off at the plate's edge."""
+    return [_plate(results), mesh_section(results), description_of_ground(results), *cut_loads(results.model)]
 
 
 def figures(results: CombinationResult) -> list[SummarySection]:
@@ -189,15 +196,11 @@ def certified_words(count: int) -> str:
 
 
 def _plate(results: CombinationResult) -> SummarySection:
-    """Return what was analyzed: plate and mesh."""
-    from groundslab.meshing.quality import quality as quality_of
-
+    """Return the plate as it was analyzed."""
     plate, edges = results.model.plate, results.model.plate.edges
-    quality = quality_of(results.plate.nodes[results.plate.elements])
     edges_text = [
         f"{side} {kind}" for side in ("left", "right", "bottom", "top") if (kind := getattr(edges, side)) != "free"
     ]
-    directions = [name for name, used in zip("xy", results.symmetry, strict=True) if used]
     rows = (
         Row("length_x", "length along x", plate.sides[0], UNITS["m"]),
         Row("length_y", "length along y", plate.sides[1], UNITS["m"]),
@@ -206,16 +209,27 @@ def _plate(results: CombinationResult) -> SummarySection:
         Row("E", "Young's modulus", plate.E, UNITS["MPa"], "E"),
         Row("nu", "Poisson's ratio", plate.nu, None, "nu"),
         Row("supports", "supported edges", ", ".join(edges_text) or "none"),
-        Row("element", "element", plate.element),
-        Row("elements", "elements on the plate", len(results.plate.elements)),
-        Row("worst_element", "worst element, scaled Jacobian", round(quality.worst, 4)),
-        Row("median_element", "median element, scaled Jacobian", round(quality.median, 4)),
-        Row("unknowns", "unknowns that were solved for", results.unknowns),
-        Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
-        Row("solver", "solver", results.solver),
     )
     borders = _borders(results)
     return SummarySection("plate", "Plate", rows + borders, (CROSSED,) if borders else ())
+
+
+def mesh_section(results: CombinationResult) -> SummarySection:
+    """Return the elements on the plate, their sizes and quality, and the unknowns that were solved for."""
+    mesh = mesh_statistics(results)
+    directions = [name for name, used in zip("xy", results.symmetry, strict=True) if used]
+    rows = (
+        Row("element", "element", results.model.plate.element),
+        Row("elements", "elements on the plate", mesh.elements),
+        Row("smallest_side", "smallest element, root of its area", mesh.smallest, UNITS["m"], "", mesh.smallest_place),
+        Row("largest_side", "largest element, root of its area", mesh.largest, UNITS["m"], "", mesh.largest_place),
+        Row("worst_quality", "worst scaled Jacobian", round(mesh.worst_quality, 4), None, "", mesh.worst_place),
+        Row("mean_quality", "mean scaled Jacobian", round(mesh.mean_quality, 4)),
+        Row("unknowns", "unknowns that were solved for", mesh.unknowns),
+        Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
+        Row("solver", "solver", results.solver),
+    )
+    return SummarySection("mesh", "Mesh", rows, (CROOKED,) if mesh.worst_quality < POOR else ())
 
 
 def description_of_ground(results: CombinationResult) -> SummarySection:

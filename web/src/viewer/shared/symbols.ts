@@ -6,6 +6,7 @@ const GREEK: Record<string, string> = {
   beta: "β",
   gamma: "γ",
   delta: "δ",
+  eta: "η",
   kappa: "κ",
   nu: "ν",
   psi: "ψ",
