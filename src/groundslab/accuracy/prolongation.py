@@ -15,6 +15,8 @@ from groundslab.results.result_mesh import ResultMesh
 
 #: What belongs to the nodes of a mesh, not to what is computed on it.
 OF_THE_MESH = ("area", "edge_length")
+#: What contact bounds from below: parabolas between the coarser nodes may overshoot the least of their values.
+OF_CONTACT = ("gap", "penetration", "pressure", "line_force")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +34,7 @@ class Prolongation:
         names = [name for name in fields.nodal if name not in OF_THE_MESH]
         columns = np.column_stack([fields.nodal[name] for name in names])
         found = dict(zip(names, (self.plate @ columns).T, strict=True))
+        found |= {name: np.maximum(found[name], fields.nodal[name].min()) for name in OF_CONTACT}
         found["in_contact"] = (found["in_contact"] > 0.5).astype(np.float64)
         share = self.plate @ (fields.nodal["contact_area"] / fields.nodal["area"])
         found["contact_area"] = np.clip(share, 0, 1) * self.finer.area

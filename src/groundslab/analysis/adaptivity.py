@@ -12,7 +12,7 @@ from groundslab.discretize.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
-from groundslab.meshing.sizing import Sources, join
+from groundslab.meshing.sizing import join
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 
@@ -26,6 +26,8 @@ AIM = 0.8
 MOST_REDUCTION = 3.0
 #: Elements become at most so many times smaller from one mesh to the next, and at most so many times larger.
 SMALLER, LARGER = 8.0, 2.0
+#: Smaller elements at the place of a value reach so many of the present sides around it.
+AROUND = 1.5
 #: Orders of convergence between which the one found is believed.
 ORDERS = (0.5, 2.0)
 
@@ -33,8 +35,8 @@ ORDERS = (0.5, 2.0)
 def solve_adaptively(model: Model, solve: Callable[[Meshes], Results]) -> Results:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
-    Or until a mesh would have more than MOST_UNKNOWNS, or MOST_MESHES were made; the accuracy is then told to be missed.
-    Where the mesh is not adaptive, the first one is the only one.
+    Or until a mesh would have more than MOST_UNKNOWNS, or MOST_MESHES were made: then the accuracy is missed. Where the
+    mesh is not adaptive, the first one is the only one.
     """
     start = local_sizes(model)
     results = solve(Meshes(local=start))
@@ -58,27 +60,29 @@ def _demand(results: CombinationResult) -> Array | None:
     """Return the sizes (m,) [m] that elements should have, None if the judged errors are within the accuracy."""
     accuracy = results.model.mesh.largest_error
     judged = [each for each in judge(results) if each.share > accuracy]
-    if not judged or results.comparison is None:
+    density = results.elements.discretization_error
+    if not judged or results.comparison is None or density is None:
         return None
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     h, p = np.sqrt(areas(mesh.xy)), float(np.clip(-np.log2(max(results.comparison.reduction, 1e-3)), *ORDERS))
     ratio = min(judged[0].share / (AIM * accuracy), MOST_REDUCTION)
-    sizes = _equidistributed(h, results.comparison.element_errors, p, ratio)
+    sizes = _equidistributed(h, density, p, ratio)
     sizes = np.minimum(sizes, _near_values(mesh, h, judged, p, AIM * accuracy))
     found: Array = np.clip(sizes, h / SMALLER, LARGER * h)
     return found
 
 
-def _equidistributed(h: Array, squared: Array, p: float, ratio: float) -> Array:
+def _equidistributed(h: Array, density: Array, p: float, ratio: float) -> Array:
     """Return sizes (m,) [m] with which the error in energy falls by a ratio with the fewest elements.
 
     An element's error falls with h^p times its side: the fewest elements have equal errors (Zienkiewicz and Zhu 1987).
-    h are the sides now, `squared` the elements' squared errors now, both (m,).
+    h are the sides now, `density` the elements' errors now over their sides, both (m,).
     """
-    density = np.sqrt(np.maximum(squared, 1e-12 * squared.max(initial=0.0))) / h
     if not density.any():
         return np.full(len(h), np.inf)
+    density = np.maximum(density, 1e-6 * density.max())
     wanted = (h**p / density) ** (1 / (p + 1))
+    squared = (density * h) ** 2
     left = (squared * (wanted / h) ** (2 * p)).sum()
     found: Array = wanted * (squared.sum() / ratio**2 / left) ** (1 / (2 * p))
     return found
@@ -89,6 +93,8 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], p: float, accu
     found = np.full(len(h), np.inf)
     for each in judged:
         if each.place is not None:
-            nearest = int(((mesh.xy[:, 8] - each.place) ** 2).sum(axis=1).argmin())
-            found[nearest] = min(found[nearest], h[nearest] * (accuracy / each.share) ** (1 / p))
+            distance = np.hypot(*(mesh.xy[:, 8] - each.place).T)
+            side = h[distance.argmin()]
+            near = distance <= AROUND * side
+            found[near] = np.minimum(found[near], side * (accuracy / each.share) ** (1 / p))
     return found

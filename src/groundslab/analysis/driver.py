@@ -174,7 +174,9 @@ class Variants:
             model = model.replace(mesh=model.mesh.replace(symmetry="off"))
         combinations = list_combinations(model)
         reference = self._reference
-        return _combine(model, combinations, _outcomes(model, combinations, on_step, reference.meshes, reference, factors))
+        return _combine(
+            model, combinations, _outcomes(model, combinations, on_step, reference.meshes, reference, factors)
+        )
 
 
 def _combine(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -26,7 +27,7 @@ def local_sizes(model: Model) -> Sources | None:
     """
     found = [(_places(part.shape.ring(), part.size), part.size) for part in model.mesh.refine]
     if model.mesh.adaptive:
-        found += [(np.array([middle]), side) for middle, side in _footprints(model)]
+        found += [(_raster(ring.bounds, 3, 3), min(_sides(ring))) for ring in _footprints(model)]
     if not found:
         return None
     places = np.concatenate([where for where, _ in found])
@@ -37,17 +38,27 @@ def _places(ring: Ring, size: float) -> Array:
     """Return places (p, 2) all over what a ring encloses, and along it."""
     import shapely
 
-    x0, x1, y0, y1 = ring.bounds
-    spacing = max(size / PLACES_PER_SIDE, float(np.sqrt((x1 - x0) * (y1 - y0) / MOST_PLACES)))
-    nx, ny = (int(np.ceil(length / spacing)) + 1 for length in (x1 - x0, y1 - y0))
-    X, Y = np.meshgrid(np.linspace(x0, x1, nx), np.linspace(y0, y1, ny))
-    raster = np.column_stack([X.ravel(), Y.ravel()])
+    a, b = _sides(ring)
+    spacing = max(size / PLACES_PER_SIDE, float(np.sqrt(a * b / MOST_PLACES)))
+    raster = _raster(ring.bounds, math.ceil(a / spacing) + 1, math.ceil(b / spacing) + 1)
     inside = shapely.intersects_xy(ring.polygon(1e-3 * spacing), *raster.T)
     return np.concatenate([raster[inside], along(ring, spacing)])
 
 
-def _footprints(model: Model) -> Iterator[tuple[tuple[float, float], float]]:
-    """Yield middle and shorter side [m] of the footprints of forces, and of small patches."""
+def _raster(bounds: tuple[float, float, float, float], nx: int, ny: int) -> Array:
+    """Return nx times ny places (p, 2) on the rectangle x0, x1, y0, y1 [m]."""
+    X, Y = np.meshgrid(np.linspace(*bounds[:2], nx), np.linspace(*bounds[2:], ny))
+    return np.column_stack([X.ravel(), Y.ravel()])
+
+
+def _sides(ring: Ring) -> tuple[float, float]:
+    """Return the sides of the rectangle around a ring [m]."""
+    x0, x1, y0, y1 = ring.bounds
+    return x1 - x0, y1 - y0
+
+
+def _footprints(model: Model) -> Iterator[Ring]:
+    """Yield the footprints of forces, and rectangles under pressure."""
     for load in model.loads:
         if isinstance(load, PointLoad):
             own = load.on(model.columns)
@@ -59,5 +70,4 @@ def _footprints(model: Model) -> Iterator[tuple[tuple[float, float], float]]:
         else:
             continue
         if ring is not None:
-            x0, x1, y0, y1 = ring.bounds
-            yield ((x0 + x1) / 2, (y0 + y1) / 2), min(x1 - x0, y1 - y0)
+            yield ring

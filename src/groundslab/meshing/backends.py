@@ -17,9 +17,7 @@ from groundslab.meshing.sizing import Sources
 Maker = Callable[[Plan, float, Sources, float, Sources | None], Iterator[Cells]]
 
 
-def with_gmsh(
-    plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None
-) -> Iterator[Cells]:
+def with_gmsh(plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None) -> Iterator[Cells]:
     """Yield Gmsh's cells, once."""
     yield gmsh.cells_of(plan, size, smaller, scale, local)
 

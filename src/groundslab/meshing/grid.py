@@ -40,7 +40,9 @@ def rectilinear(
         low, high = domain[:, axis].min(), domain[:, axis].max()
         plate = outline[:, axis].min(), outline[:, axis].max()
         edges = [np.array(ring.points)[:, axis] for ring in plan.edges_on_ground()]
-        limit = _least(graded_size(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size), local, size, axis)
+        limit = _least(
+            graded_size(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size), local, size, axis
+        )
         lines.append(_divide(breaks[(breaks >= low) & (breaks <= high)], size, plate, scale, limit))
     x, y = lines
     if (len(x) - 1) * (len(y) - 1) > 4 * MOST_ELEMENTS:
@@ -51,9 +53,7 @@ def rectilinear(
     return finish(whole.nodes, whole.elements[kept], section[kept])
 
 
-def _least(
-    limit: Callable[[Array], Array], local: Sources | None, size: float, axis: int
-) -> Callable[[Array], Array]:
+def _least(limit: Callable[[Array], Array], local: Sources | None, size: float, axis: int) -> Callable[[Array], Array]:
     """Return a limit of sizes along an axis that holds near local sources, too: lines run through the whole plan."""
     if local is None:
         return limit

@@ -52,9 +52,7 @@ def load() -> Any:
     return netgen.geom2d, netgen.meshing
 
 
-def cells_of(
-    plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None
-) -> Iterator[Cells]:
+def cells_of(plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None) -> Iterator[Cells]:
     """Yield Netgen's meshes of twice the wanted sizes: mostly quadrilaterals with some triangles, at last triangles."""
     wanted = cell_sizes(plan, size, join(smaller, local), scale)
     parts, points = pieces(plan)

@@ -151,6 +151,7 @@ def cell_sizes(plan: Plan, size: float, smaller: Sources, scale: float) -> Calla
         result = np.full(len(at), 2 * size)
         if plan.beyond is not None:
             result *= 1 + shapely.distance(plate, shapely.points(at)) / scale
-        return np.minimum(result, limit(at))
+        smaller: Array = np.minimum(result, limit(at))
+        return smaller
 
     return wanted

@@ -261,3 +261,29 @@ def test_a_broken_pipe_stays_an_error(thread: bool) -> None:
     )
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert (run.returncode, run.stdout) == (0, "still here\n")
+
+
+@pytest.mark.parametrize("maker", [None, *MAKERS])
+def test_smaller_elements_in_places(maker: Maker | None) -> None:
+    """Elements near a place have the size there, others far from it the one of all; between them they grow."""
+    plan = Plan(rectangle(0, 8, 0, 6)) if maker is None else Plan(circle((4, 3), 3))
+    local = np.array([(4.0 + dx, 3.0 + dy) for dx in (-0.1, 0.0, 0.1) for dy in (-0.1, 0.0, 0.1)]), np.full(9, 0.1)
+    result = rectilinear(plan, 0.8, local=local) if maker is None else unstructured(plan, 0.8, maker=maker, local=local)
+    middle, side = result.nodes[result.elements[:, 8]], np.sqrt(areas(result))
+    distance = np.hypot(*(middle - [4.0, 3.0]).T)
+    assert side[distance.argmin()] < 0.18
+    assert side.max() > 0.4
+    assert (side < 1.5 * (0.1 + 0.35 * distance)).all()
+
+
+@needs_gmsh
+def test_a_grid_gives_way_to_fewer_elements() -> None:
+    """Where lines through the whole plan would make many more elements than are needed, there is no grid."""
+    plan = Plan(rectangle(0, 20, 0, 20))
+    places = np.random.default_rng(1).uniform(1, 19, (12, 2))
+    local = places, np.full(12, 0.05)
+    found = mesh(plan, 1.0, local=local)
+    assert len(found.elements) < len(rectilinear(plan, 1.0, local=local).elements) / 2
+    assert quality(found.nodes[found.elements]).worst > 0.2
+    few = mesh(plan, 1.0, local=(places[:1], np.array([0.5])))
+    assert len(few.elements) == len(rectilinear(plan, 1.0, local=(places[:1], np.array([0.5]))).elements)

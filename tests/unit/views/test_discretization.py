@@ -150,3 +150,39 @@ def test_report_and_workbench_do_not_call_a_coarse_mesh_good() -> None:
         verdict = page(render_report(combined)).one("p", class_=f"verdict {status}").text
         assert ("too coarse" in verdict) == (combined is coarse)
         assert bool(build_summary(combined)["coarse"]) == (combined is coarse)
+
+
+def test_extremes_over_combinations_have_the_governing_ones_error() -> None:
+    """Of two combinations each extreme has the error of the one that governs: in JSON, terminal and report."""
+    combined = synthetic.combined()
+    (first, a), (second, b) = combined.results.items()
+    shares = {first: 0.04, second: 0.2}
+    changed = {}
+    for name, each in ((first, a), (second, b)):
+        scale = 2.0 if name == first else 1.0
+        plate = replace(each.plate, moment_x=scale * each.plate.moment_x)
+        before = replace(plate, moment_x=(1 - shares[name]) * plate.moment_x, settlement=0.9 * plate.settlement)
+        before = replace(before, contact_area=0.5 * plate.contact_area)
+        other = Comparison(before, each.elements, each.ground, each.supports, energy_error=0.02, reduction=0.5)
+        changed[name] = replace(each, plate=plate, comparison=other)
+    combined = replace(combined, results=changed)
+    found = json.loads(json_text(combined))["extremes"]
+    moment, settlement, share = (
+        found[section][key]
+        for section, key in (
+            ("section_forces", "largest_moment_x"),
+            ("settlement", "largest"),
+            ("contact", "share"),
+        )
+    )
+    assert (moment["combination"], moment["error"]) == (first, pytest.approx(0.04 * moment["value"]))
+    assert (settlement["combination"], settlement["error"]) == (second, pytest.approx(0.1 * settlement["value"]))
+    assert share["error"] == pytest.approx(share["value"] / 2)
+    console = Console(file=io.StringIO(), width=80)
+    terminal.print_summary(combined, console)
+    shown = console.file.getvalue()  # type: ignore[attr-defined]
+    assert "kNm/m +-4.0 %" in next(line for line in shown.splitlines() if "largest moment m_x" in line)
+    rows = [row.text for row in page(render_report(combined)).one("section", id="extremes").all("tr")]
+    assert "±4.0 %" in next(text for text in rows if text.startswith("largest momentmx"))
+    without = replace(combined, results={name: replace(each, comparison=None) for name, each in changed.items()})
+    assert "error" not in json.loads(json_text(without))["extremes"]["section_forces"]["largest_moment_x"]

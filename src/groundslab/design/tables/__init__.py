@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from groundslab.design.tables.columns import column_table
 from groundslab.design.tables.design_checks import Design, DesignCheck, design_of
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
+from groundslab.design.tables.errors import with_errors, with_errors_of_extremes, with_errors_of_governing
 from groundslab.design.tables.locations import lines, points, strips
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import combinations, extremes, tilts
@@ -19,7 +22,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Points, section lines, design strips, supports, columns and reinforcement have a table each if the model names any.
-    docs/results.md explains every column.
+    Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -50,7 +53,9 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     'least'
     """
     model = combined.model
-    tables = [combinations(combined), extremes(combined), envelopes(combined), tilts(combined)]
+    each = with_errors(extremes, combined)
+    tables = [with_errors(combinations, combined), each, with_errors_of_extremes(envelopes(combined), each)]
+    tables.append(with_errors(tilts, combined))
     wanted = (
         (model.output.points, points),
         (model.output.lines, lines),
@@ -58,7 +63,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
         (model.supports, support_table),
         (model.columns, column_table),
     )
-    tables += [make(combined) for requested, make in wanted if requested]
+    tables += [with_errors(make, combined) for requested, make in wanted if requested]
     if model.reinforcement is not None:
-        tables.append(reinforcement(combined, model.reinforcement))
+        tables.append(with_errors_of_governing(partial(reinforcement, steel=model.reinforcement), combined))
     return tuple(tables)

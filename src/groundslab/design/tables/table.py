@@ -25,11 +25,15 @@ DIGITS = 7
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column of a table: its name, the unit of its values (may be empty), the values from the top downwards."""
+    """A column of a table: its name, the unit of its values (may be empty), the values from the top downwards.
+
+    One of discretization errors names the column whose values have them.
+    """
 
     name: str
     unit: str
     values: tuple[Cell, ...]
+    error_of: str = ""
 
     @property
     def header(self) -> str:

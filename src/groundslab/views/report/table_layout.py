@@ -11,6 +11,7 @@ from typing import Literal
 from groundslab.design.tables.table import Cell as RawCell
 from groundslab.design.tables.table import Table
 from groundslab.units import format_number
+from groundslab.views.summary.terminal import error_text
 
 Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 
@@ -21,6 +22,9 @@ MOST_ROWS = 60
 FOLDED = {"extremes", "points", "lines", "strips"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
+
+#: What is said of the errors in a table.
+ERRORS = "Under a value: its discretization error as a share of it, estimated."
 
 #: So many columns at the left of a table say which row it is.
 KEYS = {
@@ -83,14 +87,25 @@ def _select_columns(grid: TableLayout, at: list[int]) -> TableLayout:
 
 
 def layout_table(table: Table) -> TableLayout:
-    """Return a table with its numbers as the summary prints them."""
+    """Return a table with its numbers as the summary prints them, discretization errors under their values."""
+    shown, errors = [column for column in table.columns if not column.error_of], errors_of(table)
     heads = tuple(
         TableHeader(column.name, column.unit, any(isinstance(value, int | float) for value in column.values))
-        for column in table.columns
+        for column in shown
     )
-    columns = [[_cell(value, column.name) for value in column.values] for column in table.columns]
+    columns = [
+        [_cell(*pair, column.name) for pair in zip(column.values, errors[column.name], strict=True)] for column in shown
+    ]
     rows = tuple(zip(*columns, strict=True))
-    return TableLayout(table.title, heads, rows, table.notes, folded=table.name in FOLDED and len(rows) > MOST_ROWS)
+    notes = (*table.notes, ERRORS) if len(shown) < len(table.columns) else table.notes
+    return TableLayout(table.title, heads, rows, notes, folded=table.name in FOLDED and len(rows) > MOST_ROWS)
+
+
+def errors_of(table: Table) -> dict[str, tuple[RawCell, ...]]:
+    """Return the discretization errors of each column's values by its name; None where there is none."""
+    nothing: tuple[RawCell, ...] = (None,) * len(table)
+    errors = {column.error_of: column.values for column in table.columns if column.error_of}
+    return {column.name: errors.get(column.name, nothing) for column in table.columns}
 
 
 def summarize_table(table: Table) -> TableLayout | None:
@@ -102,19 +117,19 @@ def summarize_table(table: Table) -> TableLayout | None:
     keys = KEYS.get(table.name, 0)
     if table.name == "extremes" or table.name not in FOLDED or len(table) <= MOST_ROWS:
         return None
-    combination, name = table.columns[0].values, table.columns[1].values
+    combination, name, errors = table.columns[0].values, table.columns[1].values, errors_of(table)
     along = next((column for column in table.columns[2:keys] if column.name == "s"), None)
     rows = []
     for one in dict.fromkeys(name):
         at = [i for i, each in enumerate(name) if each == one]
-        for column in (each for each in table.columns[keys:] if each.unit != "deg"):
+        for column in (each for each in table.columns[keys:] if each.unit != "deg" and not each.error_of):
             known = [(value, i) for i in at if isinstance(value := column.values[i], float)]
             if not known:
                 continue
             row = [Cell(str(one)), Cell(column.name, "words"), Cell(column.unit)]
             for value, i in (min(known, key=itemgetter(0)), max(known, key=itemgetter(0))):
                 place = [] if along is None else [_cell(along.values[i])]
-                row += [Cell(format_number(value), "number"), *place, Cell(str(combination[i]))]
+                row += [_cell(value, errors[column.name][i]), *place, Cell(str(combination[i]))]
             rows.append(tuple(row))
     s = [] if along is None else [TableHeader("s", along.unit, number=True)]
     (least, greatest), (combined,) = headers("#least", "#greatest"), headers("combination")
@@ -136,13 +151,15 @@ def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:
     return parts or [grid]
 
 
-def _cell(value: RawCell, column: str = "") -> Cell:
+def _cell(value: RawCell, error: RawCell = None, column: str = "") -> Cell:
+    """Return a cell with its discretization error, if it has one, under it."""
     if isinstance(value, str):
         # names of quantities are ours, all other words may be the case's
         return Cell(value, "words" if column == "quantity" else "")
     if value is None:
         return Cell("")
-    return Cell(str(value) if isinstance(value, int) else format_number(value), "number")
+    under = error_text(error, value) if isinstance(error, float) else ""
+    return Cell(str(value) if isinstance(value, int) else format_number(value), "number", under)
 
 
 GREEK = {

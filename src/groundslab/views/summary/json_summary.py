@@ -109,8 +109,9 @@ def _analysis(results: CombinationResult) -> dict[str, Any]:
 
 def _named(extreme: Extreme, names: dict[int, str]) -> dict[str, Any]:
     """Return an extreme as data for JSON, with the name of its combination."""
-    value = _row(extreme.row)
-    return (value if isinstance(value, dict) else {"value": value}) | {"combination": names[extreme.number]}
+    value, error = _row(extreme.row), extreme.row.error
+    plain = {"value": value} | ({} if error is None else {"error": error})
+    return (value if isinstance(value, dict) else plain) | {"combination": names[extreme.number]}
 
 
 def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:

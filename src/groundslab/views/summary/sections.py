@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from dataclasses import dataclass, replace
-from operator import itemgetter
+from operator import attrgetter, itemgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.accuracy.judgment import judge
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.accuracy.values import estimate_error
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme
+from groundslab.results.fields import PLATE_FIELDS, extreme
 from groundslab.units import UNITS, Unit
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from groundslab.arrays import Array
     from groundslab.model.model import Model
     from groundslab.results.record import Certificate
@@ -81,7 +79,6 @@ class SummarySection:
     title: str
     rows: tuple[Row, ...]
     notes: tuple[str, ...] = ()
-    singular: bool = False  # whether the figures may grow without limit as the mesh is refined
 
 
 def summary(results: CombinationResult) -> list[SummarySection]:
@@ -106,7 +103,7 @@ def figures(results: CombinationResult) -> list[SummarySection]:
         replace(each, rows=tuple(_with_error(row, coarser.get((each.key, row.key)), results) for row in each.rows))
         for each in found
     ]
-    return [*found, _discretization(results, found)]
+    return [*found, _discretization(results)]
 
 
 def _with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row:
@@ -117,72 +114,51 @@ def _with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Ro
     return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
 
 
-def _discretization(results: CombinationResult, found: Sequence[SummarySection]) -> SummarySection:
-    """Return the discretization error in energy, and the largest of the figures'."""
+def _discretization(results: CombinationResult) -> SummarySection:
+    """Return the discretization error in energy, and the largest of the values that are judged."""
     assert results.comparison is not None
-    error, row = largest_error(found)
     rows = [Row("energy", "error in energy norm", results.comparison.energy_error, UNITS["%"])]
-    if row is not None:
-        rows.append(Row("largest_error", "largest error of a figure", error, UNITS["%"], row.symbol, row.place))
+    judged = judge(results)
+    if judged:
+        rows.append(
+            Row("largest_error", f"largest error, {judged[0].label}", judged[0].share, UNITS["%"], "", judged[0].place)
+        )
     notes: tuple[str, ...] = ()
-    if error > results.model.mesh.largest_error:
+    if judged and judged[0].share > results.model.mesh.largest_error:
         notes = (
-            f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): make "
-            "mesh.size smaller. Errors are estimated from the same analysis on elements twice as large.",
+            f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): "
+            f"{_remedy(results.model)} Errors are estimated from the same analysis on elements twice as large.",
         )
     return SummarySection("discretization", "Discretization error", tuple(rows), notes)
 
 
-def largest_error(found: Sequence[SummarySection]) -> tuple[float, Row | None]:
-    """Return the largest discretization error of any figure, and its row; 0 and None if no figure has one.
-
-    Each as a share of the largest figure of the same quantity: of what nearly vanishes no share is told. Figures that
-    have no limit as the mesh is refined are left out.
-    """
-    judged = [row for section in found if not section.singular for row in section.rows]
-    rows = [row for row in judged if row.error is not None and row.symbol.strip("-") != PLATE_FIELDS[LINE_FORCE].symbol]
-    largest: dict[str, float] = defaultdict(float)
-    for row in rows:
-        for name in (_quantity(row), _unit(row)):
-            largest[name] = max(largest[name], abs(float(row.value)))
-    # twisting moments of a strip, for example, are nothing but rounding
-    rows = [row for row in rows if largest[_quantity(row)] > NOTHING * largest[_unit(row)]]
-    shares = [(row.error or 0.0) / largest[_quantity(row)] for row in rows]
-    if not shares:
-        return 0.0, None
-    worst = int(np.argmax(shares))
-    return shares[worst], rows[worst]
-
-
-def _quantity(row: Row) -> str:
-    """Return which quantity a row is a figure of."""
-    return row.symbol.strip("-|") or row.key
-
-
-def _unit(row: Row) -> str:
-    """Return the name of a row's unit, in brackets, so that it is no quantity's."""
-    return "[]" if row.unit is None else f"[{row.unit.name}]"
+def _remedy(model: Model) -> str:
+    """Return what makes the errors smaller."""
+    if model.mesh.adaptive:
+        return "it was refined as far as the bounds on unknowns and meshes allow."
+    return "make mesh.size smaller, or leave it out and give mesh.accuracy."
 
 
 def coarse_words(combined: Results) -> str:
     """Return in words that the mesh is too coarse for the accuracy asked for, or "" where it is not."""
     from groundslab.accuracy.resolution import find_unresolved
 
+    remedy = _remedy(combined.model)
     for results in combined.values():
         small = find_unresolved(results)
         if small is not None:
             loads = f"{small.count} loads" if small.count > 1 else "a load"
             return (
                 f"The mesh is too coarse for the footprint of {loads}: {small.footprint:.3g} m in elements of "
-                f"{small.element:.3g} m. Moments and shear forces there are too small. Make mesh.size smaller."
+                f"{small.element:.3g} m. Moments and shear forces there are too small. {remedy.capitalize()}"
             )
-    found = [largest_error(figures(each)) for each in combined.values()]
-    error, row = max(found, key=itemgetter(0), default=(0.0, None))
-    if row is None or error <= combined.model.mesh.largest_error:
+    judged = [each for results in combined.values() for each in judge(results)[:1]]
+    worst = max(judged, key=attrgetter("share"), default=None)
+    if worst is None or worst.share <= combined.model.mesh.largest_error:
         return ""
     return (
-        f"The mesh is too coarse: the largest discretization error is {100 * error:.2g} % ({row.label}), more than "
-        f"{100 * combined.model.mesh.largest_error:g} %. Make mesh.size smaller."
+        f"The mesh is too coarse: the largest discretization error is {100 * worst.share:.2g} % ({worst.label}), more "
+        f"than {100 * combined.model.mesh.largest_error:g} %. {remedy.capitalize()}"
     )
 
 
@@ -347,7 +323,7 @@ def _section_forces(results: CombinationResult) -> SummarySection:
         )
     if any(support.kind == "point" for support in model.supports):
         notes += ("At a point support moments and shear forces grow without limit as the mesh is refined.",)
-    return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes, bool(notes))
+    return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)
 
 
 def _supports(results: CombinationResult) -> SummarySection:

@@ -1,0 +1,137 @@
+"""Meshes that are refined until errors are within the accuracy asked for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from groundslab import InputError, Model, solve
+from groundslab.accuracy.judgment import finite_section_forces, judge
+from groundslab.analysis import adaptivity
+from groundslab.analysis.driver import Variants
+from groundslab.discretize.local_sizes import local_sizes
+from groundslab.fem.shape_functions import areas
+from groundslab.results.results import CombinationResult
+from groundslab.views.summary.sections import coarse_words
+
+LEGS: list[dict[str, Any]] = [
+    {"kind": "point", "P": 45e3, "x": x, "y": y, "width_x": 0.15, "width_y": 0.15}
+    for x, y in ((-2.0, -1.1), (1.3, 0.4), (3.1, -1.7))
+]
+
+
+def slab(mesh: dict[str, Any], **parts: Any) -> Model:
+    """Return a floor of 10 x 6 m, 200 mm thick, under three rack legs."""
+    parts = {"loads": LEGS, "contact": {"tensionless": False}} | parts
+    plate = {"length_x": 10.0, "length_y": 6.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
+    return Model.model_validate({"plate": plate, "ground": {"kind": "winkler", "k": 50e6}, "mesh": mesh, **parts})
+
+
+def sides(results: CombinationResult) -> np.ndarray:
+    """Return the sides of the plate's elements [m]."""
+    found: np.ndarray = np.sqrt(areas(results.plate.nodes[results.plate.elements]))
+    return found
+
+
+def near(results: CombinationResult, x: float, y: float, reach: float) -> np.ndarray:
+    """Return which elements have their center within a reach of a place [m]."""
+    middle = results.plate.nodes[results.plate.elements[:, 8]]
+    found: np.ndarray = np.hypot(middle[:, 0] - x, middle[:, 1] - y) <= reach
+    return found
+
+
+@pytest.mark.slow
+def test_errors_are_within_the_accuracy_at_few_unknowns() -> None:
+    """Moments and shear forces within 3 % of those of much smaller elements; as few are needed as judged."""
+    found = solve(slab({"accuracy": 0.03})).only
+    assert judge(found)[0].share <= 0.03
+    assert coarse_words(solve(slab({"accuracy": 0.03}))) == ""
+    parts = [
+        {"shape": {"kind": "circle", "centre": (load["x"], load["y"]), "radius": 0.3}, "size": 0.025} for load in LEGS
+    ]
+    truth = solve(slab({"size": 0.15, "refine": parts})).only
+    for name in ("moment_x", "moment_y", "shear_x", "settlement"):
+        own, exact = (np.abs(getattr(each.plate, name)).max() for each in (found, truth))
+        assert own == pytest.approx(exact, rel=0.03)
+    at_leg, away = near(found, 1.3, 0.4, 0.3), near(found, -4.0, 2.0, 0.6)
+    assert np.median(sides(found)[at_leg]) < np.median(sides(found)[away]) / 3
+
+
+def test_a_size_is_not_changed() -> None:
+    """With a size, an accuracy is what the warning is about."""
+    results = solve(slab({"size": 0.2, "accuracy": 0.01}))
+    assert len(results.plate.elements) == 50 * 30
+    assert "1 %" in coarse_words(results)
+    assert "mesh.accuracy" in coarse_words(results)
+
+
+def test_bounds_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A mesh that may have no more unknowns is not refined, and the verdict says so."""
+    monkeypatch.setattr(adaptivity, "MOST_UNKNOWNS", 1000)
+    results = solve(slab({"accuracy": 0.001}))
+    assert "bounds on unknowns" in coarse_words(results)
+
+
+@pytest.mark.slow
+def test_combinations_and_variants_share_the_mesh() -> None:
+    """What one combination needs the others have, too; so have variants of a study."""
+    cases = {"cases": [{"name": "left"}, {"name": "right"}]}
+    loads = [LEGS[0] | {"case": "left"}, LEGS[2] | {"case": "right"}]
+    model = slab({"accuracy": 0.05}, **cases, loads=loads)
+    variants = Variants(model)
+    one, other = variants.base.values()
+    assert one.plate.nodes is other.plate.nodes or (one.plate.nodes == other.plate.nodes).all()
+    for x, y in ((-2.0, -1.1), (3.1, -1.7)):
+        assert sides(one)[near(one, x, y, 0.2)].max() < 0.16
+    stiffer = variants.solve_combinations(model.replace(ground=model.ground.replace(k=80e6)))
+    assert (stiffer["left"].plate.nodes == one.plate.nodes).all()
+
+
+def test_parts_with_smaller_elements() -> None:
+    """Elements are as small as asked for in the part, and larger elsewhere."""
+    part = {"shape": {"kind": "rectangle", "x": (1.0, 2.0), "y": (-1.0, 0.0)}, "size": 0.1}
+    found = solve(slab({"size": 1.0, "refine": [part]})).only
+    assert sides(found)[near(found, 1.5, -0.5, 0.5)].max() < 0.13
+    assert np.median(sides(found)[near(found, 1.5, -0.5, 0.5)]) <= 0.1
+    assert sides(found).max() > 0.4
+    assert sides(found).max() <= 1.0 + 1e-9
+
+
+def test_parts_beside_counts_are_refused() -> None:
+    """Counts say how large all elements are."""
+    part = {"shape": {"kind": "circle", "radius": 1.0}, "size": 0.1}
+    with pytest.raises(InputError, match="give a size instead of counts"):
+        slab({"counts": (10, 6), "refine": [part]})
+
+
+def test_footprints_count_where_the_mesh_is_adaptive() -> None:
+    """With its side, in its middle, at its corners and between; with a size there are none."""
+    places, sizes = local_sizes(slab({"accuracy": 0.05})) or pytest.fail("no places")
+    assert sizes.tolist() == pytest.approx([0.15] * 27)
+    for k, load in enumerate(LEGS):
+        offset = places[9 * k : 9 * k + 9] - [load["x"], load["y"]]
+        np.testing.assert_allclose(np.unique(np.abs(offset).round(9)), [0.0, 0.075])
+    assert local_sizes(slab({"size": 0.5})) is None
+
+
+def test_equal_errors_need_elements_smaller_alike() -> None:
+    """Of order p, halved errors need sides 2^(-1/p) times as long; else those with larger errors become smaller."""
+    h = np.full(8, 0.5)
+    found = adaptivity._equidistributed(h, np.ones(8), 2.0, 2.0)
+    np.testing.assert_allclose(found, 0.5 / 2**0.5)
+    density = np.array([8.0, 1, 1, 1, 1, 1, 1, 1])
+    found = adaptivity._equidistributed(h, density, 1.0, 2.0)
+    after = density * found / h
+    assert np.sqrt((after**2 * h**2).sum()) == pytest.approx(np.sqrt((density**2 * h**2).sum()) / 2)
+    np.testing.assert_allclose(after * found, (after * found)[0])
+
+
+def test_what_has_no_limit_is_not_judged() -> None:
+    """At a force without a footprint, and at corners of openings; not at those of the plate."""
+    openings = [{"kind": "rectangle", "x": (-4.0, -3.0), "y": (1.0, 2.0)}]
+    plate = {"length_x": 10.0, "length_y": 6.0, "thickness": 0.2, "E": 30e9, "nu": 0.2, "openings": openings}
+    model = slab({"size": 0.5}, plate=plate, loads=[{"kind": "point", "P": 1e5, "x": 1.0, "y": 0.0}])
+    places = np.array([(1.0, 0.0), (1.1, 0.0), (1.3, 0.0), (-3.0, 2.1), (-3.0, 2.3), (5.0, 3.0)])
+    assert finite_section_forces(model, places).tolist() == [False, False, True, False, True, True]
