@@ -106,7 +106,10 @@ class Quantity(FieldType):
             hint = "write number and unit in quotes" if isinstance(value, int | float) else ""
             raise field_error(value, self.expected(), "" if isinstance(value, bool) else hint)
         else:
-            number = _number(value, f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si}")
+            number = _number(
+                value,
+                f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si.replace('%', 'parts of 1')}",
+            )
         limits = ranges.quantity_range(self.range, self.dimension)
         if not limits.holds(number):
             raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
@@ -119,7 +122,7 @@ class Quantity(FieldType):
         known = units.DIMENSIONS[self.dimension]
         if known.smallest < abs(value) < known.largest and abs(value) >= 1e-3:
             return units.show(value, self.dimension)
-        return f"{ranges.short(value)} {known.si}"
+        return f"{ranges.short(100 * value if known.si == '%' else value)} {known.si}"
 
     def expected(self) -> str:
         """Return an example."""
@@ -135,7 +138,8 @@ class Quantity(FieldType):
 
     def range_text(self) -> str:
         """Return the range with its unit."""
-        return f"{ranges.quantity_range(self.range, self.dimension).signs()} {units.DIMENSIONS[self.dimension].si}"
+        limits, unit = ranges.quantity_range(self.range, self.dimension), units.DIMENSIONS[self.dimension].si
+        return f"{limits.signs(100 if unit == '%' else 1)} {unit}"
 
     def json_schema(self) -> dict[str, Any]:
         """Return a string with a number at its front; the unit's dimension is left to the program."""

@@ -60,12 +60,12 @@ class Range:
             return f"at most {write(self.at_most)}"
         return f"that is 0 or has a size of at least {write(self.smallest)}"
 
-    def signs(self) -> str:
-        """Return the range in signs, empty if there is none."""
+    def signs(self, scale: float = 1) -> str:
+        """Return the range in signs, in a unit of which `scale` are one in SI; empty if there is none."""
         if self.at_least is not None and self.at_most is not None:
-            return f"{short(self.at_least)} to {short(self.at_most)}"
+            return f"{short(scale * self.at_least)} to {short(scale * self.at_most)}"
         signs = {"above": ">", "at least": ">=", "below": "<", "at most": "<="}
-        return ", ".join(f"{signs[name]} {short(limit)}" for name, limit in self._limits())
+        return ", ".join(f"{signs[name]} {short(scale * limit)}" for name, limit in self._limits())
 
     def schema(self) -> dict[str, Any]:
         """Return the range as JSON schema says it."""
