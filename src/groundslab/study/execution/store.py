@@ -46,7 +46,7 @@ FIXED = {
     "seconds": "REAL NOT NULL",
 }  # fmt: skip
 
-#: The table of discretization errors, which is made for the first of them.
+#: The table of discretization errors, which folders made before there was any lack.
 _CREATE_DISCRETIZATION = (
     "CREATE TABLE IF NOT EXISTS discretization (output TEXT PRIMARY KEY, value REAL NOT NULL, error REAL NOT NULL)"
 )
@@ -105,6 +105,7 @@ class Columns:
         return [
             f"CREATE TABLE rows ({', '.join([*fixed, *own, 'mesh TEXT NOT NULL'])})",
             "CREATE TABLE meshes (key TEXT PRIMARY KEY, nodes BLOB NOT NULL, elements BLOB NOT NULL) WITHOUT ROWID",
+            _CREATE_DISCRETIZATION,
             "CREATE TABLE mishaps (number INTEGER NOT NULL, at TEXT NOT NULL, message TEXT NOT NULL)",
             "CREATE TABLE runs (at TEXT NOT NULL, versions TEXT NOT NULL)",
         ]
