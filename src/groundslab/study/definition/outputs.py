@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import itemgetter
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
+from groundslab.accuracy.values import estimate_error
 from groundslab.design.design_moments import derive_field, fields_of, wood_armer
 from groundslab.design.tilt import tilt
 from groundslab.errors import InputError, Issue
@@ -71,6 +73,9 @@ SCALARS: dict[str, OutputQuantity] = {
     "margin effect": OutputQuantity("", "largest change of the settlement when the margin of infinite ground is "
         "wider, over the largest settlement; none if the ground is not infinite"),
 }  # fmt: skip
+
+#: What is exact on any mesh, is told of the finer mesh alone, or is a measure of another error.
+_WITHOUT_ERROR = {"load", "reaction", "k0", "k1", "gamma", "margin effect"}
 
 
 class RequestedOutput(Section):
@@ -137,13 +142,38 @@ def scalar_of(output: RequestedOutput, combined: Results, names: Sequence[str]) 
     `names` are the combinations that it is of. Of several the worst one's is taken: the largest of the largest, the
     smallest of the smallest, else the one of the largest size.
     """
-    values = [_scalar(output, combined.results[name]) if name in combined.results else None for name in names]
-    there = [value for value in values if value is not None]
-    if len(there) < len(values):
+    return _governing(output, combined, names)[0]
+
+
+def error_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -> tuple[float, float] | None:
+    """Return the number that is kept of a case and its discretization error, in SI units; None if it has none.
+
+    Of several combinations the error is that of the worst one's value.
+    """
+    value, name = _governing(output, combined, names)
+    results = combined.results.get(name)
+    coarser = None if results is None or output.of in _WITHOUT_ERROR else results.coarser
+    other = None if coarser is None else _scalar(output, coarser)
+    if value is None or other is None or not np.isfinite([value, other]).all():
         return None
+    assert results is not None
+    assert results.comparison is not None
+    # places of the largest size may differ between both meshes, and with them the sign
+    sizes = (abs(value), abs(other)) if output.of == "deflection" else (value, other)
+    return value, estimate_error(*sizes, results.comparison)
+
+
+def _governing(output: RequestedOutput, combined: Results, names: Sequence[str]) -> tuple[float | None, str]:
+    """Return the number that is kept of a variant and the combination that it is of; None if one has no results."""
+    values = [_scalar(output, combined.results[name]) if name in combined.results else None for name in names]
+    there = [(value, name) for value, name in zip(values, names, strict=True) if value is not None]
+    if len(there) < len(values):
+        return None, ""
     if output.take == "largest":
-        return max(there)
-    return min(there) if output.take == "smallest" else max(there, key=abs)
+        return max(there, key=itemgetter(0))
+    if output.take == "smallest":
+        return min(there, key=itemgetter(0))
+    return max(there, key=lambda one: abs(one[0]))
 
 
 def nodal_values_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -> Array | None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numbers
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -80,6 +80,8 @@ class Samples:
     outputs: tuple[Output, ...]
     limits: tuple[Limit, ...]
     planned: int
+    #: By output its value in the case as it is and the discretization error of that, SI.
+    errors: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     @property
     def solved(self) -> Flags:
@@ -178,7 +180,7 @@ def read_samples(study: Study) -> Samples:
     setup = study.setup
     with study.open_rows() as kept:
         names = kept.columns.scalars
-        rows = kept.rows(names)
+        rows, errors = kept.rows(names), kept.discretization()
     table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in names]
     number, status, reason, message, seconds, *columns = table
     own = iter(columns)
@@ -195,6 +197,7 @@ def read_samples(study: Study) -> Samples:
         outputs=tuple(_output(each, next(own)) for each in setup.scalar_outputs),
         limits=setup.limits,
         planned=study.count,
+        errors=errors,
     )
 
 

@@ -140,6 +140,18 @@ class Study:
             frame = pd.DataFrame(rows.rows(names), columns=names).set_index("number")
         return frame.astype(dict.fromkeys(["seconds", *results], float))
 
+    def discretization_errors(self) -> dict[str, tuple[float, float]]:
+        """Return the discretization errors of the outputs in the case as it is, from which all variants start.
+
+        Returns
+        -------
+        dict of str to (float, float)
+            By output that is one number its value in the case and the error of that, in SI units. What has no error,
+            such as a load, is left out; empty if the case has no results or no coarser mesh, or no row is there yet.
+        """
+        with self.open_rows() as rows:
+            return rows.discretization()
+
     def worker_failures(self) -> dict[int, str]:
         """Return why variants have no row.
 

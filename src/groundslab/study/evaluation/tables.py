@@ -1,10 +1,11 @@
-"""The tables of a study: variants, statistics, limit states, Sobol indices, tornado, correlations, failures."""
+"""The tables of a study: variants, statistics, errors, limit states, Sobol indices, tornado, correlations, failures."""
 
 from __future__ import annotations
 
 import itertools
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,7 +24,8 @@ if TYPE_CHECKING:
 QUANTILES = (0.05, 0.5, 0.95)
 #: Names of all tables.
 NAMES = (
-    "variants", "statistics", "limit_states", "exceedance", "sobol", "tornado", "correlations", "missing"
+    "variants", "statistics", "discretization", "limit_states", "exceedance", "sobol", "tornado", "correlations",
+    "missing",
 )  # fmt: skip
 #: Points of an exceedance curve in its table.
 MOST_POINTS = 200
@@ -34,6 +36,7 @@ def tables_of(sample: Samples, level: float = LEVEL) -> tuple[Table, ...]:
     tables: list[Table | None] = [
         tabulate_variants(sample),
         tabulate_statistics(sample, level),
+        tabulate_discretization(sample),
         tabulate_limit_states(sample, level),
         tabulate_exceedance(sample, level),
         tabulate_sobol_indices(sample, level),
@@ -79,6 +82,22 @@ def tabulate_statistics(sample: Samples, level: float = LEVEL) -> Table:
         if count
     ]
     return _tabulate(sample, "statistics", "Statistics of the outputs", heads, rows, notes)
+
+
+def tabulate_discretization(sample: Samples) -> Table | None:
+    """Return the discretization error of each output in the case as it is; None if none has any."""
+    found = [(each, *sample.errors[each.name]) for each in sample.outputs if each.name in sample.errors]
+    if not found:
+        return None
+    rows = [[each.name, each.unit.name, *(x * each.unit.scale for x in both)] for each, *both in found]
+    notes = [
+        "Of the case as it is, estimated from the same analysis on elements twice as large. The variants start from "
+        "its solution and have no coarser mesh of their own."
+    ]
+    heads = ["output", "unit", "value in the case", "discretization error"]
+    table = _tabulate(sample, "discretization", "Discretization errors of the case", heads, rows, notes)
+    *others, value, error = table.columns
+    return replace(table, columns=(*others, value, replace(error, error_of=value.name)))
 
 
 NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and means are left out."

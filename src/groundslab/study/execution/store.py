@@ -3,7 +3,7 @@
     STUDY-study/
         study.toml, case.toml    copies of the study file and its case
         about.json               seed, versions, SHA-256 of both files, units of the columns
-        rows.sqlite              tables of rows, meshes, runs, mishaps
+        rows.sqlite              tables of rows, meshes, discretization errors, runs, mishaps
         lock.sqlite              empty; locked while a study runs
 
 A folder is made under another name and renamed when it is complete. Rows are added in transactions that have reached
@@ -45,6 +45,11 @@ FIXED = {
     "number": "INTEGER PRIMARY KEY", "status": "TEXT NOT NULL", "reason": "TEXT NOT NULL", "message": "TEXT NOT NULL",
     "seconds": "REAL NOT NULL",
 }  # fmt: skip
+
+#: The table of discretization errors, which folders made before there was any lack.
+_CREATE_DISCRETIZATION = (
+    "CREATE TABLE IF NOT EXISTS discretization (output TEXT PRIMARY KEY, value REAL NOT NULL, error REAL NOT NULL)"
+)
 
 
 class StoreFull(GroundslabError):
@@ -100,6 +105,7 @@ class Columns:
         return [
             f"CREATE TABLE rows ({', '.join([*fixed, *own, 'mesh TEXT NOT NULL'])})",
             "CREATE TABLE meshes (key TEXT PRIMARY KEY, nodes BLOB NOT NULL, elements BLOB NOT NULL) WITHOUT ROWID",
+            _CREATE_DISCRETIZATION,
             "CREATE TABLE mishaps (number INTEGER NOT NULL, at TEXT NOT NULL, message TEXT NOT NULL)",
             "CREATE TABLE runs (at TEXT NOT NULL, versions TEXT NOT NULL)",
         ]
@@ -149,6 +155,11 @@ class Store:
                         "INSERT OR IGNORE INTO meshes VALUES (?, ?, ?)",
                         (key_of(mesh), _bytes(mesh.nodes, "<f8"), _bytes(mesh.elements, "<i8")),
                     )
+                known = zip(self.columns.results, row.base, strict=True) if row.base else ()
+                for name, pair in known:
+                    if pair is not None:
+                        self._connection.execute(_CREATE_DISCRETIZATION)
+                        self._connection.execute("INSERT OR IGNORE INTO discretization VALUES (?, ?, ?)", (name, *pair))
                 values = [row.number, row.status, row.reason, row.message, row.seconds]
                 values += [*map(plain, row.inputs), *row.results, *map(_pack, row.fields), row.mesh]
                 new += self._connection.execute(f"INSERT OR IGNORE INTO rows VALUES ({marks})", values).rowcount
@@ -208,6 +219,14 @@ class Store:
         statement = f"SELECT number, mesh, {_quote(name)} FROM rows WHERE {_quote(name)} IS NOT NULL ORDER BY number"
         for number, mesh, blob in self._connection.execute(statement):
             yield number, mesh, np.frombuffer(zlib.decompress(blob), dtype="<f4").astype(float)
+
+    def discretization(self) -> dict[str, tuple[float, float]]:
+        """Return by output its value in the case as it is and the discretization error of that, where it has one."""
+        if not self._connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'discretization'").fetchone():
+            return {}
+        found = self._connection.execute("SELECT output, value, error FROM discretization")
+        known = {name: (value, error) for name, value, error in found}
+        return {name: known[name] for name in self.columns.results if name in known}
 
     def meshes(self) -> dict[str, Mesh]:
         """Return all meshes by their keys."""

@@ -62,6 +62,8 @@ class Row:
     fields: tuple[Array | None, ...] = ()  # (n,) each, in the order of `Setup.nodal_outputs`
     mesh: str = ""  # key of the mesh that the fields are given on
     meshes: tuple[Mesh, ...] = field(default=(), repr=False)  # that mesh, where it is not known yet
+    #: Of each result its value in the case as it is and the discretization error of that, None where it has none.
+    base: tuple[tuple[float, float] | None, ...] = ()
 
 
 class Worker:
@@ -81,7 +83,12 @@ class Worker:
         self._solved = [n for n, name in enumerate(self._names) if "" in named or name in named]
         # as many threads as there are workers are at work already, and sums of one thread come out the same everywhere
         with factorization.one_thread():
-            self._solve = self._solver()
+            self._solve, base = self._solver()
+        names = {name: name for name in self._names}
+        self._base = tuple(
+            None if base is None else outputs.error_of(each, base, self._names_for(each, names))
+            for each in setup.scalar_outputs
+        )
 
     def row(self, variant: Variant, known_meshes: Sequence[str] = ()) -> Row:
         """Return the row of a variant; errors of REASONS make rows too, others are raised."""
@@ -111,7 +118,7 @@ class Worker:
             mesh = key_of(made)
             meshes = () if mesh in known_meshes else (made,)
         inputs, seconds = (*variant.values, *variant.seeds), time.perf_counter() - began
-        return Row(variant.number, status, reason, message, seconds, inputs, results, arrays, mesh, meshes)
+        return Row(variant.number, status, reason, message, seconds, inputs, results, arrays, mesh, meshes, self._base)
 
     def _names_for(self, output: RequestedOutput, names: dict[str, str]) -> list[str]:
         """Return the names of the combinations of a variant that an output is of."""
@@ -141,20 +148,24 @@ class Worker:
         reinforcement = model.reinforcement if has_ultimate_combination(chosen, None) else None
         return model.replace(combinations=chosen, combine=None, reinforcement=reinforcement)
 
-    def _solver(self) -> Callable[[Model, dict[str, Any]], Results]:
-        """Return the function that solves a variant of the case."""
+    def _solver(self) -> tuple[Callable[[Model, dict[str, Any]], Results], Results | None]:
+        """Return the function that solves a variant of the case, and the results of the case as it is, if it has any.
+
+        Variants start from these and have no coarser mesh, which the case has.
+        """
         from groundslab.analysis.driver import Variants, solve_combinations
 
         try:
             base = self._only_solved(self._setup.model)
             if self._setup.fields:
                 base = base.replace(mesh=base.mesh.replace(symmetry="off"))
-            return Variants(base).solve_combinations
+            variants = Variants(base)
         except InputError:
             # a case that cannot be solved, as one without any load, may have variants that can
             if self._setup.fields:
                 raise
-            return lambda model, factors: solve_combinations(model)  # noqa: ARG005
+            return lambda model, factors: solve_combinations(model), None  # noqa: ARG005
+        return variants.solve_combinations, variants.base
 
 
 def _reason_of(error: GroundslabError) -> tuple[str, str]:

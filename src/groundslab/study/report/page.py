@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from groundslab.study.report import figures
 from groundslab.units import format_number
 from groundslab.views.report.html import render_page
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, headers
+from groundslab.views.summary.terminal import error_text
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
@@ -129,7 +130,7 @@ def _parts(
         add("reliability", "First-order reliability", (), [_layout(table) for table in form.tables(reliability)])
     if results:
         drawn = [figures.outputs(sample)] if sample.random else []
-        add("outputs", "Outputs", drawn, named("statistics"))
+        add("outputs", "Outputs", drawn, named("statistics") + named("discretization"))
         if sample.random:
             add("exceedance", "Probability of exceedance", [figures.exceedance(sample, level)])
         if sample.kind == "saltelli":
@@ -182,7 +183,8 @@ def _layout(table: Table) -> TableLayout:
     }
     # a column of units stands with that of the names before it
     units = {at for at, name in enumerate(names) if name == "unit" and at > 0}
-    kept = [at for at in range(len(names)) if at not in ends | units]
+    errors = {names.index(column.error_of): at for at, column in enumerate(table.columns) if column.error_of}
+    kept = [at for at in range(len(names)) if at not in ends | units | {*errors.values()}]
     heads = tuple(TableHeader(table.columns[at].name, table.columns[at].unit, plain=True) for at in kept)
     notes = table.notes
     if len(table) > MOST_ROWS:
@@ -191,7 +193,11 @@ def _layout(table: Table) -> TableLayout:
     def cell(row: Sequence[RawCell], at: int) -> Cell:
         if at + 1 in ends:
             return _estimate(row[at : at + 3])
-        return _cell(row[at], row[at + 1] if at + 1 in units else None)
+        shown = _cell(row[at], row[at + 1] if at + 1 in units else None)
+        value, error = row[at], row[errors[at]] if at in errors else None
+        if not isinstance(value, float) or not isinstance(error, float):
+            return shown
+        return replace(shown, under=error_text(error, value))
 
     rows = tuple(tuple(cell(row, at) for at in kept) for row in table.rows()[:MOST_ROWS])
     return TableLayout(table.title, heads, rows, notes, folded=len(table) > MOST_OPEN)

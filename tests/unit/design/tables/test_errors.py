@@ -197,6 +197,20 @@ def test_what_differs_by_another_neighbour_is_not_compared() -> None:
     assert same["error of settlement difference"] == pytest.approx(2 * (1.02 - 0.92))
 
 
+def test_largest_deflection_is_compared_by_size() -> None:
+    """A largest deflection as far up on the coarser mesh as it is down on the finer one has no error; tilts have."""
+    of = two()
+    each = of["most"]
+    assert each.comparison is not None
+    plate = replace(each.plate, settlement=each.plate.settlement + 1e-3 * each.plate.nodes[:, 0])
+    other = replace(each.comparison, plate=replace(plate, settlement=-plate.settlement))
+    tables = tables_of(replace(of, results=of.results | {"most": replace(each, plate=plate, comparison=other)}))
+    one = row({table.name: table for table in tables}["tilt"], combination="most")
+    assert one["error of largest deflection"] == pytest.approx(0, abs=1e-9)
+    assert one["error of tilt along x"] == pytest.approx(2 * one["tilt along x"])
+    assert one["tilt along x"] == pytest.approx(1)
+
+
 def test_csv_and_report() -> None:
     """In CSV a column of its own in the value's unit, at the right; in the report in percent under the value."""
     of = two()
