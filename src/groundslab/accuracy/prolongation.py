@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.sparse import csr_array
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.mesh import Mesh, local_coordinates, locate_nearest
 from groundslab.fem.shape_functions import q9
 from groundslab.results.recovery import MeshedFields
 from groundslab.results.result_mesh import ResultMesh
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 #: What belongs to the nodes of a mesh, not to what is computed on it.
 OF_THE_MESH = ("area", "edge_length")
@@ -63,6 +66,8 @@ def _interpolation(coarse: Mesh, fine: Mesh) -> tuple[csr_array, Integers]:
     A node lies in the coarser element that holds the center of one of its elements; where meshes are not nested, a
     little outside.
     """
+    from scipy.sparse import csr_array
+
     parent = locate_nearest(coarse, fine.xy[:, 8])[0]
     owner = np.empty(len(fine.nodes), dtype=np.int64)
     owner[fine.elements] = np.arange(len(fine.elements))[:, None]

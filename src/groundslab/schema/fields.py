@@ -21,8 +21,7 @@ from groundslab.schema.wording import describe, listed, quote, suggestion
 
 #: Validation context of files: units are mandatory there, and a key without effect is an issue.
 FROM_FILE = {"from_file": True}
-MOST_ISSUES = 100  # reported for one table
-MOST_VALUES = 10_000  # of a list, unless its key says otherwise
+MOST_ISSUES, MOST_VALUES = 100, 10_000  # reported for one table; of a list, unless its key says otherwise
 LARGEST_WHOLE = 2**31 - 1
 
 
@@ -106,10 +105,8 @@ class Quantity(FieldType):
             hint = "write number and unit in quotes" if isinstance(value, int | float) else ""
             raise field_error(value, self.expected(), "" if isinstance(value, bool) else hint)
         else:
-            number = _number(
-                value,
-                f"{self.expected()}, or a number in {units.DIMENSIONS[self.dimension].si.replace('%', 'parts of 1')}",
-            )
+            si = units.DIMENSIONS[self.dimension].si.replace("%", "parts of 1")
+            number = _number(value, f"{self.expected()}, or a number in {si}")
         limits = ranges.quantity_range(self.range, self.dimension)
         if not limits.holds(number):
             raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
