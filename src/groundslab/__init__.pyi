@@ -45,6 +45,7 @@ from .model.settings import Analysis as Analysis
 from .model.settings import Beyond as Beyond
 from .model.settings import Contact as Contact
 from .model.settings import Mesh as Mesh
+from .model.settings import Refinement as Refinement
 from .model.shapes import Circle as Circle
 from .model.shapes import Polygon as Polygon
 from .model.shapes import Rectangle as Rectangle

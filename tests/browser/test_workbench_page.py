@@ -256,6 +256,26 @@ def test_the_result_is_read_at_places_and_along_lines(server: Server, bench: Ben
     page.locator(".gs-space canvas").wait_for()
 
 
+def test_the_mesh_is_drawn_over_the_field(server: Server, bench: Bench, case: Path) -> None:
+    """One button draws the elements in plan and in space; the discretization error is among the fields."""
+    bench.open(server.start(case))
+    page = bench.page
+    bench.wait_solved()
+    page.locator(".field-choice").select_option("discretization_error")
+    toggle = page.locator(".stage-bar").get_by_role("button", name="Mesh")
+    for mode, view in (("Plan", ".gs-plan"), ("3-D", ".gs-space")):
+        page.locator(".stage-bar").get_by_role("button", name=mode).click()
+        picture = page.locator(f"{view} canvas")
+        picture.wait_for()
+        page.wait_for_timeout(500)
+        without = picture.screenshot()
+        toggle.click()
+        assert toggle.get_attribute("aria-pressed") == "true"
+        bench.until(lambda picture=picture, without=without: picture.screenshot() != without)
+        toggle.click()
+        bench.until(lambda picture=picture, without=without: picture.screenshot() == without)
+
+
 def test_a_refused_combination_tells_why(server: Server, bench: Bench, case: Path) -> None:
     """A plate that is pulled off the ground has no solution: its reason stands in place of a picture."""
     case.write_text(case.read_text().replace('P = "200 kN"', 'P = "-200 kN"'))

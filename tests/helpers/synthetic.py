@@ -18,7 +18,7 @@ from groundslab.model.plate import Edges, Plate
 from groundslab.model.supports import plan_of_plate
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
-from groundslab.results.results import CombinationResult, Results
+from groundslab.results.results import CombinationResult, Comparison, Results
 
 LENGTH_X, LENGTH_Y = 9.6, 7.2
 K0, K1 = 20e6, 30e6
@@ -113,6 +113,13 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
     }
     values |= changes
     return CombinationResult(**{"elements": elements_of(values["plate"], values["model"])} | values)
+
+
+def compared(found: CombinationResult, plate: PlateResult | None = None) -> CombinationResult:
+    """Return results with a comparison, in which the plate is the one given, and errors of elements from 0 to 3 %."""
+    other = Comparison(plate or found.plate, found.elements, found.ground, found.supports, 0.02, 0.5)
+    error = np.linspace(0.0, 0.03, len(found.elements.section))
+    return replace(found, comparison=other, elements=replace(found.elements, discretization_error=error))
 
 
 def combined() -> Results:

@@ -35,12 +35,11 @@ def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
 
 
 def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: float) -> Array:
-    """Return sqrt((e^2 / E) / (A_e / A)) of each element of the plate, (mp,) [1].
+    """Return rho_e = sqrt((eta_e^2 / E) / (A_e / A)) of each element of the plate, (mp,) [1].
 
-    squared (m,) are the squared errors e^2 of each element of plate and ground, total is the squared energy norm E of
-    the solution with its error. A_e is an element's area, A that of the plate. Squared and averaged over the plate's
-    area it gives the plate's part of the squared relative error; of a half or a quarter that was meshed it is that of
-    the whole plate.
+    squared (m,) are the squared errors eta_e^2 of each element of plate and ground, total is the energy E of the
+    solution with its error, A_e an element's area, A that of the plate. The mean of rho_e^2 over the area is the part
+    of the plate in the squared relative error. Of a half or a quarter that was meshed rho_e is that of the whole plate.
     """
     A = areas(frame.mesh.xy)
     if not total > 0:

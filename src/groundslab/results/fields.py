@@ -109,8 +109,8 @@ ELEMENT_FIELDS: dict[str, ResultField] = {
     },
     "thickness": ResultField("thickness", "t", "mm", "length", "thickness of the plate", "not negative", NOT),
     ERROR: ResultField(
-        "discretization error", "eta_e", "%", "share", "density of the discretization error in energy, large where the "
-        "mesh is too coarse", "not negative", MEAN,
+        "discretization error", "rho_e", "%", "share", "density of the discretization error in energy", "not negative",
+        MEAN,
     ),
 }  # fmt: skip
 

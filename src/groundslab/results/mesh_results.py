@@ -226,9 +226,9 @@ class ElementResult:
     section : (m,) array of int
         Section of the plate: 0 outside all zones, else the number of the zone, from 1.
     discretization_error : (m,) array of float or None
-        Density of the discretization error in the energy norm [1], sqrt((e^2 / E) / (A_e / A)): the error of an element
-        and of the ground under it as a share of the solution's, over the root of the element's share of the plate's
-        area. The mesh is too coarse where it is large. None if there was no coarser mesh to compare with.
+        Density of the discretization error in the energy norm [1], sqrt((eta_e^2 / E) / (A_e / A)): the error of an
+        element and of the ground under it as a share of the solution's norm, over the root of the element's share of
+        the plate's area. The mesh is too coarse where it is large. None if there was no coarser mesh to compare with.
     """
 
     pressure: Array

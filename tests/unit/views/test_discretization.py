@@ -13,7 +13,7 @@ import pytest
 from rich.console import Console
 
 from groundslab.errors import InputError
-from groundslab.results.results import CombinationResult, Comparison, results_of
+from groundslab.results.results import CombinationResult, results_of
 from groundslab.views.files import npz
 from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.report.html import render_report
@@ -29,9 +29,7 @@ def compared(share: float, **parts: Any) -> CombinationResult:
     uniform = synthetic.model().replace(loads=[{"kind": "uniform", "q": 1e4}])
     found = synthetic.results(4, **{"model": uniform} | parts)
     plate = replace(found.plate, moment_x=(1 - share) * found.plate.moment_x)
-    other = Comparison(plate, found.elements, found.ground, found.supports, energy_error=0.02, reduction=0.5)
-    error = np.linspace(0.0, 0.03, len(found.elements.section))
-    return replace(found, comparison=other, elements=replace(found.elements, discretization_error=error))
+    return synthetic.compared(found, plate)
 
 
 def shown_on_terminal(results: CombinationResult) -> str:
@@ -138,7 +136,7 @@ def test_archive_with_a_part_of_an_error_is_refused(tmp_path: Path) -> None:
 
 def test_vtu_file_has_the_error_of_each_element() -> None:
     """In percent, where there is a comparison, and no such array where there is none."""
-    name = "discretization error eta_e [%] (centre, mean over the element)"
+    name = "discretization error rho_e [%] (centre, mean over the element)"
     results = compared(0.04)
     errors = results.elements.discretization_error
     assert errors is not None

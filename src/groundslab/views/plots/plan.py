@@ -109,7 +109,7 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 
 
 def draw_mesh(results: CombinationResult, *, titled: bool = True) -> Figure:
-    """Return a plan of the elements, which all combinations share; with their number, sizes and quality, if titled."""
+    """Return a plan of the elements, which all combinations share, with their number, sizes and quality if titled."""
     model, plate = results.model, results.plate
     ratio = _ratio(model)
     width = min(PAGE_WIDTH, max(LEFT + (PAGE_HEIGHT - 20 - ABOVE - BELOW) / ratio + EDGE, NARROW))

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -33,7 +34,7 @@ from groundslab.model.shapes import Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function
-from groundslab.results.fields import RANGED_FIELDS
+from groundslab.results.mesh_results import mean_at_nodes
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.views import plots
 from groundslab.views.files import results_folder
@@ -109,6 +110,11 @@ class TestRequest:
             ({"envelope": "ultimate", "kind": "soil"}, "envelope"),
             ({"envelope": "ultimate", "combination": "NUL"}, "envelope"),
             ({"combination": "wind alone"}, "combination"),
+            ({"fields": ("discretization_error",)}, "FIELD"),
+            ({"fields": ("rho_e",), "line": (0, 0, 1, 1)}, "FIELD"),
+            ({"fields": ("w",), "kind": "mesh"}, "FIELD"),
+            ({"mesh": True, "line": (0, 0, 1, 1)}, "mesh"),
+            ({"mesh": True, "kind": "soil"}, "mesh"),
         ],
     )
     def test_what_does_not_go_together_is_refused(self, wrong: dict[str, Any], where: str) -> None:
@@ -215,20 +221,20 @@ class TestPlan:
     @pytest.mark.slow
     def test_each_amount_has_a_panel_with_units(self) -> None:
         """All that can be drawn is drawn: axes in meters, bars with symbol and unit, titles with the meaning."""
-        figure = groundslab.plot(synthetic.results(3), *request.QUANTITIES)
+        figure = groundslab.plot(synthetic.compared(synthetic.results(3)), *request.QUANTITIES)
         boxes = panels(figure)
         assert len(boxes) == len(request.QUANTITIES)
         for axes, quantity in zip(boxes, request.QUANTITIES.values(), strict=True):
             assert (axes.get_xlabel(), axes.get_ylabel()) == ("x [m]", "y [m]")
             assert axes.get_aspect() == 1.0
             (bar,) = axes.child_axes
-            assert bar.get_ylabel() == f"{quantity.symbol} [{RANGED_FIELDS[quantity.name].unit.replace('kNm', 'kN m')}]"
+            assert bar.get_ylabel() == f"{quantity.symbol} [{quantity.field.unit.replace('kNm', 'kN m')}]"
             assert any(text.get_text().lower() == quantity.field.meaning.lower() for text in axes.texts)
 
     @pytest.mark.slow
     def test_bars_cover_the_values_that_are_drawn(self) -> None:
         """The color bar's range holds the quantity's values in its unit of display."""
-        results = synthetic.results(3)
+        results = synthetic.compared(synthetic.results(3))
         figure = groundslab.plot(results, *request.QUANTITIES)
         for axes, name in zip(panels(figure), request.QUANTITIES, strict=True):
             low, high = axes.child_axes[0].get_ylim()
@@ -390,6 +396,93 @@ class TestPlan:
         width, height = figure.get_size_inches() * 25.4
         assert width == pytest.approx(180)
         assert height < 275
+
+
+def sides_of(axes: Any) -> list[Any]:
+    """Return the sides of elements that axes in plan have, each a curve of three places."""
+    lines = [line.get_xydata() for line in axes.lines if np.isnan(line.get_xydata()).any()]
+    return [side for line in lines for side in np.split(line, len(line) // 4)]
+
+
+class TestMesh:
+    """The mesh, alone and over fields."""
+
+    def test_every_side_is_drawn_once(self) -> None:
+        """Of 3 x 3 elements 24 sides, which together are as long as all lines of the grid; sizes stand above."""
+        figure = groundslab.plot(synthetic.results(3), kind="mesh")
+        (axes,) = panels(figure)
+        sides = sides_of(axes)
+        assert len(sides) == 24
+        lengths = [np.hypot(*(side[2] - side[0])) for side in sides]
+        assert sum(lengths) == pytest.approx(4 * (synthetic.LENGTH_X + synthetic.LENGTH_Y))
+        assert "9 elements of 2.771 m" in words(figure)
+        assert {"element", "point load"} <= entries(figure)
+
+    def test_sides_between_sections_are_drawn(self) -> None:
+        """Where nodes stand twice, once for each section, no side is missing."""
+        found = synthetic.results(2)
+        apart = np.arange(9 * 4).reshape(4, 9)
+        plate = replace(found.plate, **{
+            field.name: getattr(found.plate, field.name)[found.plate.elements.ravel()]
+            for field in fields(found.plate) if field.name != "elements"
+        }, elements=apart)  # fmt: skip
+        (axes,) = panels(groundslab.plot(replace(found, plate=plate), kind="mesh"))
+        assert len(sides_of(axes)) == 16
+
+    def test_a_crooked_element_is_named(self) -> None:
+        """Sizes from the smallest to the largest, and where the worst element lies."""
+        found = synthetic.results(2)
+        nodes = found.plate.nodes.copy()
+        nodes[found.plate.elements[0, 2]] += [0.5, 0.3]
+        text = words(groundslab.plot(replace(found, plate=replace(found.plate, nodes=nodes)), kind="mesh"))
+        assert re.search(r"4 elements of \S+ to \S+ m", text)
+        assert re.search(r"at worst 0\.\d+ at \(", text)
+
+    @pytest.mark.parametrize("kind", ["plan", "deformed"])
+    def test_over_a_field_only_if_asked_for(self, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+        """In plan and in space; in space small meshes have their sides anyway."""
+        monkeypatch.setattr(deformed, "MOST_SIDES", 3)
+
+        def count(mesh: bool) -> int:
+            (axes,) = [
+                each for each in groundslab.plot(synthetic.results(2), "w", kind=kind, mesh=mesh).axes
+                if (each.name == "3d") == (kind == "deformed")
+            ]  # fmt: skip
+            return len(sides_of(axes)) if kind == "plan" else len(axes.collections)
+
+        assert (count(False), count(True)) == ((0, 12) if kind == "plan" else (1, 2))
+
+    def test_over_envelopes(self) -> None:
+        """The mesh is that of all combinations."""
+        figure = groundslab.plot(synthetic.combined(), "m_x", envelope="ultimate", mesh=True)
+        assert [len(sides_of(axes)) for axes in panels(figure)] == [12, 12]
+
+
+class TestDiscretizationError:
+    """The error of each element, at the nodes by means."""
+
+    def test_the_same_error_everywhere(self) -> None:
+        """Of 2 % at all elements the mean is 2 % at all nodes."""
+        found = synthetic.compared(synthetic.results(3))
+        same = replace(found, elements=replace(found.elements, discretization_error=np.full(9, 0.02)))
+        np.testing.assert_allclose(nodal_values(same, "discretization_error"), 2.0)
+
+    def test_means_are_those_of_the_areas(self) -> None:
+        """A node between elements 1 and 3 m wide has a quarter of the first one's value and the rest of the other's."""
+        nodes, elements = synthetic.grid(2, 1, 4.0, 2.0)
+        nodes[:, 0] = np.interp(nodes[:, 0], [-2, 0, 2], [0, 1, 4])
+        plate = synthetic.results(1).plate
+        found = mean_at_nodes(replace(plate, nodes=nodes, elements=elements), np.array([0.04, 0.08]))
+        np.testing.assert_allclose(found[np.isclose(nodes[:, 0], 1.0)], 0.07)
+        np.testing.assert_allclose(found[nodes[:, 0] < 0.9], 0.04)
+
+    def test_is_drawn_with_the_mesh(self, tmp_path: Path) -> None:
+        """By its symbol, into a file, with largest and smallest value in percent."""
+        found = synthetic.compared(synthetic.results(3))
+        figure = groundslab.plot(found, "rho_e", mesh=True, to=tmp_path / "error.png")
+        assert (tmp_path / "error.png").stat().st_size > 10_000
+        assert "largest 3 %" in words(figure)
+        assert "Density of the discretization error in energy" in words(figure)
 
 
 class TestWords:
@@ -907,6 +1000,14 @@ class TestCommand:
         assert "2 pages" in err
 
     @pytest.mark.slow
+    def test_mesh(self, folder: Path, tmp_path: Path) -> None:
+        """Alone on one page, and over a field."""
+        for arguments in (["--kind", "mesh"], ["w", "--mesh"]):
+            assert main.main(["plot", str(folder), *arguments, "--out", str(tmp_path / "a.svg")]) == 0
+            text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+            assert ("Mesh: 4 elements" in text) == ("--kind" in arguments)
+
+    @pytest.mark.slow
     def test_one_combination_and_one_file(self, folder: Path, tmp_path: Path) -> None:
         """A combination by name, a file by its ending; what is there is replaced."""
         out = tmp_path / "a.svg"
@@ -957,9 +1058,7 @@ class TestCommand:
         with pytest.raises(SystemExit):
             main.main(["plot", "--help"])
         reported = capsys.readouterr().out
-        assert all(
-            name in reported for name in (*request.QUANTITIES, "plan", "deformed", "lines", "soil", "convergence")
-        )
+        assert all(name in reported for name in (*request.QUANTITIES, *request.KINDS, "--mesh"))
 
 
 @pytest.mark.slow

@@ -218,7 +218,12 @@ class TestStructure:
         """Plan, soil and signs are drawings; pictures are within the page, with words and their size."""
         assert [each.attributes["aria-label"] for each in root.one("section", id="drawings").all("svg")] == [
             "Plan of the plate",
+            "Mesh: the elements of the plate.",
             "Columns of soil",
+        ]
+        assert [root.one("section", id="case").text.count(each) for each in ("mean scaled Jacobian", "unknowns")] == [
+            1,
+            1,
         ]
         pictures = list(root.one("section", id="pictures").all("svg"))
         assert len(pictures) == 4

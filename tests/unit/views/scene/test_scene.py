@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
@@ -161,6 +162,21 @@ class TestScene:
             assert (extremes["min"][0], extremes["max"][0]) == (exact.min(), exact.max())
         assert np.array_equal(found["contact"] < 0, plate.in_contact)
         assert found["contact"] == pytest.approx(contact_function(results), abs=np.abs(found["contact"]).max() / LEVELS)
+
+    def test_the_discretization_error_is_a_field_where_all_have_it(self) -> None:
+        """In percent at the nodes, never signed; without a comparison it is missing."""
+        results = synthetic.compared(synthetic.results(3))
+        scene = unpack(pack(scene_of(results_of(results))))
+        about = next(field for field in scene.head["fields"] if field["name"] == "discretization_error")
+        assert (about["symbol"], about["unit"], about["signed"]) == ("rho_e", "%", False)
+        exact = nodal_values(results, "discretization_error")
+        assert exact.max() == pytest.approx(3.0)
+        assert np.abs(fields(scene, 1)["discretization_error"] - exact).max() <= 3.0 / LEVELS
+        assert scene.head["combinations"][0]["extremes"]["discretization_error"]["max"][0] == exact.max()
+        combined = synthetic.combined()
+        some = {**combined.results, "NUL": synthetic.compared(combined["NUL"])}
+        names = [field["name"] for field in scene_of(replace(combined, results=some)).head["fields"]]
+        assert "discretization_error" not in names
 
     def test_the_edge_line_force_has_extremes_where_there_is_one(self) -> None:
         """They are those along the edge, beside those of the pressure, which knows nothing of them."""

@@ -49,6 +49,7 @@ export class ResultView {
   readonly toolGroup: HTMLElement;
   readonly modeGroup: HTMLElement;
   readonly fitButton = button("Fit", "Show the entire plate (0)", () => this.fit());
+  readonly meshButton = button("Mesh", "Draw the elements over the field", () => this.setMesh(!this.mesh));
   /** Beside the picture: the scale. */
   readonly scaleBox = h("div", { class: "gs-scale" });
   /** The picture. */
@@ -60,6 +61,7 @@ export class ResultView {
   private readonly tools: Record<Tool, HTMLButtonElement>;
   private readonly modes: Record<Mode, HTMLButtonElement>;
   private range: ScaleRange = "auto";
+  private mesh = false;
   private name = ""; // of the combination, so that it stays chosen when their order changes
 
   /** `offerRefused`: whether combinations without values can be chosen. */
@@ -95,6 +97,7 @@ export class ResultView {
     });
     this.setTool("pick");
     press(this.modes, "plan");
+    this.setMesh(false);
   }
 
   /** Show a scene; zoom, field and combination stay as far as it has them. */
@@ -145,6 +148,14 @@ export class ResultView {
     this.space?.setRange(range);
   }
 
+  /** Draw the elements over the field, in plan and in space, or not. */
+  setMesh(mesh: boolean): void {
+    this.mesh = mesh;
+    this.meshButton.setAttribute("aria-pressed", String(mesh));
+    this.plan.setMesh(mesh);
+    this.space?.setMesh(mesh);
+  }
+
   setTool(tool: Tool): void {
     this.plan.setTool(tool);
     press(this.tools, tool);
@@ -164,6 +175,7 @@ export class ResultView {
       this.space = new SpaceView(this.spaceBox);
       this.space.onShow = (shown) => this.showLegend(shown);
       this.space.setRange(this.range);
+      this.space.setMesh(this.mesh);
       this.space.setScene(this.scene);
     }
     this.show(this.choice, this.field);

@@ -99,6 +99,7 @@ export class Viewer {
       this.section.lines,
       view.modeGroup,
       view.fitButton,
+      view.meshButton,
       this.makeMenu(),
       this.enlargeButton,
       theme,
@@ -116,7 +117,6 @@ export class Viewer {
       ...LAYERS.map(([name, text]) => makeBox(text, true, (on) => plan.setLayers({ [name]: on }))),
       makeBox("lines between colors", true, (lines) => plan.setOptions({ lines })),
       makeBox("contact boundary", true, (contact) => plan.setOptions({ contact })),
-      makeBox("elements", false, (mesh) => plan.setOptions({ mesh })),
       makeBox("one scale for all combinations", false, (common) => this.view.setRange(common ? "common" : "auto")),
     ];
     const menu = h("details", { class: "gs-menu" }, h("summary", {}, "Show"), h("div", {}, ...boxes));

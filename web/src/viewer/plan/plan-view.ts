@@ -40,7 +40,7 @@ export class PlanView extends FieldView {
   private readonly camera = new Camera();
   private tool: Tool = "pan";
   private readonly layers: Layers = { ...ALL_LAYERS };
-  private readonly options = { lines: true, mesh: false, contact: true };
+  private readonly options = { lines: true, contact: true };
   private readonly marks: Marks = { pick: null, place: null, section: null, extremes: [], factors: null };
   private sectionStart: Point | null = null;
   private readonly touches = new Touches();
@@ -88,8 +88,8 @@ export class PlanView extends FieldView {
     this.redraw();
   }
 
-  /** Choose lines between bands, the elements' sides, the contact boundary. */
-  setOptions(options: Partial<{ lines: boolean; mesh: boolean; contact: boolean }>): void {
+  /** Choose lines between bands, the contact boundary. */
+  setOptions(options: Partial<{ lines: boolean; contact: boolean }>): void {
     Object.assign(this.options, options);
     this.refresh();
   }
@@ -128,10 +128,10 @@ export class PlanView extends FieldView {
       const contact = hasContact ? nodalValues(scene, shown.choice, CONTACT) : null;
       const lifted = contact !== null && findExtremes(contact).max > 0;
       const scale = scaleFor(scene, shown.choice, field, this.range);
-      const { lines, mesh } = options;
+      const { lines } = options;
       const nodal = nodalValues(scene, shown.choice, shown.field);
       const visible = options.contact && lifted ? contact : null;
-      this.picture = { values: nodal, contact: visible, settlement: null, scale, lines, mesh };
+      this.picture = { values: nodal, contact: visible, settlement: null, scale, lines, mesh: this.mesh };
       this.shown = { choice: shown.choice, field, scale, lifted };
       marks.extremes = extremeMarks(extremesOf(scene, shown.choice, shown.field));
       const factors = isEnvelope(shown.choice) ? null : scene.head.combinations[shown.choice]?.factors;

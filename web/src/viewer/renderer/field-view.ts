@@ -15,6 +15,7 @@ export abstract class FieldView {
   protected scene: Scene | null = null;
   protected choice: { choice: Choice; field: string } | null = null;
   protected range: ScaleRange = "auto";
+  protected mesh = false; // whether the elements' sides are drawn
   protected fitted = false; // whether the user has left the view as `fit` made it
   private theme: Theme = currentTheme();
   private frame = 0;
@@ -56,6 +57,12 @@ export abstract class FieldView {
 
   setRange(range: ScaleRange): void {
     this.range = range;
+    this.refresh();
+  }
+
+  /** Draw the elements' sides over the field, or not. */
+  setMesh(mesh: boolean): void {
+    this.mesh = mesh;
     this.refresh();
   }
 

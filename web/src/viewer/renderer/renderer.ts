@@ -5,6 +5,7 @@ import type { Box } from "../data/boxes";
 import type { ColorScale } from "../data/color-scale";
 import type { Mesh } from "../data/scene";
 import { type Range, type Tiling, visibleRanges } from "../data/triangulation";
+import type { Rgb } from "../shared/palette";
 import type { Theme } from "../shared/theme";
 
 /** What is shown on the mesh. */
@@ -45,6 +46,14 @@ export interface FieldRenderer {
   setLines(lines: Lines): void;
   setTheme(theme: Theme): void;
   draw(view: View): void;
+}
+
+/** How much the elements' sides cover what is below them. */
+export const SIDE_ALPHA = 0.35;
+
+/** Return the color of the elements' sides: dark where the scale is light in its middle, else light. */
+export function sideColor({ diverging }: ColorScale): Rgb {
+  return diverging ? [0, 0, 0] : [255, 255, 255];
 }
 
 /** Elements smaller than this [dots] look the same in two triangles as in eight. */

@@ -5,7 +5,18 @@ import type { Mesh } from "../data/scene";
 import { borderLines, makeTiling, type Range, sideLines, type Tiling } from "../data/triangulation";
 import { type Palette, paletteOf, type Rgb, rgbOf } from "../shared/palette";
 import type { Theme } from "../shared/theme";
-import { AMBIENT, type FieldRenderer, type Lines, type Picture, rangesIn, STRIPES, SUN, type View } from "./renderer";
+import {
+  AMBIENT,
+  type FieldRenderer,
+  type Lines,
+  type Picture,
+  rangesIn,
+  SIDE_ALPHA,
+  STRIPES,
+  SUN,
+  sideColor,
+  type View,
+} from "./renderer";
 
 type Pixels = Uint8ClampedArray<ArrayBuffer>; // red, green, blue, alpha of each
 
@@ -133,7 +144,8 @@ export class SoftwareRenderer implements FieldRenderer {
     const ink = rgbOf(palette.ink);
     if (picture.mesh) {
       this.sides ??= sideLines(mesh);
-      drawLines(raster, pixels, projectNodes(mesh, picture, view), this.sides, [0, 0, 0], 0.28, view.ratio);
+      const color = sideColor(picture.scale);
+      drawLines(raster, pixels, projectNodes(mesh, picture, view), this.sides, color, SIDE_ALPHA, view.ratio);
     }
     if (picture.settlement) {
       this.border ??= borderLines(mesh);

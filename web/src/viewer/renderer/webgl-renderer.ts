@@ -18,7 +18,18 @@ import type { Mesh } from "../data/scene";
 import { borderLines, makeTiling, sideLines, type Tiling } from "../data/triangulation";
 import { paletteOf, rgbOf } from "../shared/palette";
 import type { Theme } from "../shared/theme";
-import { AMBIENT, type FieldRenderer, type Lines, type Picture, rangesIn, STRIPES, SUN, type View } from "./renderer";
+import {
+  AMBIENT,
+  type FieldRenderer,
+  type Lines,
+  type Picture,
+  rangesIn,
+  SIDE_ALPHA,
+  STRIPES,
+  SUN,
+  sideColor,
+  type View,
+} from "./renderer";
 import { contextOf } from "./webgl-context";
 
 const PLACE = `
@@ -116,7 +127,7 @@ export class WebglRenderer implements FieldRenderer {
     uExaggeration: this.exaggeration,
   };
   private readonly surface: Surface<BufferGeometry, RawShaderMaterial[]>;
-  private readonly sides = this.makeLines(0.28);
+  private readonly sides = this.makeLines(SIDE_ALPHA);
   private readonly border = this.makeLines();
   private readonly flat = this.makeLines();
   private readonly columns = this.makeLines();
@@ -175,6 +186,7 @@ export class WebglRenderer implements FieldRenderer {
         setAttribute(part.geometry, "settlement", picture.settlement);
     if (picture.mesh && !this.sides.geometry.index)
       this.sides.geometry.setIndex(new BufferAttribute(sideLines(mesh), 1));
+    this.sides.material.uniforms.uColor!.value = [...shares(sideColor(picture.scale)), SIDE_ALPHA];
     uniforms.uContact.value = picture.contact ? 1 : 0;
     uniforms.uLit.value = picture.settlement ? 1 : 0;
     uniforms.uLines.value = picture.lines ? 1 : 0;

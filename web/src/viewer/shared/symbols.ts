@@ -6,12 +6,12 @@ const GREEK: Record<string, string> = {
   beta: "β",
   gamma: "γ",
   delta: "δ",
-  eta: "η",
   kappa: "κ",
   nu: "ν",
   psi: "ψ",
   mu: "μ",
   phi: "φ",
+  rho: "ρ",
 };
 
 /** Return a symbol such as `m_x`, or several with commas between, as an element with subscripts. */

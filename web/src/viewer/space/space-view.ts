@@ -60,7 +60,7 @@ export class SpaceView extends FieldView {
     const scale = scaleFor(scene, choice, info, this.range);
     const settlement = nodalValues(scene, choice, "settlement");
     const nodal = nodalValues(scene, choice, field);
-    this.renderer.setPicture({ values: nodal, contact: null, settlement, scale, lines: true, mesh: false });
+    this.renderer.setPicture({ values: nodal, contact: null, settlement, scale, lines: true, mesh: this.mesh });
     const ends = extremesOf(scene, choice, "settlement");
     const greatest = Math.max(Math.abs(ends.min[0]), Math.abs(ends.max[0]), 1e-9) / 1000;
     this.base = roundStep((0.06 * this.extent()) / greatest);

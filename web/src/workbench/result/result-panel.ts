@@ -76,6 +76,7 @@ export class ResultPanel {
         view.toolGroup,
         view.modeGroup,
         view.fitButton,
+        view.meshButton,
       ),
       h("div", { class: "stage-place" }, view.element, view.scaleBox, this.refusedBox),
       splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"),

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { bandOf, makeScale } from "../../../src/viewer/data/color-scale";
 import { Camera } from "../../../src/viewer/plan/camera";
-import type { Picture, View } from "../../../src/viewer/renderer/renderer";
+import { type Picture, sideColor, type View } from "../../../src/viewer/renderer/renderer";
 import { colorize, rasterize } from "../../../src/viewer/renderer/software-renderer";
 import { paletteOf } from "../../../src/viewer/shared/palette";
 import { grid, nodal, trianglesOf } from "../synthetic";
@@ -67,6 +67,17 @@ describe("drawing without a graphics card", () => {
     for (let i = 0; i < width * height; i++) {
       const [x] = placeOf(i);
       if (raster.bands[i] !== NOTHING && Math.abs(x - 6) > 1e-3) expect(raster.lifted![i]).toBe(x > 6 ? 1 : 0);
+    }
+  });
+
+  it("draws sides of elements that stand out from the middle of the scale", () => {
+    for (const [of, low] of [
+      [makeScale(-1, 1, true), 255],
+      [makeScale(0, 1, false), 0],
+    ] as const) {
+      const middle = of.colors[of.diverging ? Math.floor(of.colors.length / 2) : 0]!;
+      expect(Math.abs(middle[0] - low)).toBeLessThan(100);
+      expect(Math.abs(sideColor(of)[0] - middle[0])).toBeGreaterThan(150);
     }
   });
 
