@@ -13,7 +13,7 @@ import pytest
 from rich.console import Console
 
 from groundslab.errors import InputError
-from groundslab.results.results import CombinationResult, results_of
+from groundslab.results.results import CombinationResult, Comparison, results_of
 from groundslab.views.files import npz
 from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.report.html import render_report
