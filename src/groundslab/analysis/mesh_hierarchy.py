@@ -101,7 +101,7 @@ class MeshHierarchy:
     finest: int  # how often the finest of these meshes is coarsened
     margin: float  # factor on the width of the meshed ground beyond the plate
     keep: bool
-    meshes: Meshes
+    meshes: Meshes = field(default_factory=Meshes)
     factors: Factors | None = None  # on constants of the ground
     reference: ReferenceSolutions | None = None  # of a similar model
     levels: dict[int, Level] = field(default_factory=dict)
