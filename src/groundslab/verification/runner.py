@@ -19,6 +19,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from groundslab import units
+from groundslab.accuracy.values import estimate_error
 from groundslab.analysis import driver
 from groundslab.case import casefile
 from groundslab.discretize.ground import ground_of, varies
@@ -42,11 +43,15 @@ WIDTH = 120
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """One row of a case: what was published, what was computed (in the row's unit), and the verdict on it."""
+    """One row of a case: what was published, what was computed (in the row's unit), and the verdict on it.
+
+    `error` is the discretization error of what was computed, None if none is known.
+    """
 
     label: str
     published: str
     computed: float
+    error: float | None
     difference: str
     verdict: str
     reason: str
@@ -161,6 +166,9 @@ def _fitted(model: Model, fit: Mapping[str, Any]) -> Model:
         E = math.exp(points[-1][0] + (math.log(target) - points[-1][1]) / slope)
 
 
+#: Constants of the ground.
+CONSTANTS = ("k0", "k1", "gamma")
+
 Quantity = Callable[[CombinationResult, Mapping[str, Any]], float]
 
 #: What a row may ask for: the dimension of its unit, and how to take it from the results.
@@ -201,7 +209,19 @@ def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Combi
             found = f"a tolerance of {tolerance} against {published} checks nothing"
             raise ValueError(f"{case.name}: {row['label']}: {found}")
         ok = abs(difference) <= tolerance
-    return Outcome(row["label"], published, computed, shown, verdict if ok else "FAILED", reason, ok)
+    error = _error(row, results_of)
+    return Outcome(row["label"], published, computed, error, shown, verdict if ok else "FAILED", reason, ok)
+
+
+def _error(row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> float | None:
+    """Return the discretization error of a row's quantity in the row's unit, None if none is known."""
+    if row["quantity"] in CONSTANTS:
+        return None
+    take, results = QUANTITIES[row["quantity"]][1], results_of(row["model"], row.get("counts", ()))
+    if results.coarser is None or results.comparison is None:
+        return None
+    error = estimate_error(take(results, row), take(results.coarser, row), results.comparison)
+    return float(error / _unit(row) * abs(row.get("factor", 1.0)))
 
 
 def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> float:
@@ -246,7 +266,7 @@ def _order(row: Mapping[str, Any], results_of: Callable[..., CombinationResult])
     ok = orders[-1] >= row["at_least"]
     errors_shown = ", ".join(f"{error / abs(exact):.1e}" for error in errors)
     return Outcome(
-        row["label"], f">= {row['at_least']}", orders[-1], "", "agrees" if ok else "FAILED",
+        row["label"], f">= {row['at_least']}", orders[-1], None, "", "agrees" if ok else "FAILED",
         f"relative errors {errors_shown}", ok,
     )  # fmt: skip
 
@@ -259,15 +279,15 @@ def _print(case: Case, outcomes: Sequence[Outcome], console: Console) -> None:
 
     reasons = list(dict.fromkeys(outcome.reason for outcome in outcomes if outcome.reason))
     table = Table(box=SIMPLE, title=Text(f"{case.name}: {case.title}"), title_justify="left", pad_edge=False)
-    for name in ("row", "published", "computed", "difference", "verdict"):
+    for name in ("row", "published", "computed", "mesh", "difference", "verdict"):
         table.add_column(name)
     for outcome in outcomes:
         mark = f" [{reasons.index(outcome.reason) + 1}]" if outcome.reason else ""
         style = "" if outcome.verdict == "agrees" else "bold red" if not outcome.ok else "yellow"
         computed = f"{outcome.computed:.6g}"
-        table.add_row(
-            outcome.label, outcome.published, computed, outcome.difference, Text(outcome.verdict + mark, style=style)
-        )
+        error = "" if outcome.error is None else f"+-{outcome.error:.1g}"
+        verdict = Text(outcome.verdict + mark, style=style)
+        table.add_row(outcome.label, outcome.published, computed, error, outcome.difference, verdict)
     console.print(Text(f"source: {case.source}"))
     console.print(table)
     for number, reason in enumerate(reasons, start=1):
