@@ -33,9 +33,10 @@ AWAY = 1.0
 
 @dataclass(frozen=True, slots=True)
 class JudgedValue:
-    """A judged value's error as a share of the largest value of its quantity, what it is, and where [m]."""
+    """A judged value's error as a share of the largest value of its quantity, the value in SI, its name and place [m]."""
 
     share: float
+    value: float
     label: str
     place: tuple[float, float] | None
 
@@ -50,19 +51,21 @@ def judge(results: CombinationResult) -> list[JudgedValue]:
         return []
     of_quantity, of_unit = defaultdict[str, float](float), defaultdict[str, float](float)
     found = []
-    for (quantity, unit, value, place), (*_, before, _) in zip(_values(results), _values(coarser), strict=True):
+    for (quantity, unit, value, place), (*_, before, _) in zip(
+        judged_values(results), judged_values(coarser), strict=True
+    ):
         of_quantity[quantity] = max(of_quantity[quantity], abs(value))
         of_unit[unit] = max(of_unit[unit], abs(value))
-        found.append((quantity, unit, estimate_error(value, before, comparison), place))
+        found.append((quantity, unit, value, estimate_error(value, before, comparison), place))
     judged = [
-        JudgedValue(error / of_quantity[quantity], quantity, place)
-        for quantity, unit, error, place in found
+        JudgedValue(error / of_quantity[quantity], value, quantity, place)
+        for quantity, unit, value, error, place in found
         if of_quantity[quantity] > NOTHING * of_unit[unit]
     ]
     return sorted(judged, key=lambda each: -each.share)
 
 
-def _values(results: CombinationResult) -> Iterator[tuple[str, str, float, tuple[float, float] | None]]:
+def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float, tuple[float, float] | None]]:
     """Yield quantity, unit, value and place of each judged value."""
     plate = results.plate
     nodes = plate.nodes

@@ -1,0 +1,186 @@
+"""Random slabs with meshes that make themselves: are the values as accurate as asked for, and at how many unknowns?
+
+    python bench/random_slabs.py                        # a hundred slabs at 2 %; hours
+    python bench/random_slabs.py --slabs 10 --accuracy 5 --first 40
+
+Slabs of several outlines with openings, zones, columns, line loads and uplift, on all kinds of ground. Each is solved
+with mesh.accuracy alone. The truth is the same mesh with elements a fourth as large (half as large, where that would
+have too many unknowns); the uniform mesh beside it is the coarsest of a row of sizes whose judged values are as
+accurate. A line is printed for each slab, at the end the shares: of judged values within the accuracy, of values told
+to be within it that are not (false), and the ratio of unknowns. All figures go to bench/random_slabs.json.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import statistics
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from groundslab.accuracy.judgment import judge, judged_values
+from groundslab.analysis import driver
+from groundslab.arrays import Array
+from groundslab.discretize.plan_layout import Meshes
+from groundslab.errors import GroundslabError
+from groundslab.fem.shape_functions import areas
+from groundslab.model.combinations import list_combinations
+from groundslab.model.model import Model
+from groundslab.results.results import CombinationResult
+
+RESULTS = Path(__file__).parent / "random_slabs.json"
+#: Truth and uniform meshes have at most about so many unknowns.
+MOST_UNKNOWNS = 1_500_000
+#: Of uniform meshes, each has elements so many times as large as the one before.
+STEP = 2**-0.5
+
+
+def random_slab(seed: int, accuracy: float) -> Model:
+    """Return a slab that only its number decides."""
+    rng = np.random.default_rng(seed)
+    a, b = rng.uniform(8, 20), rng.uniform(6, 14)
+    u, v = rng.uniform(0.35, 0.65, 2)
+    outlines = {
+        "rectangle": [(0, 0), (a, 0), (a, b), (0, b)],
+        "L": [(0, 0), (a, 0), (a, v * b), (u * a, v * b), (u * a, b), (0, b)],
+        "oblique": [(0, 0), (a, 0), (a, v * b), (u * a, b), (0, b)],
+    }
+    points = outlines[str(rng.choice(list(outlines)))]
+    thickness = float(rng.choice([0.2, 0.3, 0.5, 0.8]))
+    plate: dict[str, Any] = {
+        "outline": {"kind": "polygon", "points": points},
+        "thickness": thickness,
+        "E": 30e9,
+        "nu": 0.2,
+    }
+    if rng.random() < 0.3:
+        x, y = 0.12 * a, 0.15 * b
+        plate["openings"] = [{"kind": "rectangle", "x": (x, x + 0.1 * a), "y": (y, y + 0.12 * b)}]
+    if rng.random() < 0.3:
+        x = u * a * 0.5
+        shape = {"kind": "rectangle", "x": (0.5 * x, 0.9 * x), "y": (0.3 * v * b, 0.9 * v * b)}
+        plate["zones"] = [{"shape": shape, "thickness": 1.6 * thickness}]
+    k = float(rng.uniform(10e6, 60e6))
+    grounds = [
+        {"kind": "winkler", "k": k},
+        {"kind": "pasternak", "k0": k, "k1": float(rng.uniform(2e6, 20e6))},
+        {"kind": "vlasov", "layers": [{"E": 2 * k, "nu": 0.3, "thickness": float(rng.uniform(2, 6))}]},
+    ]
+    loads: list[dict[str, Any]] = [{"kind": "uniform", "q": 5e3}]
+    side = float(rng.choice([0.15, 0.3, 0.5]))
+    for _ in range(int(rng.integers(2, 7))):
+        x, y = rng.uniform(0.05, 0.95) * u * a, rng.uniform(0.05, 0.95) * b
+        P = float(rng.uniform(0.1, 1.0)) * 2e6 * thickness
+        loads.append({"kind": "point", "P": P, "x": x, "y": y, "width_x": side, "width_y": side})
+    if rng.random() < 0.4:
+        y = 0.5 * v * b
+        loads.append({"kind": "line", "q": 30e3, "points": [(0.1 * a, y), (0.9 * a, y)]})
+    if rng.random() < 0.4:
+        loads.append(
+            {
+                "kind": "point",
+                "M_x": 2e5 * thickness / 0.3,
+                "x": 0.9 * a,
+                "y": 0.3 * v * b,
+                "width_x": 0.5,
+                "width_y": 0.5,
+            }
+        )
+    return Model.model_validate({
+        "plate": plate,
+        "ground": grounds[int(rng.integers(3))],
+        "contact": {"tensionless": bool(rng.random() < 0.7)},
+        "beyond": {"kind": str(rng.choice(["none", "infinite"]))},
+        "loads": loads,
+        "mesh": {"accuracy": accuracy},
+    })  # fmt: skip
+
+
+def solve_on(model: Model, sizes: tuple[Array, Array] | None) -> CombinationResult:
+    """Return the results on one mesh with elements of given sizes in places."""
+    combinations = list_combinations(model)
+    outcomes = driver._outcomes(model, combinations, None, Meshes(local=sizes))
+    return driver._combine(model, combinations, outcomes).only
+
+
+def true_errors(results: CombinationResult, truth: CombinationResult) -> Array:
+    """Return the errors (k,) of the judged values, each as a share of the largest of its quantity."""
+    of, exact = [[*judged_values(each)] for each in (results, truth)]
+    largest: dict[str, float] = {}
+    for quantity, _, value, _ in exact:
+        largest[quantity] = max(largest.get(quantity, 0.0), abs(value))
+    scale = max(largest.values())
+    return np.array([
+        abs(a - b) / largest[quantity] if largest[quantity] > 1e-9 * scale else 0.0
+        for (quantity, _, a, _), (*_, b, _) in zip(of, exact, strict=True)
+    ])  # fmt: skip
+
+
+def examine(seed: int, accuracy: float) -> dict[str, Any]:
+    """Return what came out for one slab."""
+    model = random_slab(seed, accuracy)
+    start = time.perf_counter()
+    found = driver.solve(model).only
+    seconds = time.perf_counter() - start
+    xy = found.plate.nodes[found.plate.elements]
+    factor = 4 if 16 * found.unknowns <= MOST_UNKNOWNS else 2
+    base = min(model.plate.sides) / 24
+    fixed = model.replace(mesh=model.mesh.replace(size=base / factor))
+    truth = solve_on(fixed, (xy[:, 8], np.sqrt(areas(xy)) / factor))
+    errors = true_errors(found, truth)
+    told = {each.value: each.share for each in judge(found)}
+    shares = np.array([told.get(value, 0.0) for _, _, value, _ in judged_values(found)])
+    wanted = max(accuracy, float(errors.max()))
+    uniform, size = 0, 2 * base
+    while not uniform:
+        size *= STEP
+        other = solve_on(model.replace(mesh=model.mesh.replace(size=size)), None)
+        if true_errors(other, truth).max() <= wanted or other.unknowns > MOST_UNKNOWNS / 3:
+            uniform = other.unknowns
+    return {
+        "seed": seed, "unknowns": found.unknowns, "uniform": uniform, "seconds": round(seconds, 1),
+        "factor": factor, "true": errors.round(5).tolist(), "told": shares.round(5).tolist(),
+    }  # fmt: skip
+
+
+def summarize(rows: list[dict[str, Any]], accuracy: float) -> str:
+    """Return the shares over all slabs."""
+    true, told = (np.concatenate([row[name] for row in rows]) for name in ("true", "told"))
+    within, false = true <= accuracy, (told <= accuracy) & (true > accuracy)
+    ratio = statistics.median(row["uniform"] / row["unknowns"] for row in rows)
+    return (
+        f"{len(rows)} slabs, {len(true)} values: {100 * within.mean():.1f} % within {100 * accuracy:g} %, "
+        f"{100 * false.mean():.1f} % false, uniform mesh / adaptive: median {ratio:.1f} times the unknowns"
+    )
+
+
+def main() -> None:
+    """Examine slabs and print what came out."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--slabs", type=int, default=100, help="how many (100)")
+    parser.add_argument("--first", type=int, default=0, help="number of the first one (0)")
+    parser.add_argument("--accuracy", type=float, default=2.0, help="in percent (2)")
+    given = parser.parse_args()
+    rows, accuracy = [], given.accuracy / 100
+    for seed in range(given.first, given.first + given.slabs):
+        try:
+            row = examine(seed, accuracy)
+        except GroundslabError as error:
+            print(f"{seed}: {' '.join(str(error).split())}", flush=True)
+            continue
+        rows.append(row)
+        print(
+            f"{seed}: {row['unknowns']} unknowns, {row['seconds']} s, uniform {row['uniform']}, largest error "
+            f"{100 * max(row['true']):.2g} %, told {100 * max(row['told']):.2g} %",
+            flush=True,
+        )
+        RESULTS.write_text(json.dumps({"accuracy": accuracy, "slabs": rows}, indent=1) + "\n", encoding="utf-8")
+    if rows:
+        print(summarize(rows, accuracy))
+
+
+if __name__ == "__main__":
+    main()
