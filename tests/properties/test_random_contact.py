@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -26,14 +27,17 @@ from groundslab.model.settings import Contact, Mesh
 from groundslab.model.supports import PointSupport
 from groundslab.model.varying_ground import Void
 from groundslab.results.results import CombinationResult
+from groundslab.solvers import interior_point
 from helpers.paths import DATA
 
 pytestmark = pytest.mark.slow
 
 MODELS = int(os.environ.get("GROUNDSLAB_MODELS", "60"))
 FILES = sorted((DATA / "contact").glob("*.toml"))
-#: What an iteration may take: tens of steps on each mesh.
+#: What an iteration may take: tens of steps on each mesh; on coarse ones, on which all hangs on a few nodes, those of
+#: an interior point method that stalls besides.
 TENS = 100
+STALLED = TENS + interior_point.MAX_STEPS
 
 
 def random_model(seed: int) -> Model:
@@ -129,9 +133,8 @@ def settled(described: Model) -> CombinationResult | None:
         assert not steps
         return None
     assert results.certificate.holds
-    longest = max(sum(1 for step in steps if (step.unknowns, step.gamma) == key) for key in
-                  {(step.unknowns, step.gamma) for step in steps})  # fmt: skip
-    assert longest <= TENS
+    taken = Counter((step.unknowns, step.gamma, step.finest) for step in steps)
+    assert all(count <= (TENS if finest else STALLED) for (*_, finest), count in taken.items())
     return results
 
 

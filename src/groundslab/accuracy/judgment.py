@@ -9,17 +9,18 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.accuracy.values import estimate_error
-from groundslab.arrays import Array, Flags
-from groundslab.geometry.plan import Ring
-from groundslab.model.loads.load_types import PointLoad
-from groundslab.model.model import Model
-from groundslab.model.supports import PointSupport
 from groundslab.results.fields import PLATE_FIELDS, extreme_node
-from groundslab.results.results import CombinationResult
+
+if TYPE_CHECKING:
+    from groundslab.arrays import Array, Flags
+    from groundslab.geometry.plan import Ring
+    from groundslab.model.model import Model
+    from groundslab.results.results import CombinationResult
 
 #: Fields of which the largest and the smallest value are judged, or the largest size.
 BOTH_SIGNS = ("settlement", "pressure", "moment_x", "moment_y")
@@ -33,7 +34,7 @@ AWAY = 1.0
 
 @dataclass(frozen=True, slots=True)
 class JudgedValue:
-    """A judged value's error as a share of the largest value of its quantity, the value in SI, its name and place [m]."""
+    """An error as a share of the largest value of its quantity, the value [SI], its name and place [m]."""
 
     share: float
     value: float
@@ -100,13 +101,13 @@ def finite_section_forces(model: Model, nodes: Array) -> Flags:
 def _singular_places(model: Model) -> Iterator[tuple[float, float]]:
     """Yield the places at which moments and shear forces have no limit."""
     for load in model.loads:
-        if isinstance(load, PointLoad):
+        if load.kind == "point":
             own = load.on(model.columns)
             if own.width_x is None and own.diameter is None:
                 assert own.x is not None
                 assert own.y is not None
                 yield own.x, own.y
-    yield from ((each.x, each.y) for each in model.supports if isinstance(each, PointSupport))
+    yield from ((each.x, each.y) for each in model.supports if each.kind == "point")
     yield from _corners_into(model.plate.ring(), 1)
     for opening in model.plate.openings:
         yield from _corners_into(opening.ring(), -1)

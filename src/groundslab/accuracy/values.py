@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from groundslab.results.results import Comparison
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from groundslab.results.results import Comparison
 
 #: A mesh on which the energy norm falls by less has not begun to converge: no more is taken from the change.
 SLOWEST = 0.75

@@ -26,7 +26,7 @@ class StatusLine:
 
     def begin(self, combination: Combination) -> None:
         """Show that the next combination begins; where there is only one, it is not named."""
-        self._number += 1
+        self._number = self._number % self._count + 1  # again from the first on each mesh
         self._name = combination.name
         self._update("begins")
 

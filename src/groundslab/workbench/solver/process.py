@@ -65,7 +65,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Resu
 
     def on_combination(combination: Combination) -> None:
         nonlocal begun, name
-        begun += 1
+        begun = begun % count + 1  # again from the first on each mesh
         name = f"{begun} of {count}, {combination.name}: " if count > 1 else ""
         progress(f"{name}begins", share_done())
 
