@@ -79,16 +79,8 @@ def random_slab(seed: int, accuracy: float) -> Model:
         y = 0.5 * v * b
         loads.append({"kind": "line", "q": 30e3, "points": [(0.1 * a, y), (0.9 * a, y)]})
     if rng.random() < 0.4:
-        loads.append(
-            {
-                "kind": "point",
-                "M_x": 2e5 * thickness / 0.3,
-                "x": 0.9 * a,
-                "y": 0.3 * v * b,
-                "width_x": 0.5,
-                "width_y": 0.5,
-            }
-        )
+        at = {"x": 0.9 * a, "y": 0.3 * v * b, "width_x": 0.5, "width_y": 0.5}
+        loads.append({"kind": "point", "P": 1e3, "M_x": 6e5 * thickness, **at})
     return Model.model_validate({
         "plate": plate,
         "ground": grounds[int(rng.integers(3))],

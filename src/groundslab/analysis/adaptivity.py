@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -26,6 +26,8 @@ AIM = 0.8
 MOST_REDUCTION = 3.0
 #: Elements become at most so many times smaller from one mesh to the next, and at most so many times larger.
 SMALLER, LARGER = 8.0, 2.0
+#: An error that is left with more than this share of itself by smaller elements falls no more.
+PROGRESS = 0.8
 #: Smaller elements at the place of a value reach so many of the present sides around it.
 AROUND = 1.5
 #: Orders of convergence between which the one found is believed.
@@ -35,13 +37,15 @@ ORDERS = (0.5, 2.0)
 def solve_adaptively(model: Model, solve: Callable[[Meshes], Results]) -> Results:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
-    Or until a mesh would have more than MOST_UNKNOWNS, or MOST_MESHES were made: then the accuracy is missed. Where the
-    mesh is not adaptive, the first one is the only one.
+    Or until those that are not fall no more, a mesh would have more than MOST_UNKNOWNS, or MOST_MESHES were made: then
+    the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
     """
     start = local_sizes(model)
-    results = solve(Meshes(local=start))
+    results, shares = solve(Meshes(local=start)), dict[str, dict[str, float]]()
     for _ in range(MOST_MESHES - 1 if model.mesh.adaptive else 0):
-        demands = [sizes for each in results.values() if (sizes := _demand(each)) is not None]
+        wanted = (_demand(each, shares.get(name, {})) for name, each in results.items())
+        demands = [sizes for sizes in wanted if sizes is not None]
+        shares = {name: {each.label: each.share for each in reversed(judge(found))} for name, found in results.items()}
         if not demands:
             break
         first = next(iter(results.values()))
@@ -56,10 +60,14 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results]) -> Result
     return results
 
 
-def _demand(results: CombinationResult) -> Array | None:
-    """Return the sizes (m,) [m] that elements should have, None if the judged errors are within the accuracy."""
+def _demand(results: CombinationResult, before: Mapping[str, float]) -> Array | None:
+    """Return the sizes (m,) [m] that elements should have, None if the judged errors are within the accuracy.
+
+    Errors that fall no more are left out; before are those on the mesh before, by quantity.
+    """
     accuracy = results.model.mesh.largest_error
     judged = [each for each in judge(results) if each.share > accuracy]
+    judged = [each for each in judged if each.share <= PROGRESS * before.get(each.label, np.inf)]
     density = results.elements.discretization_error
     if not judged or results.comparison is None or density is None:
         return None

@@ -74,6 +74,21 @@ def test_bounds_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "bounds on unknowns" in coarse_words(results)
 
 
+def test_errors_that_fall_no_more_are_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An error that stays as it is costs one further mesh, not all; the verdict says so."""
+    stuck = adaptivity.judge(solve(slab({"size": 0.5})).only)[0]
+    meshes = []
+
+    def judged(results: CombinationResult) -> list[object]:
+        meshes.append(len(results.plate.elements))
+        return [stuck]
+
+    monkeypatch.setattr(adaptivity, "judge", judged)
+    solve(slab({"accuracy": 0.01}))
+    assert stuck.share > 0.01
+    assert len(set(meshes)) == 2
+
+
 @pytest.mark.slow
 def test_combinations_and_variants_share_the_mesh() -> None:
     """What one combination needs the others have, too; so have variants of a study."""

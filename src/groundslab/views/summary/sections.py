@@ -135,7 +135,7 @@ def _discretization(results: CombinationResult) -> SummarySection:
 def _remedy(model: Model) -> str:
     """Return what makes the errors smaller."""
     if model.mesh.adaptive:
-        return "it was refined as far as the bounds on unknowns and meshes allow."
+        return "it was refined until this error fell no more, or as far as the bounds on unknowns and meshes allow."
     return "make mesh.size smaller, or leave it out and give mesh.accuracy."
 
 
