@@ -385,6 +385,7 @@ def test_sublayers_are_layers(n: int, loads: list[Any], tensionless: bool, E_bot
     assert_same(a.plate.pressure, b.plate.pressure)
 
 
+@pytest.mark.slow
 @given(n=st.integers(1, 3), x=st.sampled_from([-3.0, -1.0, 0.5, 2.0]), y=st.sampled_from([-2.0, 0.0, 1.5]))
 @few(6)
 def test_more_sublayers_only_soften(n: int, x: float, y: float) -> None:
@@ -579,6 +580,7 @@ def test_iterated_gamma_is_a_fixed_point(ground: Any, loads: list[Any]) -> None:
     assert_same(found.plate.settlement, again.plate.settlement, 1e-9)
 
 
+@pytest.mark.slow
 @given(ground=columns, q=rounded(1e3, 1e6))
 @few(6)
 def test_a_uniform_load_on_ground_that_ends_with_the_plate(ground: Any, q: float) -> None:

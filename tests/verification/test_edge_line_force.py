@@ -95,6 +95,7 @@ def test_a_strip_glued_to_the_ground(beyond: str) -> None:
     assert off["pressure"][0] > 2 * off["pressure"][1] > 4 * off["pressure"][2]
 
 
+@pytest.mark.slow
 def test_a_limit_pressure_that_is_not_reached_changes_nothing() -> None:
     """The limit is one of the pressure: the line force may be as large as it is, and all results stay the same."""
     wanted, free = exact(True), strip(48, "infinite")
@@ -111,6 +112,7 @@ def test_a_limit_pressure_that_is_not_reached_changes_nothing() -> None:
         np.testing.assert_allclose(one, other, rtol=0, atol=1e-9 * np.abs(other).max())
 
 
+@pytest.mark.slow
 def test_a_limit_pressure_that_is_reached() -> None:
     """Where the ground yields its pressure is the limit, nowhere more; the line forces carry what it no longer does."""
     free = strip(48, "infinite")

@@ -67,6 +67,7 @@ def test_a_size_is_not_changed() -> None:
     assert "mesh.accuracy" in coarse_words(results)
 
 
+@pytest.mark.slow
 def test_bounds_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """A mesh that may have no more unknowns is not refined, and the verdict says so."""
     monkeypatch.setattr(adaptivity, "MOST_UNKNOWNS", 1000)
@@ -74,6 +75,7 @@ def test_bounds_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "bounds on unknowns" in coarse_words(results)
 
 
+@pytest.mark.slow
 def test_errors_that_fall_no_more_are_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
     """An error that stays as it is costs one further mesh, not all; the verdict says so."""
     stuck = adaptivity.judge(solve(slab({"size": 0.5})).only)[0]
@@ -104,6 +106,7 @@ def test_combinations_and_variants_share_the_mesh() -> None:
     assert (stiffer["left"].plate.nodes == one.plate.nodes).all()
 
 
+@pytest.mark.slow
 def test_parts_with_smaller_elements() -> None:
     """Elements are as small as asked for in the part, and larger elsewhere."""
     part = {"shape": {"kind": "rectangle", "x": (1.0, 2.0), "y": (-1.0, 0.0)}, "size": 0.1}

@@ -185,6 +185,7 @@ def test_section_carries_its_moment(f_ck: float, alpha: float, f_yk: float, d: f
     assert x / d == pytest.approx(found.neutral_axis[0], rel=1e-9)
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None, derandomize=True)
 @given(f_ck=st.floats(12, 90), d=st.floats(0.1, 2.0), ratio=st.floats(0.03, 0.3), xi=st.floats(0.1, 0.9))
 def test_limit_is_passed_without_a_jump(f_ck: float, d: float, ratio: float, xi: float) -> None:

@@ -18,6 +18,8 @@ from groundslab.study.evaluation.study import Study
 from groundslab.study.evaluation.tables import tabulate_discretization
 from helpers.studies import CASE, run
 
+pytestmark = pytest.mark.slow
+
 #: Two variants of the slab, with outputs of every sort.
 STUDY = """
 case = "slab.toml"

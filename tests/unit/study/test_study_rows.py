@@ -119,6 +119,7 @@ class TestRows:
         assert field == pytest.approx(alone["service"].plate.settlement, rel=1e-5, abs=1e-8)
         assert np.array_equal(study.mesh("settlement").nodes, alone["service"].plate.nodes)
 
+    @pytest.mark.slow
     def test_failed_variants_are_rows(self, tmp_path: Path) -> None:
         """Impossible values and loads without equilibrium are rows with their reason; the others are solved."""
         study = run(
@@ -229,6 +230,7 @@ correlation_length = "2 m"
         again = variant.Worker(setup).row(designs.Variant(2, (), (int(table["k over the plan"][2]),)))
         assert again.results[0] == table["mean settlement"][2]
 
+    @pytest.mark.slow
     def test_even_field_is_a_factor(self, tmp_path: Path) -> None:
         """A field that hardly varies is a factor on the constant: mean 2 halves the settlement of an even load."""
         field = self.FIELD.replace("mean = 1.0, cov = 0.3", "mean = 2.0, cov = 1e-9")

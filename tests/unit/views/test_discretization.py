@@ -144,6 +144,7 @@ def test_vtu_file_has_the_error_of_each_element() -> None:
     assert name not in plate_mesh(synthetic.results(4)).cell_data
 
 
+@pytest.mark.slow
 def test_report_and_workbench_do_not_call_a_coarse_mesh_good() -> None:
     """The verdict of the report is doubtful, and the workbench has the words."""
     good, coarse = results_of(compared(0.04)), results_of(compared(0.2))
@@ -153,6 +154,7 @@ def test_report_and_workbench_do_not_call_a_coarse_mesh_good() -> None:
         assert bool(build_summary(combined)["coarse"]) == (combined is coarse)
 
 
+@pytest.mark.slow
 def test_extremes_over_combinations_have_the_governing_ones_error() -> None:
     """Of two combinations each extreme has the error of the one that governs: in JSON, terminal and report."""
     combined = synthetic.combined()

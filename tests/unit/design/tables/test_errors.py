@@ -18,6 +18,8 @@ from groundslab.views.report.table_layout import layout_table
 from helpers import synthetic
 from helpers.pages import page
 
+pytestmark = pytest.mark.slow
+
 STEEL = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ("40 mm", "50 mm"), "top": ("30 mm", "45 mm")}
 #: Of what is half its error again on elements twice as large, the change is the error that is left.
 HALVED = 0.5

@@ -273,6 +273,7 @@ class TestVerdict:
             "holds",
         }
 
+    @pytest.mark.slow
     def test_of_one_that_is_not(self) -> None:
         """An uncertified result is shown with its certificate only: no extremes, no pictures, no tables of it."""
         bad = replace(synthetic.CERTIFICATE, residual=1.0)
