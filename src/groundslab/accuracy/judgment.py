@@ -25,10 +25,11 @@ if TYPE_CHECKING:
 #: Fields of which the largest and the smallest value are judged, or the largest size.
 BOTH_SIGNS = ("settlement", "pressure", "moment_x", "moment_y")
 SIZES = ("gap", "moment_xy", "shear_x", "shear_y")
+#: Of these, fields that have no limit at some places.
 LIMITED_AWAY = ("pressure", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
 #: Values below this share of the largest of their unit are rounding.
 NOTHING = 1e-9
-#: Section forces are judged so many thicknesses away from where they have no limit.
+#: They are judged so many thicknesses away from there.
 AWAY = 1.0
 
 
