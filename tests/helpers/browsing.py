@@ -186,10 +186,14 @@ class Bench:
         """Return the words of an element."""
         return str(self.page.locator(selector).first.text_content())
 
+    def wait_seen(self, selector: str, words: str) -> None:
+        """Wait until an element says some words."""
+        self.until(lambda: words in self.seen(selector), lambda: f"{words!r} in {self.seen(selector)!r}")
+
     def wait_solved(self) -> None:
         """Wait until a result of the present model is shown."""
         self.page.wait_for_selector('.result-status[data-state="fresh"]')
-        self.page.wait_for_selector(".result-full:not([hidden])")
+        self.page.wait_for_selector('.result[aria-busy="false"] .result-full:not([hidden])')
 
     def largest(self, label: str) -> float:
         """Return a figure of the summary by the start of its label."""

@@ -97,6 +97,7 @@ export class ResultPanel {
     const { solved } = this.store;
     this.fetching += 1;
     const turn = this.fetching;
+    this.element.setAttribute("aria-busy", String(solved !== null && solved.run !== this.shownRun));
     if (!solved) return this.clear();
     if (solved.run === this.shownRun) return;
     try {
@@ -113,6 +114,8 @@ export class ResultPanel {
       else if (error instanceof Refused || error instanceof SceneError)
         this.store.set("notice", { kind: "bad", text: `The result cannot be shown: ${error.message}` });
       else throw error;
+    } finally {
+      if (turn === this.fetching) this.element.setAttribute("aria-busy", "false");
     }
   }
 

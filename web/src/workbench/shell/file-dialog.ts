@@ -89,16 +89,17 @@ class FileDialog {
     this.resolve(chosen);
   }
 
-  private async show(folder: string | null): Promise<void> {
+  /** Show what a folder holds; tells whether that is what the dialog stands in now. */
+  private async show(folder: string | null): Promise<boolean> {
     this.turn += 1;
     const { turn } = this;
     try {
       const found = await this.api.files(folder);
-      if (turn !== this.turn) return;
+      if (turn !== this.turn) return false;
       this.folder = found;
     } catch (error) {
       this.message.textContent = error instanceof Refused ? error.message : "The server does not answer.";
-      return;
+      return false;
     }
     this.message.textContent = "";
     this.place.value = this.folder.folder;
@@ -109,6 +110,7 @@ class FileDialog {
       ...files.map((name) => this.entry(name, false)),
       folders.length + files.length === 0 ? h("p", { class: "empty" }, "No case files (*.toml) in this folder.") : null,
     );
+    return true;
   }
 
   private entry(name: string, isFolder: boolean): HTMLElement {
@@ -147,6 +149,8 @@ class FileDialog {
       this.message.textContent = "Choose a file, or write a name.";
       return;
     }
+    const folder = this.place.value.trim();
+    if (folder !== this.folder?.folder && !(await this.show(folder || null))) return; // written, not listed yet
     if (this.purpose === "save" && !/\.[A-Za-z0-9]+$/.test(name)) name += ".toml";
     const file = /^([A-Za-z]:)?[\\/]/.test(name) ? name : this.path(name);
     const there = this.folder?.files.includes(name) === true;
