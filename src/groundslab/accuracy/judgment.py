@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.values import estimate_error
-from groundslab.results.fields import PLATE_FIELDS, extreme_node
+from groundslab.accuracy.values import add_errors, estimate_error
+from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags
@@ -48,28 +48,29 @@ def judge(results: CombinationResult) -> list[JudgedValue]:
 
     Of what nearly vanishes no share is told: each is one of the largest value of the same quantity.
     """
-    coarser, comparison = results.coarser, results.comparison
-    if coarser is None or comparison is None:
+    if results.coarser is None:
         return []
     of_quantity, of_unit = defaultdict[str, float](float), defaultdict[str, float](float)
-    found = []
-    for (quantity, unit, value, place), (*_, before, _) in zip(
-        judged_values(results), judged_values(coarser), strict=True
-    ):
+    found = [*judged_values(results)]
+    for quantity, unit, value, *_ in found:
         of_quantity[quantity] = max(of_quantity[quantity], abs(value))
         of_unit[unit] = max(of_unit[unit], abs(value))
-        found.append((quantity, unit, value, estimate_error(value, before, comparison), place))
     judged = [
         JudgedValue(error / of_quantity[quantity], value, quantity, place)
-        for quantity, unit, value, error, place in found
+        for quantity, unit, value, place, error in found
         if of_quantity[quantity] > NOTHING * of_unit[unit]
     ]
     return sorted(judged, key=lambda each: -each.share)
 
 
-def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float, tuple[float, float] | None]]:
-    """Yield quantity, unit, value and place of each judged value."""
-    plate = results.plate
+def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float, tuple[float, float] | None, float]]:
+    """Yield quantity, unit, value, place and error of each judged value of results with a coarser mesh.
+
+    The places of extremes are those where they may lie if nodal values have their errors, see `error_of_largest`.
+    """
+    plate, coarser, comparison = results.plate, results.coarser, results.comparison
+    assert coarser is not None
+    assert comparison is not None
     nodes = plate.nodes
     limited = finite_section_forces(results.model, nodes)
     for name in (*BOTH_SIGNS, *SIZES):
@@ -77,15 +78,18 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float,
         judged = limited if name in LIMITED_AWAY else np.ones(len(nodes), dtype=bool)
         if not judged.any():
             continue
-        own, at = field[judged], nodes[judged]
+        own, other, at = field[judged], getattr(coarser.plate, name)[judged], nodes[judged]
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
-            values = np.abs(own) if name in SIZES else own
-            node = extreme_node(at, values, sign)
-            yield about.label, about.dimension, float(values[node]), (float(at[node, 0]), float(at[node, 1]))
-    yield "area in contact", "share", plate.contact_share, None
-    for support in results.supports:
-        place = support.nodes.mean(axis=0).tolist() if len(support.nodes) else None
-        yield "force of supports", "force", support.total, None if place is None else (place[0], place[1])
+            values, before = (np.abs(own), np.abs(other)) if name in SIZES else (sign * own, sign * other)
+            most = add_errors(values, before, comparison)
+            node, value = extreme_node(at, most, 1), float(values.max())
+            yield about.label, about.dimension, sign * value, place_of(at, node), float(most[node]) - value
+    share = plate.contact_share
+    yield "area in contact", "share", share, None, estimate_error(share, coarser.plate.contact_share, comparison)
+    for support, before_it in zip(results.supports, coarser.supports, strict=True):
+        error = estimate_error(support.total, before_it.total, comparison)
+        middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None
+        yield "force of supports", "force", support.total, middle, error
 
 
 def finite_section_forces(model: Model, nodes: Array) -> Flags:

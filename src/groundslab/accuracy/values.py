@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, overload
 
 if TYPE_CHECKING:
+    from groundslab.arrays import Array
     from groundslab.results.results import Comparison
 
 #: A mesh on which the energy norm falls by less has not begun to converge: no more is taken from the change.
@@ -13,14 +14,31 @@ SLOWEST = 0.75
 EXACT = 1e-9
 
 
-def estimate_error(value: float, coarser: float, comparison: Comparison) -> float:
-    """Return the estimated error of a value that is `coarser` on elements twice as large, in its own unit.
+@overload
+def estimate_error(value: float, coarser: float, comparison: Comparison) -> float: ...
+@overload
+def estimate_error(value: Array, coarser: Array, comparison: Comparison) -> Array: ...
+def estimate_error(value: float | Array, coarser: float | Array, comparison: Comparison) -> float | Array:
+    """Return the estimated errors of values that are `coarser` on elements twice as large, in their own unit.
 
     If elements half as large reduce its error to the share q, the change between both meshes is (1 - q) / q times the
     error that is left (Richardson 1911). q is that of the energy norm, whose error is known on both meshes: what is
     recovered converges faster, so that the estimate is on the safe side (docs/theory.md, discretization error).
     """
-    if comparison.energy_error < EXACT:
-        return 0.0
-    q = min(comparison.reduction, SLOWEST)
-    return abs(value - coarser) * q / (1 - q)
+    q = min(comparison.reduction, SLOWEST) if comparison.energy_error >= EXACT else 0.0
+    change: Any = value - coarser
+    return abs(change) * q / (1 - q)  # type: ignore[no-any-return]
+
+
+def add_errors(values: Array, coarser: Array, comparison: Comparison) -> Array:
+    """Return how large nodal values (n,) may be; what is positive nowhere on either mesh stays so (gaps, pressures)."""
+    most = values + estimate_error(values, coarser, comparison)
+    return most.clip(max=0) if values.max() <= 0 and coarser.max() <= 0 else most
+
+
+def error_of_largest(values: Array, coarser: Array, comparison: Comparison) -> float:
+    """Return the estimated error of the largest of nodal values (n,), whose own errors decide where it may lie.
+
+    Both meshes may agree on the largest value by accident, at different places.
+    """
+    return float(add_errors(values, coarser, comparison).max() - values.max())

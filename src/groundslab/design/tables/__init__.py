@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from functools import partial
 
+from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_table
 from groundslab.design.tables.design_checks import Design, DesignCheck, design_of
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
-from groundslab.design.tables.errors import with_errors, with_errors_of_extremes, with_errors_of_governing
 from groundslab.design.tables.locations import lines, points, strips
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import combinations, extremes, tilts
@@ -53,9 +53,10 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     'least'
     """
     model = combined.model
-    each = with_errors(extremes, combined)
-    tables = [with_errors(combinations, combined), each, with_errors_of_extremes(envelopes(combined), each)]
-    tables.append(with_errors(tilts, combined))
+    each = errors.with_errors_of_extremes(extremes(combined), combined)
+    first = errors.with_errors_of_figures(errors.with_errors(combinations, combined), each)
+    tables = [first, each, errors.with_errors_of_envelope(envelopes(combined), each)]
+    tables.append(errors.with_errors(tilts, combined))
     wanted = (
         (model.output.points, points),
         (model.output.lines, lines),
@@ -63,7 +64,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
         (model.supports, support_table),
         (model.columns, column_table),
     )
-    tables += [with_errors(make, combined) for requested, make in wanted if requested]
+    tables += [errors.with_errors(make, combined) for requested, make in wanted if requested]
     if model.reinforcement is not None:
-        tables.append(with_errors_of_governing(partial(reinforcement, steel=model.reinforcement), combined))
+        tables.append(errors.with_errors_of_governing(partial(reinforcement, steel=model.reinforcement), combined))
     return tuple(tables)

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import repeat
 from math import isfinite
 
-from groundslab.accuracy.values import estimate_error
+from groundslab.accuracy.values import error_of_largest, estimate_error
+from groundslab.arrays import Flags
+from groundslab.design.tables.quantities import nodal_values, ranged_fields
 from groundslab.design.tables.table import Cell, Column, Table
-from groundslab.results.fields import POINT_FIELDS
-from groundslab.results.results import Results
+from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS
+from groundslab.results.results import CombinationResult, Results
 
 _QUANTITIES = tuple(about.head[0] for about in POINT_FIELDS.values() if about.head[1] != "deg")
 #: The columns whose values have discretization errors, by table. Loads, lengths and directions have none.
 VALUES: dict[str, tuple[str, ...]] = {
-    "combinations": (
-        "largest settlement", "largest uplift", "area in contact", "largest pressure", "largest edge line force",
-    ),
-    "extremes": ("least", "greatest"),
-    "envelope": ("least", "greatest"),
+    "combinations": ("area in contact",),
     "tilt": ("mean settlement", "tilt along x", "tilt along y", "tilt", "largest deflection"),
     "points": _QUANTITIES,
     "lines": _QUANTITIES,
@@ -37,6 +36,13 @@ VALUES: dict[str, tuple[str, ...]] = {
     ),
     "reinforcement": ("required area", "design moment"),
 }  # fmt: skip
+#: Extremes in the table of combinations: which of which quantity.
+EXTREMES = {
+    "largest settlement": ("greatest", RANGED_FIELDS["settlement"].label),
+    "largest uplift": ("least", RANGED_FIELDS["settlement"].label),
+    "largest pressure": ("greatest", RANGED_FIELDS["pressure"].label),
+    "largest edge line force": ("greatest", RANGED_FIELDS[LINE_FORCE].label),
+}
 #: Values that are compared only where another column says the same on both meshes.
 _ALIKE = {
     "settlement difference": "worst neighbour",
@@ -53,17 +59,65 @@ def with_errors(make: Callable[[Results], Table], combined: Results) -> Table:
     return _with_errors(table, make(_coarser(combined)), table["combination"], combined)
 
 
-def with_errors_of_extremes(envelope: Table, extremes: Table) -> Table:
+def with_errors_of_extremes(extremes: Table, combined: Results) -> Table:
+    """Return the table of extremes with the errors of the least and greatest values, if any result has them."""
+    if all(each.comparison is None for each in combined.results.values()):
+        return extremes
+    found = {
+        (name, about.label): (each, field, where)
+        for name, each in combined.results.items()
+        for about, field, where in ranged_fields(each)
+    }
+    keys = zip(extremes["combination"], extremes["quantity"], strict=True)
+    rows = [found[str(name), str(label)] for name, label in keys]
+    columns = [
+        Column(_name(name), "", tuple(_error_of_extreme(*row, sign) for row in rows), error_of=name)
+        for name, sign in (("least", -1), ("greatest", 1))
+    ]
+    return replace(extremes, columns=(*extremes.columns, *columns))
+
+
+def _error_of_extreme(results: CombinationResult, field: str, where: Flags, sign: int) -> float | None:
+    """Return the error of the largest (sign 1) or smallest (sign -1) of a quantity's values at some nodes (n,)."""
+    if results.coarser is None or results.comparison is None:
+        return None
+    values, coarser = (sign * nodal_values(each, field)[where] for each in (results, results.coarser))
+    return error_of_largest(values, coarser, results.comparison)
+
+
+def with_errors_of_envelope(envelope: Table, extremes: Table) -> Table:
     """Return the envelope with the errors of its values: those of the extremes of the combinations that govern."""
+    columns = {}
+    for name in ("least", "greatest"):
+        columns[name] = zip(envelope[f"combination of the {name}"], envelope["quantity"], repeat(name))
+    return _with_known(envelope, extremes, columns)
+
+
+def with_errors_of_figures(combinations: Table, extremes: Table) -> Table:
+    """Return the table of combinations with the errors of the extremes in it."""
+    columns = {}
+    for name, (which, quantity) in EXTREMES.items():
+        named = zip(combinations["combination"], combinations[name], strict=True)
+        governing = [combination if value else None for combination, value in named]
+        columns[name] = zip(governing, repeat(quantity), repeat(which))
+    return _with_known(combinations, extremes, columns)
+
+
+def _with_known(table: Table, extremes: Table, columns: Mapping[str, Iterable[tuple[Cell, Cell, str]]]) -> Table:
+    """Return a table with the errors of some columns: those of combination, quantity and extreme, row by row."""
     if not any(column.error_of for column in extremes.columns):
-        return envelope
-    columns = []
-    for name in VALUES["envelope"]:
-        keys = zip(extremes["combination"], extremes["quantity"], strict=True)
-        known = dict(zip(keys, extremes[_name(name)], strict=True))
-        governing = zip(envelope[f"combination of the {name}"], envelope["quantity"], strict=True)
-        columns.append(Column(_name(name), "", tuple(map(known.get, governing)), error_of=name))
-    return replace(envelope, columns=(*envelope.columns, *columns))
+        return table
+    keys = [*zip(extremes["combination"], extremes["quantity"], strict=True)]
+    known = {
+        (*key, name): error
+        for name in ("least", "greatest")
+        for key, error in zip(keys, extremes[_name(name)], strict=True)
+    }
+    unit = {column.name: column.unit for column in table.columns}
+    found = [
+        Column(_name(name), unit[name], tuple(map(known.get, rows)), error_of=name) for name, rows in columns.items()
+    ]
+    return replace(table, columns=(*table.columns, *found))
 
 
 def with_errors_of_governing(make: Callable[[Results], Table], combined: Results) -> Table:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
-from groundslab.accuracy.values import estimate_error
+from groundslab.accuracy.values import error_of_largest, estimate_error
 from groundslab.design.design_moments import derive_field, fields_of, wood_armer
 from groundslab.design.tilt import tilt
 from groundslab.errors import InputError, Issue
@@ -158,6 +158,10 @@ def error_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -
         return None
     assert results is not None
     assert results.comparison is not None
+    if output.take in ("largest", "smallest"):
+        sign = 1 if output.take == "largest" else -1
+        values, before = (sign * _nodal_values(output, each)[0] for each in (results, coarser or results))
+        return value, error_of_largest(values, before, results.comparison)
     # places of the largest size may differ between both meshes, and with them the sign
     sizes = (abs(value), abs(other)) if output.of == "deflection" else (value, other)
     return value, estimate_error(*sizes, results.comparison)
@@ -194,13 +198,19 @@ def _scalar(output: RequestedOutput, results: CombinationResult) -> float | None
         return _scalar_quantity(output, results)
     if output.take == "at":
         return _value_at(results, output)
+    values, weights = _nodal_values(output, results)
+    if output.take == "mean":
+        return float(values @ weights / weights.sum())
+    return float(values.max() if output.take == "largest" else values.min())
+
+
+def _nodal_values(output: RequestedOutput, results: CombinationResult) -> tuple[Array, Array]:
+    """Return a field at the plate's nodes where it is, and the areas [m2] or lengths [m] of the edge of each, (n,)."""
     values, weights = field_of(results, output.of), results.plate.area
     if output.of == "line force":
         on_edge = results.plate.edge_length > 0
         values, weights = values[on_edge], results.plate.edge_length[on_edge]
-    if output.take == "mean":
-        return float(values @ weights / weights.sum())
-    return float(values.max() if output.take == "largest" else values.min())
+    return values, weights
 
 
 def _scalar_quantity(output: RequestedOutput, results: CombinationResult) -> float | None:

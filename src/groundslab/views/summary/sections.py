@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from operator import attrgetter, itemgetter
 from typing import TYPE_CHECKING
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.judgment import judge
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
-from groundslab.accuracy.values import estimate_error
+from groundslab.accuracy.values import error_of_largest, estimate_error
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme
 from groundslab.units import UNITS, Unit
@@ -69,6 +69,7 @@ class Row:
     tolerance: float | None = None
     ok: bool | None = None
     error: float | None = None  # estimated discretization error, in SI
+    values: Array | None = field(default=None, compare=False, repr=False)  # (n,), the value is the largest of these
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +112,9 @@ def _with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Ro
     if coarser is None or row.unit is None or isinstance(row.value, str) or isinstance(coarser.value, str):
         return row
     assert results.comparison is not None
-    return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
+    if row.values is None or coarser.values is None:
+        return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
+    return replace(row, error=error_of_largest(row.values, coarser.values, results.comparison))
 
 
 def _discretization(results: CombinationResult) -> SummarySection:
@@ -261,7 +264,7 @@ def _extreme(name: str, key: str, label: str, nodes: Array, values: Array, sign:
     """Return the largest (sign 1) or smallest (sign -1) of values (n,) of a field with its place."""
     about = PLATE_FIELDS[name]
     value, place = extreme(nodes, values, sign)
-    return Row(key, label, value, about.display, symbol.format(about.symbol), place)
+    return Row(key, label, value, about.display, symbol.format(about.symbol), place, values=sign * values)
 
 
 def _settlement(results: CombinationResult) -> SummarySection:
