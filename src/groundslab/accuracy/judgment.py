@@ -1,7 +1,6 @@
 """The largest discretization error of the values that are judged: extremes of the fields, and what supports carry.
 
-What has no limit as the mesh is refined is not judged: moments, shear forces and pressures at forces and supports
-without a footprint, and at corners that point into the plate.
+What has no limit as the mesh is refined is not judged, see `singularities`.
 """
 
 from __future__ import annotations
@@ -13,24 +12,27 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import add_errors, estimate_error
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 
 if TYPE_CHECKING:
-    from groundslab.arrays import Array, Flags
-    from groundslab.geometry.plan import Ring
-    from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult
 
 #: Fields of which the largest and the smallest value are judged, or the largest size.
 BOTH_SIGNS = ("settlement", "pressure", "moment_x", "moment_y")
 SIZES = ("gap", "moment_xy", "shear_x", "shear_y")
-#: Of these, fields that have no limit at some places.
-LIMITED_AWAY = ("pressure", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+#: Of these, fields that have no limit at some places, see `singularities.Limits`.
+LIMITED = {
+    "moment_x": "moments",
+    "moment_y": "moments",
+    "moment_xy": "moments",
+    "shear_x": "shear_forces",
+    "shear_y": "shear_forces",
+    "pressure": "pressures",
+}
 #: Values below this share of the largest of their unit are rounding.
 NOTHING = 1e-9
-#: They are judged so many thicknesses away from there.
-AWAY = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,10 +74,10 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float,
     assert coarser is not None
     assert comparison is not None
     nodes = plate.nodes
-    limited = finite_section_forces(results.model, nodes)
+    limits = find_limits(results.model, nodes, plate.in_contact)
     for name in (*BOTH_SIGNS, *SIZES):
         about, field = PLATE_FIELDS[name], getattr(plate, name)
-        judged = limited if name in LIMITED_AWAY else np.ones(len(nodes), dtype=bool)
+        judged = getattr(limits, LIMITED[name]) if name in LIMITED else np.ones(len(nodes), dtype=bool)
         if not judged.any():
             continue
         own, other, at = field[judged], getattr(coarser.plate, name)[judged], nodes[judged]
@@ -90,40 +92,3 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float,
         error = estimate_error(support.total, before_it.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None
         yield "force of supports", "force", support.total, middle, error
-
-
-def finite_section_forces(model: Model, nodes: Array) -> Flags:
-    """Return at which nodes (n, 2) moments and shear forces have a limit as the mesh is refined, (n,)."""
-    from scipy.spatial import KDTree
-
-    places = np.array([*_singular_places(model)]).reshape(-1, 2)
-    if not len(places):
-        return np.ones(len(nodes), dtype=bool)
-    far: Flags = KDTree(places).query(nodes)[0] > AWAY * model.plate.thickness
-    return far
-
-
-def _singular_places(model: Model) -> Iterator[tuple[float, float]]:
-    """Yield the places at which moments and shear forces have no limit."""
-    for load in model.loads:
-        if load.kind == "point":
-            own = load.on(model.columns)
-            if own.width_x is None and own.diameter is None:
-                assert own.x is not None
-                assert own.y is not None
-                yield own.x, own.y
-    yield from ((each.x, each.y) for each in model.supports if each.kind == "point")
-    yield from _corners_into(model.plate.ring(), 1)
-    for opening in model.plate.openings:
-        yield from _corners_into(opening.ring(), -1)
-
-
-def _corners_into(ring: Ring, side: int) -> Iterator[tuple[float, float]]:
-    """Yield the corners between straight edges that point into the plate, which lies inside (1) or outside (-1)."""
-    edges = ring.segments()
-    turn = side * np.sign(ring.signed_area)
-    for before, after in zip((edges[-1], *edges[:-1]), edges, strict=True):
-        if before.straight and after.straight:
-            (ax, ay), (bx, by) = (np.subtract(each.end, each.start) for each in (before, after))
-            if turn * (ax * by - ay * bx) < -1e-9 * np.hypot(ax, ay) * np.hypot(bx, by):
-                yield after.start

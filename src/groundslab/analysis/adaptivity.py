@@ -42,8 +42,9 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results]) -> Result
     """
     start = local_sizes(model)
     results, shares = solve(Meshes(local=start)), dict[str, dict[str, float]]()
-    for _ in range(MOST_MESHES - 1 if model.mesh.adaptive else 0):
-        wanted = (_demand(each, shares.get(name, {})) for name, each in results.items())
+    for count in range(1, MOST_MESHES if model.mesh.adaptive else 0):
+        # on the first mesh, which may be coarser than footprints, no error says how it falls
+        wanted = (_demand(each, shares.get(name, {}) if count > 2 else {}) for name, each in results.items())
         demands = [sizes for sizes in wanted if sizes is not None]
         shares = {name: {each.label: each.share for each in reversed(judge(found))} for name, found in results.items()}
         if not demands:

@@ -81,7 +81,7 @@ class Model(Section):
         Reinforcement | None,
         Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
     ] = None
-    mesh: Annotated[Mesh, Table("the mesh; 24 elements over the shorter side by default")] = Mesh()
+    mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 
     @classmethod
@@ -90,10 +90,15 @@ class Model(Section):
         return ""
 
     @property
+    def ground_carries_shear(self) -> bool:
+        """Return whether the ground carries shear in any layer anywhere."""
+        grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
+        return any(any(consistency.carry_shear(each)) for each in grounds)
+
+    @property
     def ground_reaches(self) -> bool:
         """Return whether ground beyond the plate has an effect: there is some, and it carries shear."""
-        grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
-        return self.beyond.kind != "none" and any(any(consistency.carry_shear(each)) for each in grounds)
+        return self.beyond.kind != "none" and self.ground_carries_shear
 
     @property
     def plain(self) -> bool:

@@ -136,7 +136,7 @@ def _check_size(
 
 
 class Mesh(Section):
-    """The mesh of the plate; with an accuracy alone it is made, with nothing the shorter side has 24 elements."""
+    """The mesh of the plate; without size and counts it is refined until the results are accurate enough."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_size,)
 
@@ -165,7 +165,7 @@ class Mesh(Section):
     @property
     def adaptive(self) -> bool:
         """Whether the mesh is refined where its errors are largest."""
-        return self.accuracy is not None and self.size is None and self.counts is None
+        return self.size is None and self.counts is None
 
     @property
     def largest_error(self) -> float:

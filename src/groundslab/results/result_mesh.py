@@ -13,10 +13,10 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
 from groundslab.fem.load_vectors import nodal_area
-from groundslab.fem.mesh import SIDES, Mesh, Place, mirror, renumber_by_rows, sides_along
+from groundslab.fem.mesh import SIDES, Mesh, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
-from groundslab.geometry.plan import Ring, rectangle
+from groundslab.geometry.plan import Ring, Segment, rectangle
 from groundslab.model.columns import footprint
 from groundslab.model.loads import load_types as loads
 from groundslab.model.model import Model
@@ -103,7 +103,11 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     elements, depth = problem.mesh.elements[problem.plate_elements], problem.depths.dominant
     supports = [piece for each in model.supports if isinstance(each, LineSupport) for piece in pairwise(each.points)]
     at_supports = sides_along(problem.mesh, elements, supports)
-    at_loads = sides_along(problem.mesh, elements, [line for load in model.loads for line in _lines(load, model)])
+    at_loads = sides_along(
+        problem.mesh,
+        elements,
+        [(edge.start, edge.end) for load in model.loads for edge in load_borders(load, model) if edge.straight],
+    )
     mesh, node = split_by_section(problem, at_supports, depth)
     smooth, _ = split_by_section(problem, np.concatenate([at_supports, at_loads]))
     matrices, kind = section_matrices(problem)
@@ -209,11 +213,11 @@ def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array,
     return Mesh(doubled.nodes, doubled.elements[images]), more, copied
 
 
-def _lines(load: loads.AnyLoad, model: Model) -> Iterator[tuple[Place, Place]]:
-    """Yield the straight lines along which a load begins, ends or stands."""
+def load_borders(load: loads.AnyLoad, model: Model) -> Iterator[Segment]:
+    """Yield the lines along which a load begins, ends or stands."""
     rings: list[Ring] = []
     if isinstance(load, loads.LineLoad):
-        yield from ((edge.start, edge.end) for edge in load.segments() if edge.straight)
+        yield from load.segments()
     elif isinstance(load, loads.PatchLoad):
         rings = [rectangle(*load.x, *load.y)]
     elif isinstance(load, loads.AreaLoad):
@@ -226,7 +230,7 @@ def _lines(load: loads.AnyLoad, model: Model) -> Iterator[tuple[Place, Place]]:
         rings = [] if own_ring is None else [own_ring]
     elif not isinstance(load, loads.UniformLoad | loads.SelfWeight | loads.TemperatureLoad | loads.SettlementLoad):
         assert_never(load)
-    yield from ((edge.start, edge.end) for ring in rings for edge in ring.segments() if edge.straight)
+    yield from (edge for ring in rings for edge in ring.segments())
 
 
 def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
