@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import add_errors, estimate_error
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 
@@ -74,6 +73,8 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float,
     assert coarser is not None
     assert comparison is not None
     nodes = plate.nodes
+    from groundslab.accuracy.singularities import find_limits
+
     limits = find_limits(results.model, nodes, plate.in_contact)
     for name in (*BOTH_SIGNS, *SIZES):
         about, field = PLATE_FIELDS[name], getattr(plate, name)

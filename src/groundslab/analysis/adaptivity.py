@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 import numpy as np
 
@@ -22,31 +22,40 @@ MOST_MESHES = 5
 MOST_UNKNOWNS = 300_000
 #: Errors aimed at, as a share of what is asked for: estimates are no bounds.
 AIM = 0.8
-#: The error in energy is to fall by no more than this from one mesh to the next: one that is large says little.
+#: An error is to fall by no more than this from one mesh to the next: one that is large says little.
 MOST_REDUCTION = 3.0
-#: Elements become at most so many times smaller from one mesh to the next, and at most so many times larger.
-SMALLER, LARGER = 8.0, 2.0
+#: Elements become at most so many times smaller from one mesh to the next.
+SMALLER = 8.0
 #: An error that is left with more than this share of itself by smaller elements falls no more.
 PROGRESS = 0.8
 #: Smaller elements at the place of a value reach so many of the present sides around it.
 AROUND = 1.5
 #: Orders of convergence between which the one found is believed.
-ORDERS = (0.5, 2.0)
+ORDERS = (1.0, 2.0)
 
 
-def solve_adaptively(model: Model, solve: Callable[[Meshes], Results]) -> Results:
+def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: float = 1.0) -> Results:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
-    Or until those that are not fall no more, a mesh would have more than MOST_UNKNOWNS, or MOST_MESHES were made: then
-    the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
+    Or within a share of it. Or until those that are not fall no more, a mesh would have more than MOST_UNKNOWNS, or
+    MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
     """
-    start = local_sizes(model)
-    results, shares = solve(Meshes(local=start)), dict[str, dict[str, float]]()
+    start, accuracy = local_sizes(model), share * model.mesh.largest_error
+    results, before = solve(Meshes(local=start)), dict[str, dict[str, float]]()
     for count in range(1, MOST_MESHES if model.mesh.adaptive else 0):
+        judged = {name: judge(found) for name, found in results.items()}
         # on the first mesh, which may be coarser than footprints, no error says how it falls
-        wanted = (_demand(each, shares.get(name, {}) if count > 2 else {}) for name, each in results.items())
-        demands = [sizes for sizes in wanted if sizes is not None]
-        shares = {name: {each.label: each.share for each in reversed(judge(found))} for name, found in results.items()}
+        too_large = {
+            name: [
+                each
+                for each in found
+                if each.share > accuracy
+                and (count < 3 or each.share <= PROGRESS * before.get(name, {}).get(each.label, np.inf))
+            ]
+            for name, found in judged.items()
+        }
+        before = {name: {each.label: each.share for each in reversed(found)} for name, found in judged.items()}
+        demands = [_demand(results[name], found, accuracy) for name, found in too_large.items() if found]
         if not demands:
             break
         first = next(iter(results.values()))
@@ -61,23 +70,17 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results]) -> Result
     return results
 
 
-def _demand(results: CombinationResult, before: Mapping[str, float]) -> Array | None:
-    """Return the sizes (m,) [m] that elements should have, None if the judged errors are within the accuracy.
-
-    Errors that fall no more are left out; before are those on the mesh before, by quantity.
-    """
-    accuracy = results.model.mesh.largest_error
-    judged = [each for each in judge(results) if each.share > accuracy]
-    judged = [each for each in judged if each.share <= PROGRESS * before.get(each.label, np.inf)]
+def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: float) -> Array:
+    """Return the sizes (m,) [m] that elements should have; judged are errors above the accuracy, the largest first."""
     density = results.elements.discretization_error
-    if not judged or results.comparison is None or density is None:
-        return None
+    assert results.comparison is not None
+    assert density is not None
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     h, p = np.sqrt(areas(mesh.xy)), float(np.clip(-np.log2(max(results.comparison.reduction, 1e-3)), *ORDERS))
     ratio = min(judged[0].share / (AIM * accuracy), MOST_REDUCTION)
     sizes = _equidistributed(h, density, p, ratio)
     sizes = np.minimum(sizes, _near_values(mesh, h, judged, p, AIM * accuracy))
-    found: Array = np.clip(sizes, h / SMALLER, LARGER * h)
+    found: Array = np.clip(sizes, h / SMALLER, h)
     return found
 
 
@@ -105,5 +108,6 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], p: float, accu
             distance = np.hypot(*(mesh.xy[:, 8] - each.place).T)
             side = h[distance.argmin()]
             near = distance <= AROUND * side
-            found[near] = np.minimum(found[near], side * (accuracy / each.share) ** (1 / p))
+            ratio = min(each.share / accuracy, MOST_REDUCTION)
+            found[near] = np.minimum(found[near], side * ratio ** (-1 / p))
     return found

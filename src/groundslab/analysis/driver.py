@@ -32,6 +32,8 @@ from groundslab.results.results import CombinationResult, Increment, Results
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution
 
+#: Variants have the mesh of the base case, made for errors of this share of the accuracy, as theirs may be larger.
+BASE_SHARE = 0.5
 #: At most so many combinations are solved at the same time, each on its share of the threads,
 MAX_LANES = 4
 #: and only if each has no more unknowns than this: every lane needs memory for a factor.
@@ -158,7 +160,7 @@ class Variants:
             return _combine(base, combinations, _outcomes(base, combinations, None, meshes, self._reference))
 
         #: The results of the base case, whose mesh all variants have.
-        self.base = solve_adaptively(base, solve_on)
+        self.base = solve_adaptively(base, solve_on, BASE_SHARE)
         self._reference.close()
 
     def solve_combinations(

@@ -8,14 +8,20 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.discretize.ground import grounds_of
+from groundslab.fem.foundation import Column
+from groundslab.fem.plate import bending_rigidity
 from groundslab.geometry.plan import Ring
 from groundslab.meshing.sizing import Sources, along
 from groundslab.model.columns import footprint
+from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.loads.load_types import PatchLoad, PointLoad
 from groundslab.model.model import Model
 
 #: Places in a part that is refined are so many to a side of an element there.
 PLACES_PER_SIDE = 2
+#: Elements of a mesh that makes itself are not larger than the elastic length, where the shorter side has at most this.
+MOST_ON_SHORT_SIDE = 96
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
 
@@ -23,15 +29,29 @@ MOST_PLACES = 100_000
 def local_sizes(model: Model) -> Sources | None:
     """Return places (k, 2) [m] with the sizes (k,) [m] that elements have there at most, None without such places.
 
-    Footprints count where the mesh is adaptive: elements that do not see them cannot tell their error either.
+    Footprints and the elastic length count where the mesh is adaptive: elements that do not see them cannot tell their
+    error either.
     """
     found = [(_places(part.shape.ring(), part.size), part.size) for part in model.mesh.refine]
     if model.mesh.adaptive:
+        size = max(_elastic_length(model), min(model.plate.sides) / MOST_ON_SHORT_SIDE)
+        if size < min(model.plate.sides) / SHORT_SIDE_ELEMENTS:
+            found.append((_places(model.plate.ring(), size), size))
         found += [(_raster(ring.bounds, 3, 3), min(_sides(ring))) for ring in _footprints(model)]
     if not found:
         return None
     places = np.concatenate([where for where, _ in found])
     return places, np.concatenate([np.full(len(where), size) for where, size in found])
+
+
+def _elastic_length(model: Model) -> float:
+    """Return the least elastic length (D / k)^(1/4) [m], k being the pressure on the ground over its settlement."""
+    plate = model.plate
+    parts = [(plate.E, plate.nu, plate.thickness)]
+    parts += [(zone.E or plate.E, zone.nu or plate.nu, zone.thickness or plate.thickness) for zone in plate.zones]
+    grounds = [each if isinstance(each, Column) else each.column(each.gamma or 1.0) for each in grounds_of(model)]
+    k = max(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
+    return float((min(bending_rigidity(*part)[0, 0] for part in parts) / k) ** 0.25)
 
 
 def _places(ring: Ring, size: float) -> Array:

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from contextlib import suppress
 
-import numpy as np
-
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Plan, sections
 from groundslab.meshing import quadrangulation, sizing
@@ -22,8 +20,6 @@ from groundslab.meshing.sizing import Sources
 
 __all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
 
-#: Cells have sides of about this share of the size that a mesh maker is asked for.
-SHORT = 0.8
 #: A mesh whose least scaled Jacobian exceeds this is good; else the next one that the maker has is looked at.
 ENOUGH = 0.35
 #: Such a next mesh takes the place of the one before if its least scaled Jacobian is larger by this.
@@ -77,8 +73,7 @@ def unstructured(
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
     smaller = sizing.sources(plan, size, edge_size or size)
     if local is not None:
-        near = local[1] < size
-        local = local[0][near], np.minimum(local[1][near] / SHORT, size)
+        local = local[0][local[1] < size], local[1][local[1] < size]
     for cells in make(plan, size, smaller, scale, local):
         try:
             result = _quadrilaterals(plan, cells)

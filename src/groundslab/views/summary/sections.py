@@ -126,13 +126,28 @@ def _discretization(results: CombinationResult) -> SummarySection:
         rows.append(
             Row("largest_error", f"largest error, {judged[0].label}", judged[0].share, UNITS["%"], "", judged[0].place)
         )
-    notes: tuple[str, ...] = ()
+    notes = _not_judged(results)
     if judged and judged[0].share > results.model.mesh.largest_error:
         notes = (
+            *notes,
             f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): "
             f"{_remedy(results.model)} Errors are estimated from the same analysis on elements twice as large.",
         )
     return SummarySection("discretization", "Discretization error", tuple(rows), notes)
+
+
+def _not_judged(results: CombinationResult) -> tuple[str, ...]:
+    """Return in words which values are not among those that are judged, nothing where all are."""
+    from groundslab.accuracy.singularities import find_limits
+
+    limits = find_limits(results.model, results.plate.nodes, results.plate.in_contact)
+    words = {
+        "moments and shear forces where they have no limit as elements become smaller": limits.moments,
+        "shear forces around footprints": limits.shear_forces | ~limits.moments,
+        "pressures where they jump": limits.pressures | ~limits.shear_forces,
+    }
+    left_out = [text for text, judged in words.items() if not judged.all()]
+    return (f"Not judged within a thickness: {'; '.join(left_out)}.",) if left_out else ()
 
 
 def _remedy(model: Model) -> str:
