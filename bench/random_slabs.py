@@ -72,7 +72,9 @@ def random_slab(seed: int, accuracy: float) -> Model:
     loads: list[dict[str, Any]] = [{"kind": "uniform", "q": 5e3}]
     side = float(rng.choice([0.15, 0.3, 0.5]))
     for _ in range(int(rng.integers(2, 7))):
-        x, y = rng.uniform(0.05, 0.95) * u * a, rng.uniform(0.05, 0.95) * b
+        x, y = rng.uniform(side, u * a - side), rng.uniform(side, b - side)
+        while "openings" in plate and x < 0.22 * a + side and y < 0.27 * b + side:
+            x, y = rng.uniform(side, u * a - side), rng.uniform(side, b - side)
         P = float(rng.uniform(0.1, 1.0)) * 2e6 * thickness
         loads.append({"kind": "point", "P": P, "x": x, "y": y, "width_x": side, "width_y": side})
     if rng.random() < 0.4:
@@ -102,12 +104,12 @@ def true_errors(results: CombinationResult, truth: CombinationResult) -> Array:
     """Return the errors (k,) of the judged values, each as a share of the largest of its quantity."""
     of, exact = [[*judged_values(each)] for each in (results, truth)]
     largest: dict[str, float] = {}
-    for quantity, _, value, _ in exact:
+    for quantity, _, value, *_ in exact:
         largest[quantity] = max(largest.get(quantity, 0.0), abs(value))
     scale = max(largest.values())
     return np.array([
         abs(a - b) / largest[quantity] if largest[quantity] > 1e-9 * scale else 0.0
-        for (quantity, _, a, _), (*_, b, _) in zip(of, exact, strict=True)
+        for (quantity, _, a, *_), (_, _, b, *_) in zip(of, exact, strict=True)
     ])  # fmt: skip
 
 
@@ -124,7 +126,7 @@ def examine(seed: int, accuracy: float) -> dict[str, Any]:
     truth = solve_on(fixed, (xy[:, 8], np.sqrt(areas(xy)) / factor))
     errors = true_errors(found, truth)
     told = {each.value: each.share for each in judge(found)}
-    shares = np.array([told.get(value, 0.0) for _, _, value, _ in judged_values(found)])
+    shares = np.array([told.get(value, 0.0) for _, _, value, *_ in judged_values(found)])
     wanted = max(accuracy, float(errors.max()))
     uniform, size = 0, 2 * base
     while not uniform:

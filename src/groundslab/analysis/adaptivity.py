@@ -14,6 +14,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
 from groundslab.meshing.sizing import join
 from groundslab.model.model import Model
+from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult, Results
 
 #: So many meshes are made at most,
@@ -28,6 +29,8 @@ MOST_REDUCTION = 3.0
 SMALLER = 8.0
 #: An error that is left with more than this share of itself by smaller elements falls no more.
 PROGRESS = 0.8
+#: Errors of these come from the elements around their places.
+LOCAL = {PLATE_FIELDS[name].label for name in ("shear_x", "shear_y", "pressure")}
 #: Smaller elements at the place of a value reach so many of the present sides around it.
 AROUND = 1.5
 #: Orders of convergence between which the one found is believed.
@@ -77,8 +80,8 @@ def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: flo
     assert density is not None
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     h, p = np.sqrt(areas(mesh.xy)), float(np.clip(-np.log2(max(results.comparison.reduction, 1e-3)), *ORDERS))
-    ratio = min(judged[0].share / (AIM * accuracy), MOST_REDUCTION)
-    sizes = _equidistributed(h, density, p, ratio)
+    spread = next((each.share for each in judged if each.label not in LOCAL), 0.0)
+    sizes = h if not spread else _equidistributed(h, density, p, min(spread / (AIM * accuracy), MOST_REDUCTION))
     sizes = np.minimum(sizes, _near_values(mesh, h, judged, p, AIM * accuracy))
     found: Array = np.clip(sizes, h / SMALLER, h)
     return found
