@@ -11,7 +11,7 @@ import groundslab
 from groundslab.accuracy.energy import energy_errors, error_density
 from groundslab.accuracy.prolongation import make_prolongation
 from groundslab.accuracy.resolution import find_unresolved
-from groundslab.accuracy.values import SLOWEST, estimate_error
+from groundslab.accuracy.values import SLOWEST, error_of_largest, estimate_error
 from groundslab.analysis import nested
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
 from groundslab.fem.problem import BETA_X, BETA_Y, W
@@ -138,13 +138,16 @@ def test_nothing_is_averaged_across_a_border() -> None:
     np.testing.assert_allclose(plate.moment_x, -2 * D, rtol=1e-9)
 
 
+def comparison(q: float) -> Comparison:
+    """Return a comparison of meshes with so much of the error in energy left on the finer one."""
+    parts = synthetic.results()
+    return Comparison(parts.plate, parts.elements, parts.ground, (), energy_error=0.1, reduction=q)
+
+
 def test_error_of_a_value() -> None:
     """A sequence that halves its error with each mesh is told its error; slow convergence is not believed."""
-    parts = synthetic.results()
-    about = Comparison(parts.plate, parts.elements, parts.ground, (), 0.1, 0.5)
-    assert estimate_error(1.1, 1.2, about) == pytest.approx(0.1)
-    slow = Comparison(parts.plate, parts.elements, parts.ground, (), 0.1, 0.99)
-    assert estimate_error(1.1, 1.2, slow) == pytest.approx(0.1 * SLOWEST / (1 - SLOWEST))
+    assert estimate_error(1.1, 1.2, comparison(0.5)) == pytest.approx(0.1)
+    assert estimate_error(1.1, 1.2, comparison(0.99)) == pytest.approx(0.1 * SLOWEST / (1 - SLOWEST))
 
 
 def test_footprints_that_the_mesh_does_not_see() -> None:
@@ -155,3 +158,18 @@ def test_footprints_that_the_mesh_does_not_see() -> None:
     assert (coarse.count, coarse.footprint, coarse.element) == (1, 0.2, pytest.approx(0.5))
     assert find_unresolved(groundslab.solve(slab(loads=loads, mesh={"size": 0.2})).only) is None
     assert find_unresolved(groundslab.solve(slab()).only) is None
+
+
+def test_the_largest_value_may_lie_where_another_one_is_uncertain() -> None:
+    """Both meshes agree on the largest value; one beside it has changed so much that it may be the largest."""
+    about = comparison(0.5)
+    values, coarser = np.array([1.0, 0.95, 0.1]), np.array([1.0, 0.80, 0.1])
+    assert error_of_largest(values, coarser, about) == pytest.approx(0.95 + 0.15 - 1.0)
+    assert error_of_largest(values[[0, 2]], coarser[[0, 2]], about) == 0
+
+
+def test_what_is_nowhere_positive_stays_so() -> None:
+    """The least gap is zero where the plate rests on the ground, whatever the errors of gaps elsewhere are."""
+    gaps, coarser = np.array([0.0, 1e-6, 2e-3]), np.array([0.0, 5e-6, 1e-3])
+    assert error_of_largest(-gaps, -coarser, comparison(0.5)) == 0
+    assert error_of_largest(gaps, coarser, comparison(0.5)) == pytest.approx(1e-3)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab import InputError, Model, solve
-from groundslab.accuracy.judgment import judge
+from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.singularities import find_limits
 from groundslab.analysis import adaptivity
 from groundslab.analysis.driver import Variants
@@ -172,3 +172,46 @@ def test_pressures_of_ground_with_shear_jump_where_loads_begin() -> None:
     assert found.pressures.tolist() == [False, True, False, False]
     found = find_limits(model, places, np.array([True, False, True, True]))
     assert not found.pressures.any()
+
+
+def test_a_mesh_is_adaptive_unless_it_is_described() -> None:
+    """Without size and counts, with an accuracy or not."""
+    assert slab({}).mesh.adaptive
+    assert slab({}).mesh.largest_error == 0.05
+    assert slab({"accuracy": 0.02}).mesh.adaptive
+    assert not slab({"size": 0.5}).mesh.adaptive
+    assert not slab({"counts": (10, 6)}).mesh.adaptive
+
+
+def test_first_elements_are_no_larger_than_the_elastic_length() -> None:
+    """(D / k)^(1/4) all over a large plate; on a small one 24 elements on the shorter side are smaller anyway."""
+    large = {"length_x": 60.0, "length_y": 40.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
+    uniform = [{"kind": "uniform", "q": 1e4}]
+    places, sizes = local_sizes(slab({}, plate=large, loads=uniform)) or pytest.fail("no places")
+    length = (30e9 * 0.2**3 / 12 / (1 - 0.2**2) / 50e6) ** 0.25
+    np.testing.assert_allclose(sizes, length)
+    assert np.ptp(places, axis=0) == pytest.approx([60, 40])
+    assert local_sizes(slab({}, loads=uniform)) is None
+
+
+def test_shear_forces_alone_are_refined_around_their_places() -> None:
+    """A moment that is off makes elements smaller all over; a shear force only where it is."""
+    found = solve(slab({"size": 0.5})).only
+    h = sides(found)
+    shear = JudgedValue(0.2, 1e4, "shear q_x", (-2.0, -1.1))
+    moment = JudgedValue(0.2, 1e4, "moment m_x", (-2.0, -1.1))
+    local, spread = (adaptivity._demand(found, [each], 0.05) for each in (shear, moment))
+    smaller = local < 0.99 * h
+    assert smaller.any()
+    assert near(found, -2.0, -1.1, 1.0)[smaller].all()
+    assert (spread < 0.99 * h).sum() > 2 * smaller.sum()
+    assert (spread <= h * (1 + 1e-9)).all()
+
+
+@pytest.mark.slow
+def test_variants_have_a_mesh_for_half_the_errors() -> None:
+    """The base case of a study has smaller errors than asked for, as those of variants may be larger."""
+    model = slab({"accuracy": 0.1})
+    base = Variants(model).base
+    assert len(base.only.plate.elements) > len(solve(model).only.plate.elements)
+    assert judge(base.only)[0].share <= 0.05
