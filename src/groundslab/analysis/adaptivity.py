@@ -19,8 +19,10 @@ from groundslab.results.results import CombinationResult, Results
 
 #: So many meshes are made at most,
 MOST_MESHES = 5
-#: of about so many unknowns at most; one with more than half of them is not followed by another.
+#: of at most about so many unknowns each, and so many together, times the combinations; one with more than half of what
+#: is left is not followed by another.
 MOST_UNKNOWNS = 300_000
+MOST_WORK = 2_400_000
 #: Errors aimed at, as a share of what is asked for: estimates are no bounds.
 AIM = 0.8
 #: An error is to fall by no more than this from one mesh to the next: one that is large says little.
@@ -40,11 +42,11 @@ ORDERS = (1.0, 2.0)
 def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: float = 1.0) -> Results:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
-    Or within a share of it. Or until those that are not fall no more, a mesh would have more than MOST_UNKNOWNS, or
+    Or within a share of it. Or until those that are not fall no more, another mesh would have too many unknowns, or
     MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
     """
     start, accuracy = local_sizes(model), share * model.mesh.largest_error
-    results, before = solve(Meshes(local=start)), dict[str, dict[str, float]]()
+    results, before, spent = solve(Meshes(local=start)), dict[str, dict[str, float]](), 0
     for count in range(1, MOST_MESHES if model.mesh.adaptive else 0):
         judged = {name: judge(found) for name, found in results.items()}
         # on the first mesh, which may be coarser than footprints, no error says how it falls
@@ -65,10 +67,12 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: fl
         mesh = Mesh(first.plate.nodes, first.plate.elements)
         area, sizes = areas(mesh.xy), np.min(demands, axis=0)
         unknowns = first.unknowns * float((area / sizes**2).sum()) / len(area)
-        if unknowns > MOST_UNKNOWNS:
-            sizes = sizes * np.sqrt(unknowns / MOST_UNKNOWNS)
-            if first.unknowns > MOST_UNKNOWNS / 2:
+        spent += first.unknowns
+        left = min(MOST_UNKNOWNS, MOST_WORK / len(results) - spent)
+        if unknowns > left:
+            if first.unknowns > left / 2:
                 break
+            sizes = sizes * np.sqrt(unknowns / left)
         results = solve(Meshes(local=join((mesh.xy[:, 8], sizes), start)))
     return results
 
