@@ -82,7 +82,8 @@ def test_alternatives_of_the_starter_are_toml() -> None:
             '# [[loads]]\n# kind = "point"\n# P = "50 kN"\n# x = "0 m"\n# y = "0 m"',
             '[[loads]]\nkind = "point"\nP = "50 kN"\nx = "0 m"\ny = "0 m"',
         ),
-        ("# [mesh]\n# size", "[mesh]\nsize"),
+        ('# [mesh]\n# accuracy = "5 %"\n# size', "[mesh]\nsize"),
+        ("# [mesh]\n# accuracy", "[mesh]\naccuracy"),
         ("# [analysis]\n# increments", "[analysis]\nincrements"),
     ],
 )
