@@ -69,12 +69,12 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float,
 
     The places of extremes are those where they may lie if nodal values have their errors, see `error_of_largest`.
     """
+    from groundslab.accuracy.singularities import find_limits
+
     plate, coarser, comparison = results.plate, results.coarser, results.comparison
     assert coarser is not None
     assert comparison is not None
     nodes = plate.nodes
-    from groundslab.accuracy.singularities import find_limits
-
     limits = find_limits(results.model, nodes, plate.in_contact)
     for name in (*BOTH_SIGNS, *SIZES):
         about, field = PLATE_FIELDS[name], getattr(plate, name)

@@ -20,10 +20,11 @@ from groundslab.model.model import Model
 
 #: Places in a part that is refined are so many to a side of an element there.
 PLACES_PER_SIDE = 2
-#: Elements of a mesh that makes itself are not larger than the elastic length, where the shorter side has at most this.
-MOST_ON_SHORT_SIDE = 96
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
+#: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
+#: shorter side.
+MOST_ON_SHORT_SIDE = 96
 
 
 def local_sizes(model: Model) -> Sources | None:

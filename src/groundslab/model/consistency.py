@@ -27,7 +27,7 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
 MOST_SURFACES = 200  # each couples with all others at every node
-SHORT_SIDE_ELEMENTS = 24  # where the mesh is not described
+SHORT_SIDE_ELEMENTS = 24  # of the first mesh, where none is described
 
 
 def estimate_elements(plate: Plate, mesh: Mesh) -> float:

@@ -157,10 +157,11 @@ def error_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -
     if value is None or other is None or not np.isfinite([value, other]).all():
         return None
     assert results is not None
+    assert coarser is not None
     assert results.comparison is not None
     if output.take in ("largest", "smallest"):
         sign = 1 if output.take == "largest" else -1
-        values, before = (sign * _nodal_values(output, each)[0] for each in (results, coarser or results))
+        values, before = (sign * _nodal_values(output, each)[0] for each in (results, coarser))
         return value, error_of_largest(values, before, results.comparison)
     # places of the largest size may differ between both meshes, and with them the sign
     sizes = (abs(value), abs(other)) if output.of == "deflection" else (value, other)
