@@ -147,3 +147,22 @@ def test_errors_of_values_with_exact_answers(name: str) -> None:
         if true > 3e-4 * abs(exact):
             assert outcome.error > 0.5 * true, outcome.label
     assert known
+
+
+@pytest.mark.parametrize("t", [0.3, 0.8])
+def test_means_where_moments_are_singular(t: float) -> None:
+    """A force without a footprint gives the moment and shear forces of one that has spread over a thickness' width."""
+    force = {"kind": "point", "P": 1e6, "x": 0.5, "y": 0.3}
+    found = list[Array]()
+    for footprint in ({}, {"diameter": t}):
+        model = Model(
+            plate={"length_x": 6.0, "length_y": 6.0, "thickness": t, "E": 30e9, "nu": 0.2},
+            ground={"kind": "winkler", "k": 3e7},
+            loads=[force | footprint],
+            mesh={"size": t / 4},
+        )
+        plate = groundslab.solve(model).only.plate
+        beside = plate.value_at("moment_xy", 0.5 + t / 2, 0.3 + t / 2), plate.value_at("shear_x", 0.5 + t / 2, 0.3)
+        found.append(np.array([plate.moment_x.max(), plate.moment_y.max(), *beside]))
+    # the shear force has a kink there, which elements of a quarter of the thickness round off
+    np.testing.assert_array_less(np.abs(found[0] / found[1] - 1), [0.01, 0.01, 0.02, 0.06])

@@ -25,13 +25,16 @@ class Unresolved:
 
 
 def find_unresolved(results: CombinationResult) -> Unresolved | None:
-    """Return what the mesh does not resolve of the footprints of point loads, None if it resolves all."""
+    """Return what the mesh does not resolve of the footprints of forces and supports, None if it resolves all.
+
+    Without a footprint they count as if they had one of a thickness, over which moments are means.
+    """
     model, mesh = results.model, Mesh(results.plate.nodes, results.plate.elements)
     found = []
     for load in (each.on(model.columns) for each in model.loads if isinstance(each, PointLoad)):
         sides = [side for side in (load.width_x, load.width_y, load.diameter) if side]
-        if sides:
-            found.append((load.x, load.y, min(sides)))
+        found.append((load.x, load.y, min(sides, default=model.plate.thickness)))
+    found += [(each.x, each.y, model.plate.thickness) for each in model.supports if each.kind == "point"]
     if not found:
         return None
     x, y, side = np.array(found, dtype=float).T

@@ -1,4 +1,4 @@
-"""Where the elements of a model are smaller from the start: what the file refines, and footprints of forces."""
+"""Where elements are smaller from the start: in what the file refines, and at footprints of forces and supports."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from groundslab.arrays import Array
 from groundslab.discretize.ground import grounds_of
 from groundslab.fem.foundation import Column
 from groundslab.fem.plate import bending_rigidity
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Ring, circle, rectangle
 from groundslab.meshing.sizing import Sources, along
 from groundslab.model.columns import footprint
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
@@ -79,16 +79,14 @@ def _sides(ring: Ring) -> tuple[float, float]:
 
 
 def _footprints(model: Model) -> Iterator[Ring]:
-    """Yield the footprints of forces, and rectangles under pressure."""
+    """Yield the footprints of forces, a thickness wide where there are none, and rectangles under pressure."""
+    t = model.plate.thickness
     for load in model.loads:
         if isinstance(load, PointLoad):
             own = load.on(model.columns)
             assert own.x is not None
             assert own.y is not None
-            ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
+            yield footprint(own.x, own.y, own.width_x, own.width_y, own.diameter) or circle((own.x, own.y), t / 2)
         elif isinstance(load, PatchLoad):
-            ring = footprint(sum(load.x) / 2, sum(load.y) / 2, load.x[1] - load.x[0], load.y[1] - load.y[0], None)
-        else:
-            continue
-        if ring is not None:
-            yield ring
+            yield rectangle(*load.x, *load.y)
+    yield from (circle((each.x, each.y), t / 2) for each in model.supports if each.kind == "point")

@@ -55,7 +55,7 @@ def recover(
         plate=plate,
         elements=elements,
         ground=ground,
-        constants=_constants(solution),
+        constants=ground_constants(solution),
         certificate=proof,
         steps=steps,
         solver=solver,
@@ -84,9 +84,13 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
 
 
 def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:
-    """Return the full plate, its elements and the ground with their fields."""
+    """Return the full plate, its elements and the ground with their fields.
+
+    Where moments and shear forces are singular the nodal ones are means, see `DiscMeans`.
+    """
     plate, ground = frame.plate, frame.ground
     nodal = {name: plate.nodal(name, field) for name, field in fields.nodal.items()}
+    nodal |= {name: frame.means.apply(nodal[name]) for name in FORCES}
     elements = {name: plate.by_element(name, field) for name, field in fields.elements.items()}
     section = elements.pop("section").astype(np.int64)
     in_contact = nodal.pop("in_contact") > 0
@@ -165,7 +169,7 @@ def section_forces(frame: ResultMesh, forces: Array) -> dict[str, Array]:
     return {name: scatter(mesh.elements, forces[..., i], n) / meeting for i, name in enumerate(FORCES)}
 
 
-def _constants(solution: Solution) -> Constants:
+def ground_constants(solution: Solution) -> Constants:
     """Return k0 and k1 of each layer, given or from gamma; where the ground varies, the means over the plate's area."""
     problem, gamma, decay = solution.system.problem, solution.gamma, None
     ground = problem.ground

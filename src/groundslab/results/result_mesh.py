@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import assert_never
+from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.discretize.singular_places import near_singular
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
 from groundslab.fem.load_vectors import nodal_area
-from groundslab.fem.mesh import SIDES, Mesh, mirror, renumber_by_rows, sides_along
+from groundslab.fem.mesh import SIDES, Mesh, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
 from groundslab.geometry.plan import Ring, Segment, rectangle
@@ -25,10 +26,15 @@ from groundslab.results import patch_recovery
 from groundslab.results.edge_forces import EdgeSides, edge_lengths, edge_sides
 from groundslab.results.patch_recovery import Patches
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
 #: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
 ANTISYMMETRIC = ({"rotation_x", "shear_x", "moment_xy"}, {"rotation_y", "shear_y", "moment_xy"})
 #: Fields that are shares, of which each side of a mirror has a part.
 SHARED = {"area", "contact_area", "edge_length"}
+#: Rings and rays of the points by which a field is integrated over a disc; no ray runs along an axis or a diagonal.
+RINGS, RAYS = 4, 16
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
 XI_TURNED = np.array([2, 3, 0, 1])
 
@@ -63,6 +69,26 @@ def _mirror(name: str, field: Array, odd: tuple[Array, Array]) -> Array:
 
 
 @dataclass(frozen=True, slots=True)
+class DiscMeans:
+    """What takes nodal fields of the plate (n,) to their means over discs at r of its nodes.
+
+    Such a mean exists where the value at a point does not. Far from edges it is the value under a force that has spread
+    at 45 degrees from the surface to the middle plane, over a disc as wide as the plate is thick.
+    """
+
+    nodes: Integers  # (r,)
+    matrix: csr_array  # (r, n)
+
+    def apply(self, field: Array) -> Array:
+        """Return a field with its means at these nodes."""
+        if not len(self.nodes):
+            return field
+        found = field.copy()
+        found[self.nodes] = self.matrix @ field
+        return found
+
+
+@dataclass(frozen=True, slots=True)
 class ResultMesh:
     """A mesh of the plate for results, with what recovers section forces and mirrors the meshed part.
 
@@ -85,6 +111,7 @@ class ResultMesh:
     patches: Patches
     plate: MirroredMesh
     ground: MirroredMesh
+    means: DiscMeans  # of section forces of the full plate where they are singular
 
     def at_nodes(self, values: Array, names: Sequence[str], sizes: Sequence[Array]) -> Array:
         """Return values at the nodes of the plate's elements (mp, 9, k) from those at their 2 x 2 Gauss points.
@@ -119,6 +146,7 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
             images.append((axis, copied))
     at_nodes = np.empty(len(node), dtype=np.int64)
     at_nodes[mesh.elements] = depth[:, None]
+    full = mirror_to_full(mesh, problem.symmetry)
     return ResultMesh(
         mesh=mesh,
         node=node,
@@ -133,9 +161,46 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
         smooth=smooth.elements,
         images=tuple(images),
         patches=patch_recovery.make_patches(parts.nodes, parts.elements, points),
-        plate=mirror_to_full(mesh, problem.symmetry),
+        plate=full,
         ground=mirror_to_full(problem.mesh, problem.symmetry),
+        means=make_disc_means(model, full.mesh, problem.section[full.element], problem.thickness[full.element]),
     )
+
+
+def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Array) -> DiscMeans:
+    """Return the means over discs as wide as the plate is thick, of nodes within a thickness of singular places.
+
+    The mesh is that of the full plate; section (m,) and thickness (m,) [m] are those of its elements. What of a disc
+    lies off the plate or in another section is left out.
+    """
+    from scipy.sparse import csr_array
+
+    of_node, t = np.zeros(len(mesh.nodes), dtype=np.int64), np.zeros(len(mesh.nodes))
+    of_node[mesh.elements], t[mesh.elements] = section[:, None], thickness[:, None]
+    nodes = np.flatnonzero(near_singular(model, mesh.nodes, t))
+    offsets, weights = _disc()
+    points = mesh.nodes[nodes, None] + t[nodes, None, None] / 2 * offsets
+    element, place = locate(mesh, points.reshape(-1, 2))
+    inside = (element >= 0) & (section[element] == np.repeat(of_node[nodes], len(offsets)))
+    row = np.repeat(np.arange(len(nodes)), len(offsets))[inside]
+    share = np.tile(weights, len(nodes))[inside]
+    total = np.bincount(row, weights=share, minlength=len(nodes))
+    # beside a sharp corner no point may be left: the value stays
+    alone = np.flatnonzero(total == 0)
+    N = q9(place[inside])[0] * (share / total[row])[:, None]
+    values = np.concatenate([N.ravel(), np.ones(len(alone))])
+    rows = np.concatenate([np.repeat(row, N.shape[1]), alone])
+    columns = np.concatenate([mesh.elements[element[inside]].ravel(), nodes[alone]])
+    return DiscMeans(nodes, csr_array((values, (rows, columns)), shape=(len(nodes), len(mesh.nodes))))
+
+
+def _disc() -> tuple[Array, Array]:
+    """Return points (p, 2) and weights (p,) that integrate over a disc of radius 1, for the mean."""
+    x, weights = np.polynomial.legendre.leggauss(RINGS)
+    angle = 2 * np.pi * (np.arange(RAYS) + 0.5) / RAYS
+    radius = np.sqrt((1 + x) / 2)
+    points = radius[:, None, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    return points.reshape(-1, 2), np.repeat(weights / 2 / RAYS, RAYS)
 
 
 def mirror_to_full(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:

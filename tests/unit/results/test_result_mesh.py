@@ -1,12 +1,16 @@
-"""Creases: which elements round a node lie on which side of a wall, by hand."""
+"""Creases: which elements round a node lie on which side of a wall, by hand; means over discs."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 import pytest
 
-from groundslab.fem.mesh import grid, sides_along
-from groundslab.results.result_mesh import split_at
+from groundslab.arrays import Flags
+from groundslab.fem.mesh import Mesh, grid, sides_along
+from groundslab.model.model import Model
+from groundslab.results.result_mesh import DiscMeans, make_disc_means, split_at
 
 MESH = grid(np.arange(5.0), np.arange(5.0))
 CENTRES = MESH.nodes[MESH.elements[:, 8]]
@@ -47,3 +51,36 @@ def test_without_creases_all_belong_together() -> None:
     on = np.isin(MESH.elements, creases)
     assert not number[~on].any()
     assert len(creases) == 1
+
+
+def disc_means(t: float = 0.8, **changes: Any) -> tuple[Mesh, DiscMeans, Flags]:
+    """Return a mesh of 4 m x 4 m, the means for a force in its middle, and which nodes lie within its thickness."""
+    given = {
+        "plate": {"length_x": 4.0, "length_y": 4.0, "thickness": t, "E": 30e9, "nu": 0.2},
+        "ground": {"kind": "winkler", "k": 1e7},
+        "loads": [{"kind": "point", "P": 1e5, "x": 0.0, "y": 0.0}],
+    }
+    lines = np.linspace(-2, 2, 9)
+    mesh = grid(lines, lines)
+    of_elements = np.full(len(mesh.elements), t)
+    section = (mesh.nodes[mesh.elements[:, 8], 0] > 0).astype(int) if changes.pop("divided", False) else of_elements * 0
+    means = make_disc_means(Model.model_validate(given | changes), mesh, section.astype(np.int64), of_elements)
+    return mesh, means, np.hypot(*mesh.nodes.T) <= t * (1 + 1e-9)
+
+
+def test_means_over_discs() -> None:
+    """Within a thickness a linear field is its own mean, x^2 is larger by (t / 2)^2 / 4; beyond nothing changes."""
+    mesh, means, near = disc_means()
+    assert sorted(means.nodes) == np.flatnonzero(near).tolist()
+    x, y = mesh.nodes.T
+    np.testing.assert_allclose(means.apply(1 + 2 * x - 3 * y), 1 + 2 * x - 3 * y, atol=1e-12)
+    np.testing.assert_allclose(means.apply(x * x) - x * x, np.where(near, 0.4**2 / 4, 0), atol=1e-12)
+
+
+def test_means_over_discs_keep_to_their_section() -> None:
+    """A field that is another constant in each section stays so; without a singular place there are no means."""
+    mesh, means, _ = disc_means(divided=True)
+    inside = means.nodes[mesh.nodes[means.nodes, 0] > 0]
+    field = np.where(mesh.nodes[:, 0] >= 0, 5.0, 1.0)
+    np.testing.assert_allclose(means.apply(field)[inside], 5.0)
+    assert not len(disc_means(loads=[{"kind": "uniform", "q": 1e4}])[1].nodes)

@@ -1,0 +1,87 @@
+"""Where moments and shear forces grow without limit as the mesh is refined."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags
+from groundslab.geometry.plan import Place, Ring
+from groundslab.model.loads.load_types import LineLoad, PointLoad
+from groundslab.model.model import Model
+from groundslab.model.plate import Plate
+
+#: So many thicknesses around them section forces are told as means over a width.
+REACH = 1.0
+
+
+def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
+    """Return which nodes (n, 2) lie within a thickness (n,) [m] of a singular place."""
+    from scipy.spatial import KDTree
+
+    places = [place for found in singular_places(model).values() for place in found]
+    if not places:
+        return np.zeros(len(nodes), dtype=bool)
+    reach = REACH * thickness
+    found: Flags = KDTree(places).query(nodes, distance_upper_bound=1.001 * reach.max())[0] <= reach * (1 + 1e-9)
+    return found
+
+
+def singular_places(model: Model) -> dict[str, list[Place]]:
+    """Return the places at which moments or shear forces have no limit, by what is there.
+
+    Forces and supports without a footprint, the ends and bends of line loads and line supports, and corners: those that
+    point into the plate, those of zones of other thickness or material, those between a clamped and a free edge
+    (Williams 1952), and all where ground with shear continues beyond the plate.
+    """
+    plate, lines = model.plate, [load for load in model.loads if isinstance(load, LineLoad)]
+    ends = [place for line in lines for place in line.points or ()]
+    ends += [place for support in model.supports if support.kind == "line" for place in support.points]
+    any_corner = model.ground_reaches
+    corners = [*_corners(plate.ring(), None if any_corner else 1), *_between_edges(plate)]
+    corners += [place for each in plate.openings for place in _corners(each.ring(), None if any_corner else -1)]
+    corners += [place for zone in plate.zones for place in _corners(zone.shape.ring(), None)]
+    found = {
+        "forces without a footprint": [*forces_without_footprint(model)],
+        "point supports": [(support.x, support.y) for support in model.supports if support.kind == "point"],
+        "ends and bends of lines": ends,
+        "corners": corners,
+    }
+    return {what: places for what, places in found.items() if places}
+
+
+def forces_without_footprint(model: Model) -> Iterator[Place]:
+    """Yield where forces without a footprint act."""
+    for load in model.loads:
+        if isinstance(load, PointLoad):
+            own = load.on(model.columns)
+            if own.width_x is None and own.diameter is None:
+                assert own.x is not None
+                assert own.y is not None
+                yield own.x, own.y
+
+
+def _between_edges(plate: Plate) -> Iterator[Place]:
+    """Yield the corners between a clamped and a free edge."""
+    x0, x1, y0, y1 = plate.bounds
+    edges = plate.edges
+    for x, upright in ((x0, edges.left), (x1, edges.right)):
+        for y, level in ((y0, edges.bottom), (y1, edges.top)):
+            if {upright, level} == {"clamped", "free"}:
+                yield x, y
+
+
+def _corners(ring: Ring, side: int | None) -> Iterator[Place]:
+    """Yield the corners between straight edges: those that point into the plate, or all of them.
+
+    The plate lies inside the curve (side 1), outside (-1) or on both sides (None).
+    """
+    turn = (side or 1) * np.sign(ring.signed_area)
+    edges = ring.segments()
+    for before, after in zip((edges[-1], *edges[:-1]), edges, strict=True):
+        if before.straight and after.straight:
+            (ax, ay), (bx, by) = (np.subtract(each.end, each.start) for each in (before, after))
+            sine = turn * (ax * by - ay * bx) / (np.hypot(ax, ay) * np.hypot(bx, by))
+            if sine < -1e-9 or (side is None and sine > 1e-9):
+                yield after.start
