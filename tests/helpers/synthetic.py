@@ -117,7 +117,7 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
 
 def compared(found: CombinationResult, plate: PlateResult | None = None) -> CombinationResult:
     """Return results with a comparison, in which the plate is the one given, and errors of elements from 0 to 3 %."""
-    other = Comparison(plate or found.plate, found.elements, found.ground, found.supports, 0.02, 0.5)
+    other = Comparison(plate or found.plate, found.elements, found.ground, found.supports, found.constants, 0.02, 0.5)
     error = np.linspace(0.0, 0.03, len(found.elements.section))
     return replace(found, comparison=other, elements=replace(found.elements, discretization_error=error))
 

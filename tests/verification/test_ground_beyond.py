@@ -99,7 +99,7 @@ def test_a_margin_that_matters_fails_the_certificate() -> None:
     results = error.value.results
     assert abs(largest(results) / largest(right) - 1) > 0.05
     assert list(results.certificate.too_large()) == ["margin_effect"]
-    section = summary.certificate_section(results.certificate)
+    section = summary.certificate_section(results)
     assert [row.key for row in section.rows if row.ok is False] == ["margin_effect"]
     assert "beyond.width" in section.notes[0]
     assert not to_json(results_of(results))["certified"]

@@ -10,7 +10,7 @@ from groundslab.accuracy.prolongation import Prolongation
 from groundslab.model.model import Model
 from groundslab.results.certificate import resistance
 from groundslab.results.fields import ERROR
-from groundslab.results.recovery import MeshedFields, expand, recover_fields, support_results
+from groundslab.results.recovery import MeshedFields, expand, ground_constants, recover_fields, support_results
 from groundslab.results.results import Comparison
 from groundslab.solvers.solution import Solution
 
@@ -35,6 +35,7 @@ def compare(
         elements=elements,
         ground=ground,
         supports=support_results(model, coarser),
+        constants=ground_constants(coarser),
         energy_error=sqrt(squared / total) if squared > 0 else 0.0,
         reduction=sqrt(squared / before) if before > 0 else 0.0,
     )

@@ -1,6 +1,7 @@
 """The largest discretization error of the values that are judged: extremes of the fields, and what supports carry.
 
-What has no limit as the mesh is refined is not judged, see `singularities`.
+Where moments and shear forces have no limit as the mesh is refined, their means are judged (`singular_places`); where
+other values have none, they are not (`singularities`).
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.accuracy.values import add_errors, estimate_error
+from groundslab.arrays import Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 
 if TYPE_CHECKING:
@@ -21,15 +23,8 @@ if TYPE_CHECKING:
 #: Fields of which the largest and the smallest value are judged, or the largest size.
 BOTH_SIGNS = ("settlement", "pressure", "moment_x", "moment_y")
 SIZES = ("gap", "moment_xy", "shear_x", "shear_y")
-#: Of these, fields that have no limit at some places, see `singularities.Limits`.
-LIMITED = {
-    "moment_x": "moments",
-    "moment_y": "moments",
-    "moment_xy": "moments",
-    "shear_x": "shear_forces",
-    "shear_y": "shear_forces",
-    "pressure": "pressures",
-}
+#: Of these, fields that are not judged everywhere, see `singularities.Limits`.
+LIMITED = {"shear_x": "shear_forces", "shear_y": "shear_forces", "pressure": "pressures"}
 #: Values below this share of the largest of their unit are rounding.
 NOTHING = 1e-9
 
@@ -51,6 +46,11 @@ def judge(results: CombinationResult) -> list[JudgedValue]:
     """
     if results.coarser is None:
         return []
+    return _JUDGED.get(results.plate.settlement, results.comparison, lambda: _judge(results))
+
+
+def _judge(results: CombinationResult) -> list[JudgedValue]:
+    """Return the judged values with their errors, the largest first."""
     of_quantity, of_unit = defaultdict[str, float](float), defaultdict[str, float](float)
     found = [*judged_values(results)]
     for quantity, unit, value, *_ in found:
@@ -93,3 +93,7 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float,
         error = estimate_error(support.total, before_it.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None
         yield "force of supports", "force", support.total, middle, error
+
+
+#: Judged values of results, which are asked for more than once.
+_JUDGED: Memo[list[JudgedValue]] = Memo()

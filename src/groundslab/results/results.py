@@ -130,6 +130,8 @@ class Comparison:
         The ground.
     supports : tuple of SupportResult
         What the supports carry, at nodes of the coarser mesh.
+    constants : Constants
+        The ground's constants that the coarser mesh ended with.
     energy_error : float
         The error of the finer mesh in the energy norm, over that of its solution.
     reduction : float
@@ -140,6 +142,7 @@ class Comparison:
     elements: ElementResult
     ground: GroundResult
     supports: tuple[SupportResult, ...]
+    constants: Constants
     energy_error: float
     reduction: float
 
@@ -210,6 +213,7 @@ class CombinationResult:
             elements=other.elements,
             ground=other.ground,
             supports=other.supports,
+            constants=other.constants,
             increments=(),
             comparison=None,
         )

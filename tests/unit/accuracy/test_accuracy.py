@@ -141,7 +141,7 @@ def test_nothing_is_averaged_across_a_border() -> None:
 def comparison(q: float) -> Comparison:
     """Return a comparison of meshes with so much of the error in energy left on the finer one."""
     parts = synthetic.results()
-    return Comparison(parts.plate, parts.elements, parts.ground, (), energy_error=0.1, reduction=q)
+    return Comparison(parts.plate, parts.elements, parts.ground, (), parts.constants, energy_error=0.1, reduction=q)
 
 
 def test_error_of_a_value() -> None:

@@ -18,7 +18,9 @@ from groundslab.views.files import npz
 from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.report.html import render_report
 from groundslab.views.summary import sections, terminal
+from groundslab.views.summary.discretization import coarse_words
 from groundslab.views.summary.json_summary import json_text
+from groundslab.views.summary.rows import Row
 from groundslab.workbench.solver.summary import build_summary
 from helpers import synthetic
 from helpers.pages import page
@@ -39,7 +41,7 @@ def shown_on_terminal(results: CombinationResult) -> str:
     return console.file.getvalue()  # type: ignore[attr-defined]
 
 
-def row_of(results: CombinationResult, section: str, key: str) -> sections.Row:
+def row_of(results: CombinationResult, section: str, key: str) -> Row:
     """Return a row of the summary."""
     own = next(each for each in sections.summary(results) if each.key == section)
     return next(row for row in own.rows if row.key == key)
@@ -82,17 +84,39 @@ def test_accuracy_decides() -> None:
     """The same error is fine for one accuracy, and too large for another."""
     model = compared(0.2).model
     wide = model.replace(mesh=model.mesh.replace(accuracy=0.25))
-    assert sections.coarse_words(results_of(compared(0.2))) != ""
-    assert sections.coarse_words(results_of(compared(0.2, model=wide))) == ""
+    assert coarse_words(results_of(compared(0.2))) != ""
+    assert coarse_words(results_of(compared(0.2, model=wide))) == ""
 
 
-def test_figures_without_a_limit_are_not_judged() -> None:
-    """Within a thickness of a point load moments have no limit; that is not held against the mesh."""
-    model = synthetic.model()
-    model = model.replace(loads=[{"kind": "point", "P": 1e5, "x": 0.0, "y": 0.0}])
-    assert "(moment m_x)" in sections.coarse_words(results_of(compared(0.2, model=model)))
-    model = model.replace(plate=model.plate.replace(thickness=20.0))
-    assert sections.coarse_words(results_of(compared(0.2, model=model))) == ""
+def test_singular_moments_are_called_so() -> None:
+    """At a force without a footprint a moment is a mean: the note, its place, JSON and workbench say so."""
+    model = synthetic.model().replace(loads=[{"kind": "point", "P": 1e5, "x": 0.0, "y": 0.0}])
+    results = synthetic.results(model=model)
+    document = json.loads(json_text(results_of(results)))["section_forces"]
+    assert "singular (*) at forces without a footprint (1): within a thickness" in document["notes"][0]
+    assert [key for key, each in document.items() if "singular" in each] == ["largest_moment_x", "largest_moment_y"]
+    row = row_of(results, "section_forces", "largest_moment_x")
+    assert terminal.shown_row(row).place == "(0.000, 0.000)*"
+    parts = {each["key"]: each for each in build_summary(results_of(results))["combinations"][0]["sections"]}
+    notes = {each["key"]: each["note"] for each in parts["section_forces"]["rows"]}
+    assert notes["largest_moment_x"] == "at (0.000, 0.000) m, singular"
+    assert not notes["largest_shear_x"].endswith("singular")
+
+
+def test_a_line_of_the_certificate() -> None:
+    """The largest error beside what was asked for: too large it refuses nothing."""
+    for share, ok in ((0.04, True), (0.2, None)):
+        results = compared(share)
+        row = row_of(results, "certificate", "discretization_error")
+        assert (row.value, row.tolerance, row.ok) == (pytest.approx(share), 0.05, ok)
+        line = next(each for each in shown_on_terminal(results).splitlines() if "largest discretization error" in each)
+        verdict = "ok" if ok else "too coarse"
+        assert " ".join(line.split()[3:]) == f"{100 * share:g} % {verdict} (limit 5 %)"
+        document = json.loads(json_text(results_of(results)))
+        assert document["certified"]
+        assert document["certificate"]["discretization_error"]["ok"] is bool(ok)
+    keys = [row.key for row in sections.certificate_section(synthetic.results()).rows]
+    assert "discretization_error" not in keys
 
 
 def test_json_has_errors_in_si_units() -> None:
@@ -166,7 +190,9 @@ def test_extremes_over_combinations_have_the_governing_ones_error() -> None:
         plate = replace(each.plate, moment_x=scale * each.plate.moment_x)
         before = replace(plate, moment_x=(1 - shares[name]) * plate.moment_x, settlement=0.9 * plate.settlement)
         before = replace(before, contact_area=0.5 * plate.contact_area)
-        other = Comparison(before, each.elements, each.ground, each.supports, energy_error=0.02, reduction=0.5)
+        other = Comparison(
+            before, each.elements, each.ground, each.supports, each.constants, energy_error=0.02, reduction=0.5
+        )
         changed[name] = replace(each, plate=plate, comparison=other)
     combined = replace(combined, results=changed)
     found = json.loads(json_text(combined))["extremes"]

@@ -24,11 +24,12 @@ from groundslab.units import UNITS, format_number
 from groundslab.views.files import npz, vtk
 from groundslab.views.summary import combinations, progress, sections, terminal
 from groundslab.views.summary.json_summary import json_text
+from groundslab.views.summary.rows import Row
 from helpers import synthetic
 from helpers.paths import ROOT
 
 
-def rows(results: Any) -> dict[str, sections.Row]:
+def rows(results: Any) -> dict[str, Row]:
     """Return all rows of a summary by "section.key"."""
     return {f"{section.key}.{row.key}": row for section in sections.summary(results) for row in section.rows}
 
@@ -78,7 +79,7 @@ class TestSummary:
         found = rows(results)
         assert found["contact.largest_pressure"].value == pytest.approx(0.028 * synthetic.K0)
         line = found["contact.largest_line_force"]
-        assert (line.value, line.unit, line.symbol) == (5e5, sections.Unit("kN/m", "N/m", 1e-3), "f")
+        assert (line.value, line.unit, line.symbol) == (5e5, UNITS["kN/m"], "f")
         (note,) = next(section for section in sections.summary(results) if section.key == "contact").notes
         assert "line force" in note
         assert "contact.largest_line_force" not in rows(synthetic.results(4))

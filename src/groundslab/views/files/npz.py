@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 5
+FORMAT = 6
 
 
 #: Longest text of a library's reason.
@@ -58,7 +58,7 @@ class _About:
     factors: tuple[tuple[str, float], ...]
     supports: tuple[str, ...]
     increments: tuple[float, ...]
-    comparison: tuple[float, float] | None  # error in energy, and its reduction
+    comparison: tuple[float, float, Constants] | None  # error in energy, its reduction, the coarser mesh's constants
 
 
 #: What an archive says of results as they have it themselves.
@@ -86,7 +86,7 @@ def write(results: CombinationResult, path: Path) -> None:
         **{name: getattr(results, name) for name in PLAIN},
         supports=tuple(support.name for support in results.supports),
         increments=tuple(each.share for each in results.increments),
-        comparison=None if other is None else (other.energy_error, other.reduction),
+        comparison=None if other is None else (other.energy_error, other.reduction, other.constants),
     )
     text = json.dumps(asdict(about), allow_nan=False, default=lambda number: number.item())
     arrays |= {"model": np.array(casefile.to_toml(results.model)), "about": np.array(text)}
@@ -189,9 +189,15 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
 def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
     """Return what the coarser mesh gave."""
     assert about.comparison is not None
-    energy_error, reduction = about.comparison
+    energy_error, reduction, constants = about.comparison
     supports = _supports("coarser.", about.supports, arrays)
-    return Comparison(**_parts("coarser.", arrays), supports=supports, energy_error=energy_error, reduction=reduction)
+    return Comparison(
+        **_parts("coarser.", arrays),
+        supports=supports,
+        constants=constants,
+        energy_error=energy_error,
+        reduction=reduction,
+    )
 
 
 def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> dict[str, Any]:

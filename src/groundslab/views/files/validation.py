@@ -41,6 +41,8 @@ def _faults(results: CombinationResult) -> Iterator[str]:
     if (results.elements.discretization_error is None) != (results.comparison is None):
         yield "elements.discretization_error without a comparison, or a comparison without it"
     if (other := results.comparison) is not None:
+        if len(other.constants.k0) != layers or len(other.constants.k1) != layers:
+            yield "constants of a comparison with another number of layers"
         yield from _of_state("coarser: ", other, layers)
         for number, support in enumerate(other.supports, 1):
             yield from _of_support(f"coarser: support {number}", support)

@@ -16,7 +16,8 @@ from groundslab.views.report import drawings, table_layout
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
-from groundslab.views.summary.terminal import shown_row, step_texts
+from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.terminal import limit_text, shown_row, step_texts, verdict_word
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from groundslab.design.tables.table import Table
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry
-    from groundslab.views.summary.sections import Row
+    from groundslab.views.summary.rows import Row, SummarySection
 
 
 _VALUE = ("", "symbol", "#value", "unit", "#error")
@@ -32,7 +33,8 @@ CERTIFICATE_NOTES = (
     "All but the sums are ratios, computed afresh from the solution with none of the factorized matrices. Each must "
     f"be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
     f"{Certificate.MARGIN_TOLERANCE:g} of the largest settlement.",
-    "The certificate says that the discrete equations are solved, not that the mesh is fine enough.",
+    "All but the discretization error say that the discrete equations are solved. That error alone tells how far the "
+    "mesh is from its limit; where it is larger than asked for, the results are certified, but too coarse.",
 )
 
 
@@ -78,7 +80,7 @@ def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
     """Return how good the results of all combinations are (good, doubtful, bad), and that in words."""
     numbers = [str(entry.number) for entry in found if entry.refused is not None]
     if not numbers:
-        certified, coarse = sections.certified_words(len(found)), sections.coarse_words(combined)
+        certified, coarse = sections.certified_words(len(found)), coarse_words(combined)
         return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
     if len(found) == 1:
         return ("bad", "FAILED: there is no certified result; use nothing of it.")
@@ -88,7 +90,7 @@ def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
     return ("bad", f"FAILED: {words} The results of the others are certified.")
 
 
-def _section(section: sections.SummarySection) -> TableLayout:
+def _section(section: SummarySection) -> TableLayout:
     """Return a section of the summary."""
     rows = tuple(map(_row, section.rows))
     return drop_empty_columns(TableLayout(section.title, headers(*_VALUE), rows, section.notes))
@@ -117,7 +119,7 @@ def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout
 def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     """Return the certificate of each combination, one a row and cut in two; of a single one a figure a row."""
     proofs = {
-        entry.combination.name: sections.certificate_section(entry.results.certificate)
+        entry.combination.name: sections.certificate_section(entry.results)
         for entry in found
         if entry.results is not None
     }
@@ -135,13 +137,13 @@ def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     return table_layout.split_columns(drop_empty_columns(grid), 1)
 
 
-def _certificate(section: sections.SummarySection) -> TableLayout:
+def _certificate(section: SummarySection) -> TableLayout:
     """Return the certificate of one combination, a figure a row with its limit."""
     rows = []
     for row in section.rows:
         shown = shown_row(row)
-        limit = "" if row.tolerance is None else f"{row.tolerance:.0e}"
-        verdict = Cell("") if row.ok is None else _holds(row.ok)
+        limit = "" if row.tolerance is None else limit_text(row)
+        verdict = _holds(row.ok) if row.ok is not None else Cell("" if row.tolerance is None else verdict_word(row))
         rows.append((Cell(row.label), Cell(shown.figure, "number"), Cell(shown.unit), Cell(limit, "number"), verdict))
     return TableLayout("", headers("", "#value", "unit", "#at most", "certificate"), tuple(rows))
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from groundslab.errors import NotCertified
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import sections
-from groundslab.views.summary.sections import Row, SummarySection
+from groundslab.views.summary.rows import Row, SummarySection
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -116,6 +116,6 @@ def worst(combined: Results) -> tuple[Extreme, ...]:
     """Return of each figure that must vanish, and of the margin's effect, the largest over the certified ones."""
     found: dict[str, Extreme] = {}
     for number, results in _certified(combined):
-        rows = sections.certificate_section(results.certificate).rows
+        rows = sections.certificate_section(results).rows
         _collect_extremes(found, (row for row in rows if row.key not in ("load", "reaction")), number)
     return tuple(found.values())

@@ -1,8 +1,8 @@
 """The summary as JSON: summary.json, and what ``groundslab solve --json`` prints.
 
 Every number with a dimension is an object {"value", "unit"} in SI units, with "place" = [x, y] in meters where it is an
-extreme, and "combination" where it is one over several; counts, ratios and words stand for themselves. Lists over
-layers run downwards.
+extreme ("singular": true if it is a mean around it), and "combination" where it is one over several; counts, ratios and
+words stand for themselves. Lists over layers run downwards.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from groundslab.errors import GroundslabError
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
-    from groundslab.views.summary.sections import Row, SummarySection
+    from groundslab.views.summary.rows import Row, SummarySection
 
 #: The version of the layout; it grows when a key changes its name or meaning.
 FORMAT = 2
@@ -94,6 +94,9 @@ def _sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
     document: dict[str, Any] = {}
     for section in sections:
         document[section.key] = {row.key: _row(row) for row in section.rows}
+        # a number without unit stands for itself, and so does its error
+        plain = [row for row in section.rows if row.error is not None and not isinstance(_row(row), dict)]
+        document[section.key] |= {f"{row.key}_error": row.error for row in plain}
         if section.notes:
             document[section.key]["notes"] = list(section.notes)
     return document
@@ -127,7 +130,7 @@ def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:
     if entry.results is not None:
         if folder is not None:
             document["folder"] = folder
-        parts = [*sections.figures(entry.results), sections.certificate_section(entry.results.certificate)]
+        parts = [*sections.figures(entry.results), sections.certificate_section(entry.results)]
         document |= _sections(parts) | _analysis(entry.results)
     return document
 
@@ -158,11 +161,13 @@ def _quantity(value: float, unit: Unit) -> dict[str, Any]:
 
 def _row(row: Row) -> Any:
     """Return the value of a row as JSON data."""
-    if row.ok is not None:
-        return {"value": row.value, "tolerance": row.tolerance, "ok": row.ok}
+    if row.tolerance is not None:
+        place = {} if row.place is None else {"place": list(row.place)}
+        return {"value": row.value, "tolerance": row.tolerance, "ok": bool(row.ok)} | place
     if row.unit is None or row.unit.si == "1":
         return row.value
     assert isinstance(row.value, (int, float))
     place = {} if row.place is None else {"place": list(row.place)}
     error = {} if row.error is None else {"error": row.error}
-    return _quantity(row.value, row.unit) | error | place
+    singular = {"singular": True} if row.singular else {}
+    return _quantity(row.value, row.unit) | error | place | singular

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from operator import attrgetter, itemgetter
+from dataclasses import replace
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.judgment import judge
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
-from groundslab.accuracy.values import error_of_largest, estimate_error
+from groundslab.discretize.singular_places import near_singular, singular_places
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
-from groundslab.results.fields import PLATE_FIELDS, extreme
-from groundslab.units import UNITS, Unit
+from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
+from groundslab.units import UNITS
+from groundslab.views.summary.discretization import discretization_section, largest_error, with_error
+from groundslab.views.summary.rows import Row, SummarySection
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.record import Certificate
-    from groundslab.results.results import CombinationResult, Results, SupportResult
+    from groundslab.results.results import CombinationResult, SupportResult
 
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12
@@ -42,6 +42,12 @@ CROOKED = (
     "mesh.size smaller, or leave out details of the outline there that do not matter."
 )
 
+#: What is said of places at which section forces are singular.
+SINGULAR = (
+    "Moments and shear forces are singular (*) at {}: within a thickness of these they are means over a disc as wide "
+    "as the plate is thick. With a footprint a force has a moment under it."
+)
+
 #: What the figures of the certificate mean, in words.
 CERTIFICATE_WORDS = {
     "residual": "force left over at a node",
@@ -56,36 +62,10 @@ CERTIFICATE_WORDS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """One line of the summary: a value in SI, or a plain number, or words, and its place on the plate."""
-
-    key: str
-    label: str
-    value: float | int | bool | str
-    unit: Unit | None = None
-    symbol: str = ""
-    place: tuple[float, float] | None = None  # [m]
-    tolerance: float | None = None
-    ok: bool | None = None
-    error: float | None = None  # estimated discretization error, in SI
-    values: Array | None = field(default=None, compare=False, repr=False)  # (n,), the value is the largest of these
-
-
-@dataclass(frozen=True, slots=True)
-class SummarySection:
-    """Some lines of the summary under one heading; the notes say what a reader must know about them."""
-
-    key: str
-    title: str
-    rows: tuple[Row, ...]
-    notes: tuple[str, ...] = ()
-
-
 def summary(results: CombinationResult) -> list[SummarySection]:
     """Return the sections of the summary, in the order in which they are shown."""
     require_finite(results)
-    return [*description(results), *figures(results), certificate_section(results.certificate)]
+    return [*description(results), *figures(results), certificate_section(results)]
 
 
 def description(results: CombinationResult) -> list[SummarySection]:
@@ -101,83 +81,10 @@ def figures(results: CombinationResult) -> list[SummarySection]:
         return found
     coarser = {(section.key, row.key): row for section in figures(results.coarser) for row in section.rows}
     found = [
-        replace(each, rows=tuple(_with_error(row, coarser.get((each.key, row.key)), results) for row in each.rows))
+        replace(each, rows=tuple(with_error(row, coarser.get((each.key, row.key)), results) for row in each.rows))
         for each in found
     ]
-    return [*found, _discretization(results)]
-
-
-def _with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row:
-    """Return a figure with its discretization error, if the next coarser mesh has one to compare."""
-    if coarser is None or row.unit is None or isinstance(row.value, str) or isinstance(coarser.value, str):
-        return row
-    assert results.comparison is not None
-    if row.values is None or coarser.values is None:
-        return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
-    return replace(row, error=error_of_largest(row.values, coarser.values, results.comparison))
-
-
-def _discretization(results: CombinationResult) -> SummarySection:
-    """Return the discretization error in energy, and the largest of the values that are judged."""
-    assert results.comparison is not None
-    rows = [Row("energy", "error in energy norm", results.comparison.energy_error, UNITS["%"])]
-    judged = judge(results)
-    if judged:
-        rows.append(
-            Row("largest_error", f"largest error, {judged[0].label}", judged[0].share, UNITS["%"], "", judged[0].place)
-        )
-    notes = _not_judged(results)
-    if judged and judged[0].share > results.model.mesh.largest_error:
-        notes = (
-            *notes,
-            f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): "
-            f"{_remedy(results.model)} Errors are estimated from the same analysis on elements twice as large.",
-        )
-    return SummarySection("discretization", "Discretization error", tuple(rows), notes)
-
-
-def _not_judged(results: CombinationResult) -> tuple[str, ...]:
-    """Return in words which values are not among those that are judged, nothing where all are."""
-    from groundslab.accuracy.singularities import find_limits
-
-    limits = find_limits(results.model, results.plate.nodes, results.plate.in_contact)
-    words = {
-        "moments and shear forces where they have no limit as elements become smaller": limits.moments,
-        "shear forces around footprints": limits.shear_forces | ~limits.moments,
-        "pressures where they jump": limits.pressures | ~limits.shear_forces,
-    }
-    left_out = [text for text, judged in words.items() if not judged.all()]
-    return (f"Not judged within a thickness: {'; '.join(left_out)}.",) if left_out else ()
-
-
-def _remedy(model: Model) -> str:
-    """Return what makes the errors smaller."""
-    if model.mesh.adaptive:
-        return "it was refined until this error fell no more, or as far as the bounds on unknowns and meshes allow."
-    return "make mesh.size smaller, or leave it out and give mesh.accuracy."
-
-
-def coarse_words(combined: Results) -> str:
-    """Return in words that the mesh is too coarse for the accuracy asked for, or "" where it is not."""
-    from groundslab.accuracy.resolution import find_unresolved
-
-    remedy = _remedy(combined.model)
-    for results in combined.values():
-        small = find_unresolved(results)
-        if small is not None:
-            loads = f"{small.count} loads" if small.count > 1 else "a load"
-            return (
-                f"The mesh is too coarse for the footprint of {loads}: {small.footprint:.3g} m in elements of "
-                f"{small.element:.3g} m. Moments and shear forces there are too small. {remedy.capitalize()}"
-            )
-    judged = [each for results in combined.values() for each in judge(results)[:1]]
-    worst = max(judged, key=attrgetter("share"), default=None)
-    if worst is None or worst.share <= combined.model.mesh.largest_error:
-        return ""
-    return (
-        f"The mesh is too coarse: the largest discretization error is {100 * worst.share:.2g} % ({worst.label}), more "
-        f"than {100 * combined.model.mesh.largest_error:g} %. {remedy.capitalize()}"
-    )
+    return [*found, discretization_section(results)]
 
 
 def certified_words(count: int) -> str:
@@ -241,6 +148,9 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
     if constants.gamma is not None:
         rows.append(Row("gamma", "decay of the mode", constants.gamma, None, "gamma"))
         rows.append(Row("gamma_iterations", "iterations for gamma", constants.gamma_iterations))
+    if results.coarser is not None:
+        coarser = {row.key: row for row in description_of_ground(results.coarser).rows}
+        rows = [with_error(row, coarser.get(row.key), results) for row in rows]
     return SummarySection("ground", "Ground", tuple(rows))
 
 
@@ -323,7 +233,7 @@ def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") 
 
 def _section_forces(results: CombinationResult) -> SummarySection:
     """Return the extreme moments and shear forces with their places."""
-    plate, model = results.plate, results.model
+    plate = results.plate
     rows = [
         _extreme(name, f"{kind}_{name}", f"{kind} moment", plate.nodes, getattr(plate, name), sign)
         for name in ("moment_x", "moment_y")
@@ -333,14 +243,13 @@ def _section_forces(results: CombinationResult) -> SummarySection:
         sizes = np.abs(getattr(plate, name))
         rows.append(_extreme(name, f"largest_{name}", f"largest {words}", plate.nodes, sizes, 1, "|{}|"))
     notes: tuple[str, ...] = ()
-    loads = [load.on(model.columns) for load in model.loads if load.kind == "point"]
-    if any(load.width_x is None and load.diameter is None for load in loads):
-        notes = (
-            "Under a point load moments and shear forces grow without limit as the mesh is refined: on a thick plate "
-            "they are singular. Give it a footprint (width_x and width_y, or diameter).",
-        )
-    if any(support.kind == "point" for support in model.supports):
-        notes += ("At a point support moments and shear forces grow without limit as the mesh is refined.",)
+    if places := singular_places(results.model):
+        thickness = results.elements.at_nodes(plate)[0]
+        nodes = near_singular(results.model, plate.nodes, thickness).nonzero()[0]
+        singular = {place_of(plate.nodes, int(node)) for node in nodes}
+        rows = [replace(row, singular=row.place in singular) for row in rows]
+        what = ", ".join(f"{kind} ({len(found)})" for kind, found in places.items())
+        notes = (SINGULAR.format(what),)
     return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)
 
 
@@ -367,8 +276,12 @@ def _middle(support: SupportResult) -> tuple[float, float]:
     return float(x), float(y)
 
 
-def certificate_section(certificate: Certificate) -> SummarySection:
-    """Return the figures that say how well equilibrium and contact conditions are satisfied, each with its verdict."""
+def certificate_section(results: CombinationResult) -> SummarySection:
+    """Return the figures that say how well equilibrium and contact conditions are satisfied, each with its verdict.
+
+    And how far the mesh is from its limit, beside what was asked for.
+    """
+    certificate = results.certificate
     rows = [
         Row("load", "sum of the loads", certificate.load, UNITS["kN"]),
         Row("reaction", "sum of the reactions", certificate.reaction, UNITS["kN"]),
@@ -383,4 +296,4 @@ def certificate_section(certificate: Certificate) -> SummarySection:
             "The meshed ground beyond the plate is too narrow or too coarse: make beyond.width larger or mesh.size "
             "smaller.",
         )
-    return SummarySection("certificate", "Certificate", tuple(rows), notes)
+    return SummarySection("certificate", "Certificate", (*rows, *largest_error(results)), notes)

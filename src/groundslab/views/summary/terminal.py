@@ -11,7 +11,9 @@ from groundslab._version import __version__
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.units import format_number
 from groundslab.views.summary import combinations
-from groundslab.views.summary.sections import Row, SummarySection, certified_words, coarse_words, summary
+from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.rows import SummarySection
+from groundslab.views.summary.sections import certified_words, summary
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -23,9 +25,12 @@ if TYPE_CHECKING:
     from groundslab.results.record import Step
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
+    from groundslab.views.summary.rows import Row
 
 #: Widths of the columns of words, values, units and discretization errors; with the place, 80 in all.
 LABEL, VALUE, UNIT, ERROR = 34, 11, 5, 7
+#: Verdicts on figures with a tolerance, and their styles; see `Row.ok`.
+VERDICTS = {True: ("ok", "green"), False: ("FAILED", "bold red"), None: ("too coarse", "bold yellow")}
 
 
 def print_summary(combined: Results, console: Console) -> None:
@@ -190,10 +195,10 @@ def _line(row: Row, taken: int = 0) -> Text:
     symbol = f" {row.symbol}" if row.symbol else ""
     line = Text(("" if taken else "  ") + (row.label + symbol).ljust(LABEL - taken))
     shown = shown_row(row)
-    if row.ok is not None:
-        line.append(f"{shown.figure:>{VALUE}} ")
-        line.append("ok" if row.ok else "FAILED", style="green" if row.ok else "bold red")
-        line.append(f" (limit {row.tolerance:.0e})", style="dim")
+    if row.tolerance is not None:
+        line.append(f"{shown.figure:>{VALUE}} {shown.unit}{' ' if shown.unit else ''}")
+        line.append(verdict_word(row), style=VERDICTS[row.ok][1])
+        line.append(f" (limit {limit_text(row)})", style="dim")
     elif isinstance(row.value, str):
         pieces = textwrap.wrap(row.value, 78 - LABEL - 2)
         line.append(row.value.rjust(VALUE) if len(row.value) <= VALUE else f"\n{' ' * (LABEL + 2)}".join(pieces))
@@ -213,15 +218,29 @@ class Shown:
     error: str = ""  # relative to the figure
 
 
+def verdict_word(row: Row) -> str:
+    """Return the verdict on a figure with a tolerance."""
+    return VERDICTS[row.ok][0]
+
+
+def limit_text(row: Row) -> str:
+    """Return the tolerance of a figure: one with a unit in it, others as a power of ten."""
+    assert row.tolerance is not None
+    return f"{row.tolerance:.0e}" if row.unit is None else f"{row.tolerance * row.unit.scale:g} {row.unit.name}"
+
+
 def shown_row(row: Row) -> Shown:
     """Return the texts of a row: figures that must vanish with two digits, others with five, places to a millimetre."""
     if isinstance(row.value, str):
         return Shown(row.value)
-    if row.ok is not None:
+    if row.tolerance is not None and row.unit is None:
         return Shown(f"{row.value:.1e}")
     scale, unit = (1.0, "") if row.unit is None else (row.unit.scale, row.unit.name)
     figure = str(row.value) if isinstance(row.value, int) else format_number(row.value * scale)
+    if row.tolerance is not None:
+        figure = f"{row.value * scale:.2g}"
     place = "" if row.place is None else "({:.3f}, {:.3f})".format(*(round(x, 3) + 0.0 for x in row.place))
+    place += "*" if row.singular else ""
     return Shown(figure, unit, place, "" if row.error is None else error_text(row.error, row.value))
 
 

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.units import format_number
 from groundslab.views.summary import combinations, json_summary, sections
-from groundslab.views.summary.terminal import error_text
+from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.terminal import error_text, limit_text, shown_row, verdict_word
 
 if TYPE_CHECKING:
     from groundslab.results.results import Results
     from groundslab.views.summary.combinations import Entry
-    from groundslab.views.summary.sections import Row, SummarySection
+    from groundslab.views.summary.rows import Row, SummarySection
 
 
 def build_summary(combined: Results) -> dict[str, Any]:
@@ -20,7 +21,7 @@ def build_summary(combined: Results) -> dict[str, Any]:
     combinations.require_finite(combined)
     return {
         "design": json_summary.design(combined),
-        "coarse": sections.coarse_words(combined),
+        "coarse": coarse_words(combined),
         "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)],
     }
 
@@ -38,7 +39,7 @@ def _combination_to_json(entry: Entry) -> dict[str, Any]:
     certificate = entry.results.certificate
     figures = {name: value for name, value in asdict(certificate).items() if value is not None}
     shown = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
-    parts = [*sections.figures(entry.results), sections.certificate_section(certificate)]
+    parts = [*sections.figures(entry.results), sections.certificate_section(entry.results)]
     parts += sections.description(entry.results)
     return about | {"certificate": shown, "sections": [_section_to_json(section) for section in parts]}
 
@@ -52,9 +53,8 @@ def _section_to_json(section: SummarySection) -> dict[str, Any]:
 def _row_to_json(row: Row) -> dict[str, Any]:
     """Return a row of the summary, its value as text, numbers with five digits; ok only for checks."""
     unit = "" if row.unit is None else row.unit.name
-    if row.ok is not None:
-        assert not isinstance(row.value, str)
-        value, note = f"{row.value:.1e}", f"{'ok' if row.ok else 'FAILED'} (limit {row.tolerance:.0e})"
+    if row.tolerance is not None:
+        value, note = shown_row(row).figure, f"{verdict_word(row)} (limit {limit_text(row)})"
     elif isinstance(row.value, str):
         value, note = row.value, ""
     else:
@@ -62,6 +62,6 @@ def _row_to_json(row: Row) -> dict[str, Any]:
         value = str(row.value) if plain else format_number(row.value * (1.0 if row.unit is None else row.unit.scale))
         error = "" if row.error is None else error_text(row.error, row.value)
         note = "" if row.place is None else "at ({:.3f}, {:.3f}) m".format(*(round(x, 3) + 0.0 for x in row.place))
-        note = f"{error} {note}".strip()
+        note = f"{error} {note}{', singular' if row.singular else ''}".strip()
     about = {"key": row.key, "label": row.label, "symbol": row.symbol, "value": value, "unit": unit, "note": note}
     return about | ({"ok": row.ok} if row.ok is not None else {})

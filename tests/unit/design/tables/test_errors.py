@@ -120,7 +120,9 @@ def made(name: str, size: float, change: float, q: float = HALVED, **parts: Any)
     found = synthetic.results(4, combination=name, limit_state="ultimate", **parts)
     plate = replace(found.plate, moment_x=size * found.plate.moment_x)
     before = replace(plate, moment_x=(1 - change) * plate.moment_x)
-    other = Comparison(before, found.elements, found.ground, found.supports, energy_error=0.02, reduction=q)
+    other = Comparison(
+        before, found.elements, found.ground, found.supports, found.constants, energy_error=0.02, reduction=q
+    )
     return replace(found, plate=plate, comparison=other)
 
 

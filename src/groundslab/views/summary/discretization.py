@@ -1,0 +1,98 @@
+"""What the summary says of discretization errors: of each figure, and whether the mesh is too coarse."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from operator import attrgetter
+from typing import TYPE_CHECKING
+
+from groundslab.accuracy.judgment import judge
+from groundslab.accuracy.values import error_of_largest, estimate_error
+from groundslab.units import UNITS
+from groundslab.views.summary.rows import Row, SummarySection
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+    from groundslab.results.results import CombinationResult, Results
+
+
+def with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row:
+    """Return a figure with its discretization error, if the next coarser mesh has one to compare."""
+    if coarser is None or isinstance(row.value, int | str) or isinstance(coarser.value, int | str):
+        return row
+    assert results.comparison is not None
+    if row.values is None or coarser.values is None:
+        return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
+    return replace(row, error=error_of_largest(row.values, coarser.values, results.comparison))
+
+
+def discretization_section(results: CombinationResult) -> SummarySection:
+    """Return the discretization error in energy, and the largest of the values that are judged."""
+    assert results.comparison is not None
+    rows = [Row("energy", "error in energy norm", results.comparison.energy_error, UNITS["%"])]
+    judged = judge(results)
+    if judged:
+        rows.append(
+            Row("largest_error", f"largest error, {judged[0].label}", judged[0].share, UNITS["%"], "", judged[0].place)
+        )
+    notes = _not_judged(results)
+    if judged and judged[0].share > results.model.mesh.largest_error:
+        notes = (
+            *notes,
+            f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): "
+            f"{_remedy(results.model)} Errors are estimated from the same analysis on elements twice as large.",
+        )
+    return SummarySection("discretization", "Discretization error", tuple(rows), notes)
+
+
+def _not_judged(results: CombinationResult) -> tuple[str, ...]:
+    """Return in words which values are not among those that are judged, nothing where all are."""
+    from groundslab.accuracy.singularities import find_limits
+
+    limits = find_limits(results.model, results.plate.nodes, results.plate.in_contact)
+    words = {
+        "shear forces around footprints and where they are singular": limits.shear_forces,
+        "pressures where they jump": limits.pressures | ~limits.shear_forces,
+    }
+    left_out = [text for text, judged in words.items() if not judged.all()]
+    return (f"Not judged within a thickness: {'; '.join(left_out)}.",) if left_out else ()
+
+
+def _remedy(model: Model) -> str:
+    """Return what makes the errors smaller."""
+    if model.mesh.adaptive:
+        return "it was refined until this error fell no more, or as far as the bounds on unknowns and meshes allow."
+    return "make mesh.size smaller, or leave it out and give mesh.accuracy."
+
+
+def coarse_words(combined: Results) -> str:
+    """Return in words that the mesh is too coarse for the accuracy asked for, or "" where it is not."""
+    from groundslab.accuracy.resolution import find_unresolved
+
+    remedy = _remedy(combined.model)
+    for results in combined.values():
+        small = find_unresolved(results)
+        if small is not None:
+            forces = f"{small.count} forces" if small.count > 1 else "a force"
+            return (
+                f"The mesh is too coarse for the footprint of {forces}: {small.footprint:.3g} m in elements of "
+                f"{small.element:.3g} m. Moments and shear forces there are too small. {remedy.capitalize()}"
+            )
+    judged = [each for results in combined.values() for each in judge(results)[:1]]
+    worst = max(judged, key=attrgetter("share"), default=None)
+    if worst is None or worst.share <= combined.model.mesh.largest_error:
+        return ""
+    return (
+        f"The mesh is too coarse: the largest discretization error is {100 * worst.share:.2g} % ({worst.label}), more "
+        f"than {100 * combined.model.mesh.largest_error:g} %. {remedy.capitalize()}"
+    )
+
+
+def largest_error(results: CombinationResult) -> tuple[Row, ...]:
+    """Return the largest discretization error beside the accuracy asked for, nothing where there is none to tell."""
+    judged, accuracy = judge(results), results.model.mesh.largest_error
+    if not judged:
+        return ()
+    worst, words = judged[0], "largest discretization error"
+    ok = True if worst.share <= accuracy else None
+    return (Row("discretization_error", words, worst.share, UNITS["%"], "", worst.place, tolerance=accuracy, ok=ok),)

@@ -1,0 +1,38 @@
+"""What a summary is made of: rows with a value, in sections."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from groundslab.units import Unit
+
+if TYPE_CHECKING:
+    from groundslab.arrays import Array
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One line of the summary: a value in SI, or a plain number, or words, and its place on the plate."""
+
+    key: str
+    label: str
+    value: float | int | bool | str
+    unit: Unit | None = None
+    symbol: str = ""
+    place: tuple[float, float] | None = None  # [m]
+    tolerance: float | None = None
+    ok: bool | None = None  # of a value with a tolerance: None if it is too large, but nothing is refused for it
+    singular: bool = False  # whether the value is a mean, as the one at its place has no limit
+    error: float | None = None  # estimated discretization error, in SI
+    values: Array | None = field(default=None, compare=False, repr=False)  # (n,), the value is the largest of these
+
+
+@dataclass(frozen=True, slots=True)
+class SummarySection:
+    """Some lines of the summary under one heading; the notes say what a reader must know about them."""
+
+    key: str
+    title: str
+    rows: tuple[Row, ...]
+    notes: tuple[str, ...] = ()
