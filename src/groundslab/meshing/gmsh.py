@@ -13,11 +13,15 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
-from groundslab.fem.mesh import GRADING
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment
 from groundslab.meshing.cells import Cells, FixedSides, project_onto
 from groundslab.meshing.sizing import Sources, along, limit_of, quarter
 
+#: Cells grow by so much of the distance from what the plan requires to be small; elements are a half of them, or a
+#: quarter. Where elements turn inside out, cells that grow by less are looked at.
+SLOPE, GENTLE = 0.8, 0.4
+#: From smaller ones elsewhere they grow by so much: with no edge or point there, Gmsh would step over a small place.
+LOCAL = 0.5
 #: Gmsh's geometry merges places less than 1e-7 apart, whatever the extent: plans are scaled to this extent.
 SCALED_EXTENT = 100.0
 #: Libraries that Gmsh's wheel needs on a bare Debian or Ubuntu.
@@ -93,11 +97,16 @@ def load() -> Any:
 
 
 @session()
-def cells_of(plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None) -> Cells:
-    """Return Gmsh's mesh of twice the required sizes, local ones too: mostly quadrilaterals, some triangles."""
+def cells_of(
+    plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None, slope: float = SLOPE
+) -> Cells:
+    """Return Gmsh's mesh of twice the required sizes, local ones too: mostly quadrilaterals, some triangles.
+
+    Cells grow by `slope` of the distance from smaller ones.
+    """
     gmsh = load()
     geometry = PlanGeometry(gmsh, plan)
-    _set_sizes(geometry, plan, size, smaller, scale, local)
+    _set_sizes(geometry, plan, size, (smaller, local), scale, slope)
     unwanted = [part for part in gmsh.model.getEntities(2) if part[1] not in geometry.faces]
     gmsh.model.removeEntities(unwanted, recursive=True)
     gmsh.model.mesh.generate(2)
@@ -178,34 +187,37 @@ class PlanGeometry:
 
 
 def _set_sizes(
-    geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None
+    geometry: PlanGeometry, plan: Plan, size: float, sources: tuple[Sources, Sources | None], scale: float, slope: float
 ) -> None:
-    """Set the size field: twice the required sizes, since elements are halved afterwards."""
+    """Set the size field: twice the required sizes, since elements are halved afterwards.
+
+    The sources are those of the plan, and others in places.
+    """
     gmsh = geometry.gmsh
     coarse = float(2 * size * geometry.scale)
     field, far = gmsh.model.mesh.field, 4 * SCALED_EXTENT
     requested: dict[int, list[int]] = {}
-    places, sizes = smaller
-    level = np.ceil(2 * np.log2(size / sizes)).astype(np.int64)
+    (places, sizes), local = sources
+    level = np.floor(8 * np.log2(size / sizes)).astype(np.int64)
     for k, place in sorted({(int(k), (x, y)) for k, (x, y) in zip(level, places, strict=True)}):
         requested.setdefault(k, []).append(geometry.point(place))
     around = [geometry.point((x, y)) for x, y in along(plan.outline, size)] if plan.beyond is not None else []
     gmsh.model.occ.synchronize()
 
-    def near(points: list[int], least: float, slope: float) -> int:
+    def near(points: list[int], least: float, growth: float) -> int:
         distance = field.add("Distance")
         field.setNumbers(distance, "PointsList", points)
         threshold = field.add("Threshold")
         field.setNumber(threshold, "InField", distance)
         field.setNumber(threshold, "SizeMin", least)
-        field.setNumber(threshold, "SizeMax", least + slope * far)
+        field.setNumber(threshold, "SizeMax", least + growth * far)
         field.setNumber(threshold, "DistMin", 0.0)
         field.setNumber(threshold, "DistMax", far)
         return int(threshold)
 
     plate = field.add("MathEval")
     field.setString(plate, "F", f"{coarse!r}")
-    limits = [near(points, coarse * 2 ** (-k / 2), GRADING) for k, points in requested.items()]
+    limits = [near(points, coarse * 2 ** (-k / 8), slope) for k, points in requested.items()]
     if around:
         only = field.add("Restrict")
         field.setNumber(only, "InField", plate)
@@ -223,7 +235,7 @@ def _set_sizes(
 def _local_field(geometry: PlanGeometry, plan: Plan, size: float, local: Sources) -> int:
     """Add a field of twice the local sizes, linear over squares about as large as these, and return its tag."""
     gmsh = geometry.gmsh
-    limit = limit_of((local[0], 2 * local[1]), 2 * size)
+    limit = limit_of((local[0], 2 * local[1]), 2 * size, LOCAL)
 
     def wanted(at: Array) -> Array:
         return np.minimum(limit(at), 2 * size)

@@ -94,22 +94,22 @@ def growth_distance(plan: Plan, given: float | None) -> float:
     return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
 
 
-def limit_of(smaller: Sources, size: float) -> Callable[[Array], Array]:
+def limit_of(smaller: Sources, size: float, slope: float = GRADING) -> Callable[[Array], Array]:
     """Return a function from places (p, d) to the largest sizes (p,) [m] of elements that grow from smaller ones.
 
     The places of the smaller ones are (k, d), d = 1 or 2; their sizes are rounded down to `size` [m] over a power of
-    the square root of 2.
+    the eighth root of 2. They grow by `slope` of the distance.
     """
     from scipy.spatial import KDTree
 
     places, sizes = smaller
-    level = np.ceil(2 * np.log2(size / sizes)).astype(np.int64)
-    near = [(size * 2 ** (-k / 2), KDTree(places[level == k])) for k in np.unique(level)]
+    level = np.ceil(8 * np.log2(size / sizes)).astype(np.int64)
+    near = [(size * 2 ** (-k / 8), KDTree(places[level == k])) for k in np.unique(level)]
 
     def limit(at: Array) -> Array:
         result = np.full(len(at), np.inf)
         for least, tree in near:
-            result = np.minimum(result, least + GRADING * tree.query(at)[0])
+            result = np.minimum(result, least + slope * tree.query(at)[0])
         return result
 
     return limit
