@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.discretize.load_borders import load_borders
 from groundslab.discretize.singular_places import near_singular
 from groundslab.geometry.plan import Segment
-from groundslab.results.result_mesh import load_borders
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags

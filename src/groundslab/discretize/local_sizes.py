@@ -9,11 +9,12 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.discretize.ground import grounds_of
+from groundslab.discretize.load_borders import load_rings
+from groundslab.discretize.singular_places import forces_without_footprint
 from groundslab.fem.foundation import Column
 from groundslab.fem.plate import bending_rigidity
-from groundslab.geometry.plan import Ring, circle, rectangle
+from groundslab.geometry.plan import Ring, circle
 from groundslab.meshing.sizing import Sources, along
-from groundslab.model.columns import footprint
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.loads.load_types import PatchLoad, PointLoad
 from groundslab.model.model import Model
@@ -82,11 +83,7 @@ def _footprints(model: Model) -> Iterator[Ring]:
     """Yield the footprints of forces, a thickness wide where there are none, and rectangles under pressure."""
     t = model.plate.thickness
     for load in model.loads:
-        if isinstance(load, PointLoad):
-            own = load.on(model.columns)
-            assert own.x is not None
-            assert own.y is not None
-            yield footprint(own.x, own.y, own.width_x, own.width_y, own.diameter) or circle((own.x, own.y), t / 2)
-        elif isinstance(load, PatchLoad):
-            yield rectangle(*load.x, *load.y)
+        if isinstance(load, PointLoad | PatchLoad):
+            yield from load_rings(load, model)
+    yield from (circle(place, t / 2) for place in forces_without_footprint(model))
     yield from (circle((each.x, each.y), t / 2) for each in model.supports if each.kind == "point")

@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.borders import add_borders, on_lines, void_rings, zone_rings
+from groundslab.discretize.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.mesh import (
@@ -319,7 +320,8 @@ def plan_of(model: Model, width: float) -> Plan:
     plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None)
     if any(symmetries(model)):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
-    return add_borders(plan, void_rings(model) + zone_rings(model))
+    plan = add_borders(plan, void_rings(model) + zone_rings(model))
+    return follow_loads(plan, model) if model.mesh.adaptive else plan
 
 
 def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:

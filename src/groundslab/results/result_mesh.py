@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, assert_never
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.discretize.load_borders import load_borders
 from groundslab.discretize.singular_places import near_singular
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
@@ -17,9 +18,6 @@ from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
-from groundslab.geometry.plan import Ring, Segment, rectangle
-from groundslab.model.columns import footprint
-from groundslab.model.loads import load_types as loads
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport
 from groundslab.results import patch_recovery
@@ -276,26 +274,6 @@ def _beyond_the_line(mesh: Mesh, points: Array, axis: int) -> tuple[Mesh, Array,
     # an image runs through its reference square with xi turned round
     more = np.vstack([points, turn * points[copied][:, XI_TURNED]])
     return Mesh(doubled.nodes, doubled.elements[images]), more, copied
-
-
-def load_borders(load: loads.AnyLoad, model: Model) -> Iterator[Segment]:
-    """Yield the lines along which a load begins, ends or stands."""
-    rings: list[Ring] = []
-    if isinstance(load, loads.LineLoad):
-        yield from load.segments()
-    elif isinstance(load, loads.PatchLoad):
-        rings = [rectangle(*load.x, *load.y)]
-    elif isinstance(load, loads.AreaLoad):
-        rings = [shape.ring() for shape in (load.shape, *load.holes)]
-    elif isinstance(load, loads.PointLoad):
-        own = load.on(model.columns)
-        assert own.x is not None
-        assert own.y is not None
-        own_ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
-        rings = [] if own_ring is None else [own_ring]
-    elif not isinstance(load, loads.UniformLoad | loads.SelfWeight | loads.TemperatureLoad | loads.SettlementLoad):
-        assert_never(load)
-    yield from (edge for ring in rings for edge in ring.segments())
 
 
 def split_at(elements: Integers, creases: Integers, n: int) -> Integers:

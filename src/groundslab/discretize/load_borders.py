@@ -1,0 +1,124 @@
+"""Borders of loads that an adaptive mesh follows, so that what jumps or has a kink there does so between elements."""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, assert_never
+
+from groundslab.discretize.borders import MOST_BORDERS, add_borders
+from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, rectangle
+from groundslab.geometry.validity import find_issues
+from groundslab.model.columns import footprint
+from groundslab.model.loads import load_types as loads
+from groundslab.model.model import Model
+
+if TYPE_CHECKING:
+    from shapely import LineString
+
+#: A border or line that passes another one this close is not followed: by this share of its shorter side, or of the
+#: plate's thickness for a line.
+CLEAR = 0.25
+
+#: A straight line from one place to another.
+Line = tuple[Place, Place]
+
+
+def load_borders(load: loads.AnyLoad, model: Model) -> Iterator[Segment]:
+    """Yield the lines along which a load begins, ends or stands."""
+    if isinstance(load, loads.LineLoad):
+        yield from load.segments()
+    yield from (edge for ring in load_rings(load, model) for edge in ring.segments())
+
+
+def load_rings(load: loads.AnyLoad, model: Model) -> tuple[Ring, ...]:
+    """Return the curves around what a load acts on, nothing for one all over the plate, on a line or at a point."""
+    if isinstance(load, loads.PatchLoad):
+        return (rectangle(*load.x, *load.y),)
+    if isinstance(load, loads.AreaLoad):
+        return tuple(shape.ring() for shape in (load.shape, *load.holes))
+    if isinstance(load, loads.PointLoad):
+        own = load.on(model.columns)
+        assert own.x is not None
+        assert own.y is not None
+        ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
+        return () if ring is None else (ring,)
+    if not isinstance(
+        load, loads.LineLoad | loads.UniformLoad | loads.SelfWeight | loads.TemperatureLoad | loads.SettlementLoad
+    ):
+        assert_never(load)
+    return ()
+
+
+def follow_loads(plan: Plan, model: Model) -> Plan:
+    """Return a plan with the borders of loads, and the straight lines that loads stand on, that a mesh can follow."""
+    rings = [ring for load in model.loads for ring in load_rings(load, model)]
+    edges = [edge for load in model.loads if isinstance(load, loads.LineLoad) for edge in load.segments()]
+    lines = [(edge.start, edge.end) for edge in edges if edge.straight]
+    return _follow(plan, tuple(dict.fromkeys(rings)), tuple(dict.fromkeys(lines)), model.plate.thickness)
+
+
+@functools.lru_cache(maxsize=64)
+def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickness: float) -> Plan:
+    """Return a plan with those rings and lines that are clear of all before them, or meet them."""
+    from shapely import LineString
+
+    chord = FLAT * plan.extent
+    there = [ring.polygon(chord).exterior for ring in plan.rings().values()] + [LineString(each) for each in plan.lines]
+    same = SAME_PLACE * plan.extent
+
+    def is_clear(own: LineString, near: float) -> bool:
+        clear = all(_clear(own, other, same, near) for other in there)
+        if clear:
+            there.append(own)
+        return clear
+
+    def side(ring: Ring) -> float:
+        x0, x1, y0, y1 = ring.bounds
+        return min(x1 - x0, y1 - y0)
+
+    followed = [ring for ring in rings if is_clear(ring.polygon(chord).exterior, CLEAR * side(ring))]
+    straight = [line for line in lines if is_clear(LineString(line), CLEAR * thickness)]
+    return _add_lines(add_borders(plan, (*plan.borders, *followed)), tuple(straight))
+
+
+def _clear(one: LineString, other: LineString, same: float, near: float) -> bool:
+    """Return whether corners of either of two curves lie on the other, or at least so far from it [m]."""
+    import shapely
+
+    if shapely.distance(one, other) >= near:
+        return True
+    for a, b in ((one, other), (other, one)):
+        apart = shapely.distance(shapely.points(shapely.get_coordinates(a)), b)
+        if ((apart > same) & (apart < near)).any():
+            return False
+    return True
+
+
+def _add_lines(plan: Plan, lines: tuple[Line, ...]) -> Plan:
+    """Return a plan with those straight lines that a mesh can follow, cut off where there is no plate.
+
+    A line is left out where borders are, too: see `borders.add_borders`.
+    """
+    import shapely
+
+    from groundslab import meshing
+
+    chord = FLAT * plan.extent
+    openings = shapely.union_all([ring.polygon(chord) for ring in plan.openings])
+    plate = plan.outline.polygon(chord).difference(openings)
+    pieces = shapely.get_parts([shapely.LineString(line).intersection(plate) for line in lines[:MOST_BORDERS]])
+    ends = [shapely.get_coordinates(piece)[[0, -1]] for piece in pieces if piece.geom_type == "LineString"]
+    kept: list[Line] = [((float(ax), float(ay)), (float(bx), float(by))) for (ax, ay), (bx, by) in ends]
+    if plan.rectilinear and not meshing.available():
+        kept = [line for line in kept if Segment(*line).along_axis]
+    while kept:
+        found = replace(plan, lines=(*plan.lines, *kept))
+        issues = " ".join(f"{issue.location} {issue.found}" for issue in find_issues(found))
+        refused = {int(number) - len(plan.lines) for number in re.findall(r"plate\.lines\[(\d+)\]", issues)}
+        if not refused:
+            return found
+        kept = [line for number, line in enumerate(kept, start=1) if number not in refused]
+    return plan

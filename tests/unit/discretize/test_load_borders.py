@@ -1,0 +1,74 @@
+"""Borders of loads that adaptive meshes follow: which of them, and how."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from groundslab.discretize.discretize import discretize
+from groundslab.discretize.load_borders import load_rings
+from groundslab.discretize.plan_layout import plan_of
+from groundslab.fem.mesh import sides_along
+from groundslab.geometry.plan import Plan
+from groundslab.model.model import Model
+
+COLUMN = {"kind": "point", "P": 1e5, "x": 1.0, "y": 0.5, "width_x": 0.4, "width_y": 0.4}
+WALL = {"kind": "line", "q": 1e4, "points": [(-4.0, -1.0), (0.0, -1.0)]}
+
+
+def slab(*loads: dict[str, Any], openings: Any = (), **mesh: Any) -> Model:
+    """Return a slab of 10 m x 6 m."""
+    plate = {"length_x": 10.0, "length_y": 6.0, "thickness": 0.2, "E": 30e9, "nu": 0.2, "openings": openings}
+    given = {"plate": plate, "ground": {"kind": "winkler", "k": 5e7}, "loads": loads, "mesh": mesh}
+    return Model.model_validate(given)
+
+
+def plan(*loads: dict[str, Any], **parts: Any) -> Plan:
+    """Return the plan of a slab's mesh."""
+    return plan_of(slab(*loads, **parts), 0.0)
+
+
+def test_footprints_areas_and_lines_are_followed() -> None:
+    """By an adaptive mesh alone; the borders of an area with a hole are two."""
+    hole = [{"kind": "circle", "centre": (3.0, -1.5), "radius": 0.3}]
+    area = {"kind": "area", "q": 1e4, "shape": {"kind": "rectangle", "x": (2.0, 4.0), "y": (-2.5, -0.5)}, "holes": hole}
+    found = plan(COLUMN, WALL, area, {"kind": "uniform", "q": 1e3})
+    model = slab(COLUMN, area)
+    assert found.borders == tuple(ring for load in model.loads for ring in load_rings(load, model))
+    assert found.lines == (((-4.0, -1.0), (0.0, -1.0)),)
+    given = plan(COLUMN, WALL, area, size=0.5)
+    assert not given.borders
+    assert not given.lines
+
+
+@pytest.mark.parametrize(("gap", "count"), [(0.09, 1), (0.11, 2), (0.0, 2)])
+def test_what_passes_closely_is_not_followed(gap: float, count: int) -> None:
+    """A footprint of 0.4 m that leaves a strip of less than 0.1 m to another one; it may touch it."""
+    assert len(plan(COLUMN, COLUMN | {"x": 1.4 + gap}).borders) == count
+
+
+def test_a_wall_beside_a_column() -> None:
+    """A line that runs through a footprint is followed, one closer to its edge than a quarter of the thickness not."""
+    through, beside = ({**WALL, "points": [(-4.0, y), (4.0, y)]} for y in (0.5, 0.68))
+    assert len(plan(COLUMN, through).lines) == 1
+    assert len(plan(COLUMN, beside).lines) == 0
+
+
+def test_lines_are_cut_off_where_there_is_no_plate() -> None:
+    """By its edge and by openings."""
+    openings = [{"kind": "rectangle", "x": (-3.0, -2.0), "y": (-2.0, 0.0)}]
+    found = plan({**WALL, "points": [(-6.0, -1.0), (0.0, -1.0)]}, openings=openings)
+    assert np.array(found.lines)[:, :, 0].tolist() == [[-5.0, -3.0], [-2.0, 0.0]]
+
+
+def test_elements_end_at_the_borders_of_loads() -> None:
+    """All along them there are sides of elements."""
+    model = slab(COLUMN, WALL)
+    mesh = discretize(model).mesh
+    (ring,) = load_rings(model.loads[0], model)
+    for line in (*((edge.start, edge.end) for edge in ring.segments()), ((-4.0, -1.0), (0.0, -1.0))):
+        sides = sides_along(mesh, mesh.elements, [line])
+        covered = np.ptp(mesh.nodes[sides[:, :2]], axis=1).sum()
+        assert covered == pytest.approx(np.abs(np.subtract(*line)).sum())
