@@ -104,12 +104,12 @@ def true_errors(results: CombinationResult, truth: CombinationResult) -> Array:
     """Return the errors (k,) of the judged values, each as a share of the largest of its quantity."""
     of, exact = [[*judged_values(each)] for each in (results, truth)]
     largest: dict[str, float] = {}
-    for quantity, _, value, *_ in exact:
-        largest[quantity] = max(largest.get(quantity, 0.0), abs(value))
+    for _, each in exact:
+        largest[each.label] = max(largest.get(each.label, 0.0), abs(each.value))
     scale = max(largest.values())
     return np.array([
-        abs(a - b) / largest[quantity] if largest[quantity] > 1e-9 * scale else 0.0
-        for (quantity, _, a, *_), (_, _, b, *_) in zip(of, exact, strict=True)
+        abs(a.value - b.value) / largest[a.label] if largest[a.label] > 1e-9 * scale else 0.0
+        for (_, a), (_, b) in zip(of, exact, strict=True)
     ])  # fmt: skip
 
 
@@ -126,7 +126,7 @@ def examine(seed: int, accuracy: float) -> dict[str, Any]:
     truth = solve_on(fixed, (xy[:, 8], np.sqrt(areas(xy)) / factor))
     errors = true_errors(found, truth)
     told = {each.value: each.share for each in judge(found)}
-    shares = np.array([told.get(value, 0.0) for _, _, value, *_ in judged_values(found)])
+    shares = np.array([told.get(each.value, 0.0) for _, each in judged_values(found)])
     wanted = max(accuracy, float(errors.max()))
     uniform, size = 0, 2 * base
     while not uniform:

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.accuracy.values import add_errors, estimate_error
-from groundslab.arrays import Memo
+from groundslab.arrays import Array, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 
 if TYPE_CHECKING:
@@ -31,12 +31,16 @@ NOTHING = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class JudgedValue:
-    """An error as a share of the largest value of its quantity, the value [SI], its name and place [m]."""
+    """An error as a share of the largest value of its quantity, the value [SI], its name and place [m].
+
+    Around are the places (p, 2) of all nodal values that may exceed it by at least half as much, none of other values.
+    """
 
     share: float
     value: float
     label: str
     place: tuple[float, float] | None
+    around: Array = field(default_factory=lambda: np.zeros((0, 2)), compare=False, repr=False)
 
 
 def judge(results: CombinationResult) -> list[JudgedValue]:
@@ -53,19 +57,19 @@ def _judge(results: CombinationResult) -> list[JudgedValue]:
     """Return the judged values with their errors, the largest first."""
     of_quantity, of_unit = defaultdict[str, float](float), defaultdict[str, float](float)
     found = [*judged_values(results)]
-    for quantity, unit, value, *_ in found:
-        of_quantity[quantity] = max(of_quantity[quantity], abs(value))
-        of_unit[unit] = max(of_unit[unit], abs(value))
+    for unit, each in found:
+        of_quantity[each.label] = max(of_quantity[each.label], abs(each.value))
+        of_unit[unit] = max(of_unit[unit], abs(each.value))
     judged = [
-        JudgedValue(error / of_quantity[quantity], value, quantity, place)
-        for quantity, unit, value, place, error in found
-        if of_quantity[quantity] > NOTHING * of_unit[unit]
+        replace(each, share=each.share / of_quantity[each.label])
+        for unit, each in found
+        if of_quantity[each.label] > NOTHING * of_unit[unit]
     ]
     return sorted(judged, key=lambda each: -each.share)
 
 
-def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float, tuple[float, float] | None, float]]:
-    """Yield quantity, unit, value, place and error of each judged value of results with a coarser mesh.
+def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue]]:
+    """Yield the unit and each judged value of results with a coarser mesh, with its error [SI] as the share.
 
     The places of extremes are those where they may lie if nodal values have their errors, see `error_of_largest`.
     """
@@ -86,13 +90,16 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, str, float,
             values, before = (np.abs(own), np.abs(other)) if name in SIZES else (sign * own, sign * other)
             most = add_errors(values, before, comparison)
             node, value = extreme_node(at, most, 1), float(values.max())
-            yield about.label, about.dimension, sign * value, place_of(at, node), float(most[node]) - value
+            error = float(most[node]) - value
+            around = at[most >= value + error / 2]
+            yield about.dimension, JudgedValue(error, sign * value, about.label, place_of(at, node), around)
     share = plate.contact_share
-    yield "area in contact", "share", share, None, estimate_error(share, coarser.plate.contact_share, comparison)
+    error = estimate_error(share, coarser.plate.contact_share, comparison)
+    yield "share", JudgedValue(error, share, "area in contact", None)
     for support, before_it in zip(results.supports, coarser.supports, strict=True):
         error = estimate_error(support.total, before_it.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None
-        yield "force of supports", "force", support.total, middle, error
+        yield "force", JudgedValue(error, support.total, "force of supports", middle)
 
 
 #: Judged values of results, which are asked for more than once.

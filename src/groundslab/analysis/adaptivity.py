@@ -33,8 +33,8 @@ SMALLER = 8.0
 PROGRESS = 0.8
 #: Errors of these come from the elements around their places.
 LOCAL = {PLATE_FIELDS[name].label for name in ("shear_x", "shear_y", "pressure")}
-#: Smaller elements at the place of a value reach so many of the present sides around it.
-AROUND = 1.5
+#: Smaller elements at the places of a value reach so many of their present sides around these.
+AROUND = 6.0
 #: Orders of convergence between which the one found is believed.
 ORDERS = (1.0, 2.0)
 
@@ -109,12 +109,12 @@ def _equidistributed(h: Array, density: Array, p: float, ratio: float) -> Array:
 
 def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], p: float, accuracy: float) -> Array:
     """Return sizes (m,) [m] with which errors at the places of values fall to the accuracy; no limit elsewhere."""
+    from scipy.spatial import KDTree
+
     found = np.full(len(h), np.inf)
     for each in judged:
-        if each.place is not None:
-            distance = np.hypot(*(mesh.xy[:, 8] - each.place).T)
-            side = h[distance.argmin()]
-            near = distance <= AROUND * side
+        if len(each.around):
+            near = KDTree(each.around).query(mesh.xy[:, 8])[0] <= AROUND * h
             ratio = min(each.share / accuracy, MOST_REDUCTION)
-            found[near] = np.minimum(found[near], side * ratio ** (-1 / p))
+            found[near] = np.minimum(found[near], h[near] * ratio ** (-1 / p))
     return found
