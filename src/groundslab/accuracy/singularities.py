@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.discretize.load_borders import load_borders
-from groundslab.discretize.singular_places import near_singular
+from groundslab.discretize.singular_places import corners_of, near_places, near_singular
 from groundslab.geometry.plan import Segment
 
 if TYPE_CHECKING:
@@ -34,15 +34,19 @@ class Limits:
 def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     """Return at which nodes (n, 2) shear forces and pressures are judged.
 
-    Shear forces around footprints and where they are singular have no meaning in design, where punching is checked
-    instead. Pressures on ground without shear follow the settlement; with shear they have no limit where section forces
-    have none, and jump where loads, lines, zones and voids begin, and where the plate lifts off.
+    Shear forces around footprints and where they are singular, at the plate's corners too if ground with shear goes on
+    beyond them, have no meaning in design, where punching is checked instead. Pressures on ground without shear follow
+    the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
+    voids begin, and where the plate lifts off.
     """
     from scipy.spatial import KDTree
 
     reach = AWAY * model.plate.thickness
     footprints = [edge for load in model.loads if load.kind == "point" for edge in load_borders(load, model)]
-    singular = near_singular(model, nodes, np.full(len(nodes), reach))
+    within = np.full(len(nodes), reach)
+    singular = near_singular(model, nodes, within)
+    if model.ground_reaches:
+        singular |= near_places([*corners_of(model.plate.ring(), None)], nodes, within)
     shear_forces = ~(singular | _near(nodes, footprints, reach))
     if not model.ground_carries_shear:
         return Limits(shear_forces, np.ones(len(nodes), dtype=bool))

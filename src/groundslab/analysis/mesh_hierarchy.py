@@ -64,7 +64,6 @@ class Level:
         if (
             self.cached is None
             or any(getattr(model, name) != getattr(self.cached[0], name) for name in RESULT_MESH_SECTIONS)
-            or model.ground_reaches != self.cached[0].ground_reaches
             or not np.array_equal(problem.depths.dominant, self.cached[1].depth[self.cached[1].mesh.elements[:, 0]])
         ):
             self.cached = model, make_result_mesh(model, problem)

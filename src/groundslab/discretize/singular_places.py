@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -18,9 +18,13 @@ REACH = 1.0
 
 def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
     """Return which nodes (n, 2) lie within a thickness (n,) [m] of a singular place."""
+    return near_places([place for found in singular_places(model).values() for place in found], nodes, thickness)
+
+
+def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flags:
+    """Return which nodes (n, 2) lie within a thickness (n,) [m] of one of some places."""
     from scipy.spatial import KDTree
 
-    places = [place for found in singular_places(model).values() for place in found]
     if not places:
         return np.zeros(len(nodes), dtype=bool)
     reach = REACH * thickness
@@ -29,19 +33,18 @@ def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
 
 
 def singular_places(model: Model) -> dict[str, list[Place]]:
-    """Return the places at which moments or shear forces have no limit, by what is there.
+    """Return the places at which moments have no limit, by what is there.
 
     Forces and supports without a footprint, the ends and bends of line loads and line supports, and corners: those that
-    point into the plate, those of zones of other thickness or material, those between a clamped and a free edge
-    (Williams 1952), and all where ground with shear continues beyond the plate.
+    point into the plate, those of zones of other thickness or material, and those between a clamped and a free edge
+    (Williams 1952).
     """
     plate, lines = model.plate, [load for load in model.loads if isinstance(load, LineLoad)]
     ends = [place for line in lines for place in line.points or ()]
     ends += [place for support in model.supports if support.kind == "line" for place in support.points]
-    any_corner = model.ground_reaches
-    corners = [*_corners(plate.ring(), None if any_corner else 1), *_between_edges(plate)]
-    corners += [place for each in plate.openings for place in _corners(each.ring(), None if any_corner else -1)]
-    corners += [place for zone in plate.zones for place in _corners(zone.shape.ring(), None)]
+    corners = [*corners_of(plate.ring(), 1), *_between_edges(plate)]
+    corners += [place for each in plate.openings for place in corners_of(each.ring(), -1)]
+    corners += [place for zone in plate.zones for place in corners_of(zone.shape.ring(), None)]
     found = {
         "forces without a footprint": [*forces_without_footprint(model)],
         "point supports": [(support.x, support.y) for support in model.supports if support.kind == "point"],
@@ -72,7 +75,7 @@ def _between_edges(plate: Plate) -> Iterator[Place]:
                 yield x, y
 
 
-def _corners(ring: Ring, side: int | None) -> Iterator[Place]:
+def corners_of(ring: Ring, side: int | None) -> Iterator[Place]:
     """Yield the corners between straight edges: those that point into the plate, or all of them.
 
     The plate lies inside the curve (side 1), outside (-1) or on both sides (None).

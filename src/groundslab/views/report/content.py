@@ -125,14 +125,17 @@ def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     }
     if len(proofs) == 1:
         return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, proofs.values())]
-    heads: list[TableHeader] = []
+    known = {row.key: row for section in proofs.values() for row in section.rows}
     rows = []
     for name, section in proofs.items():
-        shown = [(row, shown_row(row)) for row in section.rows]
-        heads = heads or [TableHeader(row.label, each.unit, number=True) for row, each in shown]
-        cells = [Cell(each.figure, "bad" if row.ok is False else "number") for row, each in shown]
+        own = {row.key: row for row in section.rows}
+        cells = [
+            Cell(shown_row(own[key]).figure, "bad" if own[key].ok is False else "number") if key in own else Cell("")
+            for key in known
+        ]
         rows.append((Cell(name), *cells, _holds(all(row.ok is not False for row in section.rows))))
-    heads = [TableHeader("combination"), *heads, TableHeader("certificate")]
+    figures = [TableHeader(row.label, shown_row(row).unit, number=True) for row in known.values()]
+    heads = [TableHeader("combination"), *figures, TableHeader("certificate")]
     grid = TableLayout("", tuple(heads), tuple(rows), CERTIFICATE_NOTES)
     return table_layout.split_columns(drop_empty_columns(grid), 1)
 

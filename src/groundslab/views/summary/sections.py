@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
-from groundslab.discretize.singular_places import near_singular, singular_places
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
@@ -242,6 +241,8 @@ def _section_forces(results: CombinationResult) -> SummarySection:
     for name, words in (("moment_xy", "twisting moment"), ("shear_x", "shear force"), ("shear_y", "shear force")):
         sizes = np.abs(getattr(plate, name))
         rows.append(_extreme(name, f"largest_{name}", f"largest {words}", plate.nodes, sizes, 1, "|{}|"))
+    from groundslab.discretize.singular_places import near_singular, singular_places
+
     notes: tuple[str, ...] = ()
     if places := singular_places(results.model):
         thickness = results.elements.at_nodes(plate)[0]
