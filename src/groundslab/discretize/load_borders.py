@@ -53,11 +53,19 @@ def load_rings(load: loads.AnyLoad, model: Model) -> tuple[Ring, ...]:
 
 
 def follow_loads(plan: Plan, model: Model) -> Plan:
-    """Return a plan with the borders of loads, and the straight lines that loads stand on, that a mesh can follow."""
+    """Return a plan with the borders of loads, and the straight lines that loads stand on, that a mesh can follow.
+
+    A grid would have lines through the whole plate for each: where nothing but grids can be made there are none.
+    """
+    from groundslab import meshing
+
+    if not meshing.available():
+        return plan
     rings = [ring for load in model.loads for ring in load_rings(load, model)]
     edges = [edge for load in model.loads if isinstance(load, loads.LineLoad) for edge in load.segments()]
     lines = [(edge.start, edge.end) for edge in edges if edge.straight]
-    return _follow(plan, tuple(dict.fromkeys(rings)), tuple(dict.fromkeys(lines)), model.plate.thickness)
+    some, straight = (tuple(dict.fromkeys(found))[:MOST_BORDERS] for found in (rings, lines))
+    return _follow(plan, some, straight, model.plate.thickness)
 
 
 @functools.lru_cache(maxsize=64)
@@ -104,16 +112,12 @@ def _add_lines(plan: Plan, lines: tuple[Line, ...]) -> Plan:
     """
     import shapely
 
-    from groundslab import meshing
-
     chord = FLAT * plan.extent
     openings = shapely.union_all([ring.polygon(chord) for ring in plan.openings])
     plate = plan.outline.polygon(chord).difference(openings)
-    pieces = shapely.get_parts([shapely.LineString(line).intersection(plate) for line in lines[:MOST_BORDERS]])
+    pieces = shapely.get_parts([shapely.LineString(line).intersection(plate) for line in lines])
     ends = [shapely.get_coordinates(piece)[[0, -1]] for piece in pieces if piece.geom_type == "LineString"]
     kept: list[Line] = [((float(ax), float(ay)), (float(bx), float(by))) for (ax, ay), (bx, by) in ends]
-    if plan.rectilinear and not meshing.available():
-        kept = [line for line in kept if Segment(*line).along_axis]
     while kept:
         found = replace(plan, lines=(*plan.lines, *kept))
         issues = " ".join(f"{issue.location} {issue.found}" for issue in find_issues(found))
