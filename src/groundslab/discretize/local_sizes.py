@@ -25,22 +25,25 @@ PLACES_PER_SIDE = 2
 SURE = 0.72
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
-#: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
-#: shorter side.
+#: The first of adaptive meshes has no elements larger than the elastic length, along free edges, where shear forces
+#: change within a thickness, than the thickness; but for them at most so many on the shorter side.
 MOST_ON_SHORT_SIDE = 96
 
 
 def local_sizes(model: Model) -> Sources | None:
     """Return places (k, 2) [m] with the sizes (k,) [m] that elements have there at most, None without such places.
 
-    Footprints and the elastic length count where the mesh is adaptive: elements that do not see them cannot tell their
-    error either.
+    Footprints, elastic length and thickness count where the mesh is adaptive: elements that do not see them cannot tell
+    their error either.
     """
     found = [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
     if model.mesh.adaptive:
-        size = max(_elastic_length(model), min(model.plate.sides) / MOST_ON_SHORT_SIDE)
+        least = min(model.plate.sides) / MOST_ON_SHORT_SIDE
+        size, edge_size = max(_elastic_length(model), least), max(model.plate.thickness, least)
         if size < min(model.plate.sides) / SHORT_SIDE_ELEMENTS:
             found.append((_places(model.plate.ring(), size), size))
+        rings = [model.plate.ring(), *(each.ring() for each in model.plate.openings)]
+        found += [(along(ring, edge_size), edge_size) for ring in rings]
         found += [(_raster(ring.bounds, 3, 3), min(_sides(ring))) for ring in _footprints(model)]
     if not found:
         return None
