@@ -88,6 +88,7 @@ lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 
 bench:                  ## time all sizes and the other programs, one by one, and write docs/performance.md; takes hours
 	$(PYTHON) bench/run.py $(BENCH)
+	$(PYTHON) bench/time_to_accuracy.py
 	bench/.env/own/bin/python bench/report.py
 
 clean:                  ## remove what the targets made

@@ -21,7 +21,7 @@ from typing import Any
 HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"
 PAGE, PICTURE = DOCS / "performance.md", DOCS / "performance.svg"
-RESULTS = HERE / "results.json"
+RESULTS, ACCURACIES = HERE / "results.json", HERE / "time_to_accuracy.json"
 
 OWN = "groundslab"
 PLACES = ("centre", "corner")
@@ -38,8 +38,6 @@ NAMES = {
     "variants": "variants of the ground",
     "study": "a study of such variants, two workers",
 }
-#: Relative errors at which programs are compared.
-ERRORS = (1e-3, 1e-4, 1e-5)
 #: Okabe and Ito's colours, which the colour-blind can tell apart, a grey, and marks that tell the same.
 COLOURS = {
     "linear": ("#666666", "s"),
@@ -206,15 +204,15 @@ def error(row: Mapping[str, Any], place: str, to: Reference | None) -> float | N
     return None if to is None or value is None else abs(value - to.value[place]) / abs(to.value[place])
 
 
-def tables(results: CombinationResult) -> dict[str, str]:
+def tables(results: CombinationResult, accuracies: CombinationResult | None = None) -> dict[str, str]:
     """Return all tables by the names of their markers."""
     return {
+        "accuracy": "Not measured yet." if accuracies is None else accuracy_rows(accuracies),
         "targets": targets(results),
         "picture": picture(results),
         "own": own_rows(results),
         "small": small_rows(results),
         "peers": peer_rows(results),
-        "errors": equal_errors(results),
         "reference": reference_rows(results),
         "machine": machine_rows(results),
     }
@@ -291,19 +289,39 @@ def _row(name: str, row: Mapping[str, Any], slower: float | None, to: Reference 
     return [name, f"{row['unknowns']:,}", *(figure(value) for value in keys), *errors]
 
 
-def equal_errors(results: CombinationResult) -> str:
-    """Return the shortest time in which each program comes within an error, at both places."""
-    to = reference(results)
-    rows = []
-    for name, sizes in results["peers"].items():
-        solved = [row for row in sizes.values() if error(row, "corner", to) is not None]
-        cells = []
-        for limit in ERRORS:
-            good = [row for row in solved if all((error(row, place, to) or 0.0) <= limit for place in PLACES)]
-            best = min(good, key=lambda row: row["total [s]"], default=None)
-            cells.append("-" if best is None else f"{figure(best['total [s]'])} ({best['unknowns']:,})")
-        rows.append([name, *cells])
-    return table(["program", *(f"error at most {limit:g}" for limit in ERRORS)], rows)
+def accuracy_rows(accuracies: CombinationResult) -> str:
+    """Return the shortest time in which each program comes within accuracies, by load and value."""
+    limits, parts = accuracies["limits"], []
+    for side, found in accuracies["loads"].items():
+        values = list(found["reference"])
+        rows = [[f"{OWN}, mesh.accuracy", *_made_for(found["adaptive"], limits, values)]]
+        for name, row in found["uniform"].items():
+            cells = [_first_within(row, limit, value) for limit in limits for value in values]
+            rows.append([f"{name}, uniform", *cells])
+        head = [f"{value} to {100 * limit:g} %" for limit in limits for value in values]
+        apart = max(found["apart"].values())
+        parts.append(f"Load on {side} m x {side} m, references apart by at most {apart:.0e}:")
+        parts.append(table(["program", *head], rows))
+    return "\n\n".join([*parts, f"Measured on {accuracies['date']} at commit {accuracies['commit']}."])
+
+
+def _made_for(adaptive: Sequence[Mapping[str, Any]], limits: Sequence[float], values: Sequence[str]) -> Iterator[str]:
+    """Yield time, unknowns and true error of the meshes that were made for accuracies."""
+    for limit, row in zip(limits, adaptive, strict=True):
+        for value in values:
+            off = row["errors"][value]
+            missed = f", off by {100 * off:.2g} %" if off > limit else ""
+            yield f"{figure(row['total [s]'])} ({row['unknowns']:,}{missed})"
+
+
+def _first_within(row: Sequence[Mapping[str, Any]], limit: float, value: str) -> str:
+    """Return time and unknowns of the first mesh from which on a value's errors are within a limit."""
+    best = None
+    for figures in reversed(row):
+        if figures["errors"][value] > limit:
+            break
+        best = figures
+    return "-" if best is None else f"{figure(best['total [s]'])} ({best['unknowns']:,})"
 
 
 def reference_rows(results: CombinationResult) -> str:
@@ -452,7 +470,8 @@ def draw(results: CombinationResult, path: Path) -> None:
 def main(words: Sequence[str]) -> None:
     """Write tables and picture."""
     results = json.loads(Path(words[0] if words else RESULTS).read_text(encoding="utf-8"))
-    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), tables(results)), encoding="utf-8")
+    accuracies = json.loads(ACCURACIES.read_text(encoding="utf-8"))
+    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), tables(results, accuracies)), encoding="utf-8")
     draw(results, PICTURE)
 
 

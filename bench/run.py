@@ -343,12 +343,15 @@ def commit() -> str:
     return git("rev-parse", "HEAD") + (" and changes" if changed else "")
 
 
+def circumstances() -> dict[str, Any]:
+    """Return what figures were taken from, on and when."""
+    return {"date": datetime.datetime.now(datetime.UTC).date().isoformat(), "commit": commit(), "machine": machine()}
+
+
 def collect(ledger: Ledger) -> dict[str, Any]:
     """Return all finished jobs with what they depend on, as bench/results.json holds them."""
     results: dict[str, Any] = {
-        "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
-        "commit": commit(),
-        "machine": machine(),
+        **circumstances(),
         "packages": {name: versions(name) for name in sorted({peer.environment for peer in PEERS.values()})},
         "cap [s]": CAP,
         "own": {},
@@ -409,7 +412,7 @@ def main(words: Sequence[str] | None = None) -> None:
     results = collect(ledger)
     given.results.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     for title, text in report.tables(results).items():
-        if title != "picture":
+        if title not in ("picture", "accuracy"):
             say(f"\n{title}\n{text}")
 
 

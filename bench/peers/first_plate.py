@@ -7,6 +7,7 @@ stand here once. Lengths in m, forces in N, settlements and loads positive downw
 from __future__ import annotations
 
 import json
+import os
 import resource
 import sys
 import time
@@ -15,11 +16,16 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-#: Half the plate's lengths, half the loaded square's side, thickness [m].
-A, B, LOADED, T = 4.8, 3.6, 1.2, 0.2
+#: Half the plate's lengths, thickness [m].
+A, B, T = 4.8, 3.6, 0.2
+#: Half the loaded square's side [m]: the paper's, or a smaller one under the same force.
+PAPERS = 1.2
+LOADED = float(os.environ.get("LOADED", PAPERS))
 E, NU = 23e9, 0.17
 #: Modulus of the springs [N/m3] and pressure on the square [N/m2].
-K, Q = 32.7862e6, 1e6
+K, Q = 32.7862e6, 1e6 * (PAPERS / LOADED) ** 2
+#: Bending rigidity [N m].
+D = E * T**3 / (12 * (1 - NU**2))
 #: Shear modulus of the plate [N/m2]; the shear correction is 5/6 in all programs.
 G = E / (2 * (1 + NU))
 SHEAR = 5 / 6 * G * T
@@ -30,15 +36,16 @@ LIMIT = 60
 def divisions(unknowns: int, order: int) -> tuple[int, int]:
     """Return numbers of square elements along x and y for about so many unknowns, three at each of their nodes.
 
-    The numbers are multiples of 4 and 3, so that the load's edge follows the mesh; `order` is that of the element.
+    They are multiples of 4 and 3, so that the load's edge follows the mesh; `order` is that of the element.
     """
-    m = 1
-    while abs(_size(m + 1, order) - unknowns) < abs(_size(m, order) - unknowns):
-        m += 1
+    m = step = round(PAPERS / LOADED)
+    while abs(unknowns_of(m + step, order) - unknowns) < abs(unknowns_of(m, order) - unknowns):
+        m += step
     return 4 * m, 3 * m
 
 
-def _size(m: int, order: int) -> int:
+def unknowns_of(m: int, order: int) -> int:
+    """Return the number of unknowns of 4 m by 3 m elements."""
     return 3 * (4 * m * order + 1) * (3 * m * order + 1)
 
 
@@ -73,9 +80,9 @@ class Job:
 
     def report(
         self, *, program: str, version: str, element: str, solver: str, unknowns: int, iterations: int,
-        centre: float, corner: float,
+        centre: float, corner: float, moment: float | None = None,
     ) -> None:  # fmt: skip
-        """Print the job's figures as one line of JSON."""
+        """Print the job's figures as one line of JSON; the moment is m_x at the centre."""
         figures = {
             "program": program,
             "version": version,
@@ -87,6 +94,7 @@ class Job:
             "iterations": iterations,
             "settlement at the centre [m]": centre,
             "settlement at the corner [m]": corner,
+            **({} if moment is None else {"moment at the centre [N]": abs(moment)}),
             "peak memory [MiB]": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
         }
         # a line of its own, after whatever the program has printed without an end of line

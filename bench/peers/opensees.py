@@ -35,6 +35,9 @@ def main(unknowns: int) -> None:
         if ops.analyze(1) != 0:
             raise SystemExit("OpenSees did not converge")
     centre, corner = (-ops.nodeDisp(tag, 3) for tag in corners)
+    # from the integration points of the element at the centre to its corner there
+    N = np.outer([1 + 3**0.5, 1 - 3**0.5], [1 + 3**0.5, 1 - 3**0.5])[[0, 1, 1, 0], [0, 0, 1, 1]] / 4
+    moment = N @ np.reshape(ops.eleResponse(1, "stresses"), (4, 8))[:, 3]
     job.report(
         program="OpenSeesPy",
         version=importlib.metadata.version("openseespy"),
@@ -44,6 +47,7 @@ def main(unknowns: int) -> None:
         iterations=ops.testIter(),
         centre=centre,
         corner=corner,
+        moment=float(moment),
     )
 
 

@@ -95,6 +95,25 @@ def test_errors_below_the_reference_are_not_told(report: ModuleType) -> None:
     assert report.scientific(report.error(ours["6k"], "centre", to), to, "centre") == "1e+00"
 
 
+def test_the_mesh_from_which_on_errors_are_small_counts(report: ModuleType) -> None:
+    """A coarse mesh that is right by accident does not count; a mesh made for an accuracy says by how much it missed."""
+
+    def solved(unknowns: int, error: float) -> dict[str, Any]:
+        return row(unknowns, unknowns / 1000) | {"errors": {"moment": error}}
+
+    meshes = [solved(100, 0.001), solved(1000, 0.02), solved(2000, 0.009), solved(4000, 0.002)]
+    load = {
+        "reference": {"moment": 1.0},
+        "apart": {"moment": 1e-6},
+        "adaptive": [solved(500, 0.004), solved(1500, 0.003)],
+        "uniform": {"other": meshes},
+    }
+    accuracies = {"limits": [0.01, 0.001], "loads": {"2.4": load}, "date": "2026-01-01", "commit": "abc"}
+    ours, other = report.accuracy_rows(accuracies).splitlines()[4:6]
+    assert [cell.strip() for cell in ours.split("|")[2:4]] == ["0.500 (500)", "1.50 (1,500, off by 0.3 %)"]
+    assert [cell.strip() for cell in other.split("|")[2:4]] == ["2 (2,000)", "-"]
+
+
 def test_labels_move_apart_in_order(report: ModuleType) -> None:
     """Labels keep their order and get their gap."""
     places = report.spread([0.0, 0.01, 5.0, -0.01], 0.1)
