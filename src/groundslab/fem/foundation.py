@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.shape_functions import gauss, jacobian, q9
 
 #: A number for one column of soil, or one for each of c columns, (c,).
@@ -95,7 +95,7 @@ class Layer:
         """Return Ec / h [Pa/m] and G h [Pa m] for the mean of E."""
         return self.oedometric_ratio * self.mean / self.thickness, self.shear * self.mean * self.thickness
 
-    def at(self, columns: slice) -> Layer:
+    def at(self, columns: slice | Flags) -> Layer:
         """Return the layer of some of the columns."""
         thickness, c0, c1, c2, nu = (np.asarray(each)[columns] for each in (self.thickness, *self.moduli, self.nu))
         return Layer(thickness, (c0, c1, c2), nu)

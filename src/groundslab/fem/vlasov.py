@@ -14,7 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array
 from groundslab.errors import InputError, Issue
 from groundslab.fem.foundation import Column, Layer, Parts, Values, interface_stack, single
 from groundslab.fem.shape_functions import lagrange
@@ -24,8 +24,9 @@ _COTH = np.array([
     1 / 3, 1 / 45, 2 / 945, 1 / 4725, 2 / 93555, 1382 / 638512875, 4 / 18243225, 3617 / 162820783125,
 ])  # fmt: skip
 
-#: The modes of so many columns are found at a time, to spare memory.
-_CHUNK = 1024
+#: The modes of many columns are integrated over a layer in so many steps, more where they die out in it or its modulus
+#: varies much; of so many columns at a time, to spare memory.
+STEPS, CHUNK = 16, 4096
 
 
 def _mode_terms(gamma: Values) -> tuple[Array, Array, Array]:
@@ -104,8 +105,8 @@ def profile(layers: tuple[Layer, ...], decay2: float, points: int = 60) -> Mode:
 
     decay2 [1/m2] is int |grad w|^2 / int w^2. Quadratic finite elements, crowded so that exp(-z/l) is met to 1e-8.
     """
-    ends, first, stretch, shear = _over_the_depth(layers, np.array([decay2]), points)
-    psi = _two_point_minimum(stretch + decay2 * shear, first)
+    ends, stretch, shear = _over_the_depth(layers, decay2, points)
+    psi = _two_point_minimum(stretch + decay2 * shear)
     k0 = float(np.einsum("ea,eab,eb->", psi, stretch, psi))
     k1 = float(np.einsum("ea,eab,eb->", psi, shear, psi))
     nodes = np.append(psi[:, :2].ravel(), psi[-1, 2])
@@ -113,79 +114,101 @@ def profile(layers: tuple[Layer, ...], decay2: float, points: int = 60) -> Mode:
     return Mode(np.interp(np.arange(len(nodes)), 2 * np.arange(len(depths)), depths), nodes, k0, k1)
 
 
-def profiles(layers: tuple[Layer, ...], decay2: Array, points: int = 20) -> tuple[Array, Array]:
+def profiles(layers: tuple[Layer, ...], decay2: Array) -> tuple[Array, Array]:
     """Return k0 [Pa/m] and k1 [Pa m], each (c,), under each column's own mode; decay2 (c,) [1/m2] as in `profile`.
 
-    As there can be thousands of columns, fewer elements than in `profile` are taken; k0 and k1 are good to 1e-6.
+    The least energy k0 + decay2 k1 is the stiffness Z = -Ec psi' / psi of the top, and k1 its derivative by decay2.
+    From the base upwards Z' = decay2 G - Z^2 / Ec, and its inverse Y' = 1 / Ec - decay2 G Y^2, of which the one is
+    integrated in which the solution is no faster than the mode dies out. k0 and k1 are good to 1e-6.
     """
     k0, k1 = np.empty(len(decay2)), np.empty(len(decay2))
-    for start in range(0, len(decay2), _CHUNK):
-        part = slice(start, start + _CHUNK)
-        some = tuple(layer.at(part) for layer in layers)
-        _, first, stretch, shear = _over_the_depth(some, decay2[part], points)
-        column = np.cumsum(first) - 1
-        psi = _two_point_minimum(stretch + decay2[part][column, None, None] * shear, first)
-        begins = np.flatnonzero(first)
-        for k, matrices in ((k0, stretch), (k1, shear)):
-            k[part] = np.add.reduceat((psi * (matrices @ psi[..., None])[..., 0]).sum(axis=1), begins)
+    for start in range(0, len(decay2), CHUNK):
+        part = slice(start, start + CHUNK)
+        Z, k1[part] = _stiffness_of_top([layer.at(part) for layer in layers], decay2[part])
+        k0[part] = Z - decay2[part] * k1[part]
     return k0, k1
 
 
-def _over_the_depth(layers: tuple[Layer, ...], decay2: Array, points: int) -> tuple[Array, Flags, Array, Array]:
-    """Return finite elements over the depth of c columns, one column after the other, e elements in all.
+def _stiffness_of_top(layers: list[Layer], decay2: Array) -> tuple[Array, Array]:
+    """Return Z [Pa/m] and its derivative by decay2 [Pa m], (c,) each, see `profiles`."""
+    y, dy = np.zeros((2, len(decay2)))  # Y or Z, and its derivative
+    inverse = np.ones(len(decay2), dtype=bool)  # where it is Y
+    for layer in reversed(layers):
+        lasting = np.sqrt(decay2 * layer.shear * layer.oedometric_ratio) * layer.E(np.array(1.0))
+        other = np.where(inverse, y * lasting, y / np.maximum(lasting, np.finfo(float).tiny)) > 1
+        dy[other] /= -(y[other] ** 2)
+        y[other] = 1 / y[other]
+        inverse ^= other
+        for own, of_inverse in ((inverse, True), (~inverse, False)):
+            if own.any():
+                y[own], dy[own] = _integrate_upwards(layer.at(own), decay2[own], of_inverse, y[own], dy[own])
+    return np.where(inverse, 1 / y, y), np.where(inverse, -dy / y**2, dy)
 
-    Their ends (e, 2) [m], which are the first of a column (e,), and the matrices (e, 3, 3) of int Ec psi'^2 dz and
-    int G psi^2 dz.
+
+def _integrate_upwards(layer: Layer, decay2: Array, inverse: bool, y: Array, dy: Array) -> tuple[Array, Array]:
+    """Return y and its derivative by decay2 at a layer's top from those at its bottom, (c,) each, see `profiles`.
+
+    y' = a - b y^2 with a = decay2 G and b = 1 / Ec, or the other way round where y is the inverse; by Runge and Kutta's
+    rule of fourth order.
     """
+    dying_out = np.sqrt(decay2 * layer.shear / layer.oedometric_ratio) * layer.thickness
+    E = layer.E(np.linspace(0, 1, 5)[:, None])
+    n = int(max(STEPS * (1 + np.log(E.max(axis=0) / E.min(axis=0)) + dying_out / 2)))
+    E = layer.E((1 - np.arange(2 * n + 1) / (2 * n))[:, None])
+    soft, stiff = layer.thickness / (n * layer.oedometric_ratio * E), layer.thickness / n * layer.shear * E
+    none, decaying = np.zeros(2 * n + 1), decay2 * stiff
+    a, b, da, db = (soft, decaying, none, stiff) if inverse else (decaying, soft, stiff, none)
 
-    def table(values: list[Values]) -> Array:
-        return np.column_stack([np.broadcast_to(each, len(decay2)) for each in values])
+    def slope(i: int, y: Array, dy: Array) -> tuple[Array, Array]:
+        by = b[i] * y
+        return a[i] - by * y, da[i] - db[i] * y**2 - 2 * by * dy
 
-    thickness = table([layer.thickness for layer in layers])  # (c, L), as all tables
-    constrained = table([layer.oedometric_ratio for layer in layers])
-    shearing = table([layer.shear for layer in layers])
-    local = np.sqrt(decay2[:, None] * shearing / constrained) * thickness
-    count = (points * (1 + local)).astype(np.int64)
-    owner = np.repeat(np.arange(count.size), count.ravel())
-    number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count.ravel(), count.ravel())
-    top = np.cumsum(np.column_stack([np.zeros(len(decay2)), thickness]), axis=1)[:, :-1].ravel()[owner]
-    size, parts = thickness.ravel()[owner], count.ravel()[owner]
-    ends = top[:, None] + size[:, None] * (number[:, None] + np.arange(2)) / parts[:, None]
+    for i in range(0, 2 * n, 2):
+        one, d_one = slope(i, y, dy)
+        two, d_two = slope(i + 1, y + one / 2, dy + d_one / 2)
+        three, d_three = slope(i + 1, y + two / 2, dy + d_two / 2)
+        four, d_four = slope(i + 2, y + three, dy + d_three)
+        y = y + (one + 2 * (two + three) + four) / 6
+        dy = dy + (d_one + 2 * (d_two + d_three) + d_four) / 6
+    return y, dy
 
-    # E = a + b t + c t^2 over an element, 0 <= t <= 1; a, b, c times the integrals of 1, t, t^2 with the functions
+
+def _over_the_depth(layers: tuple[Layer, ...], decay2: float, points: int) -> tuple[Array, Array, Array]:
+    """Return finite elements over the depth: their ends (e, 2) [m], and the matrices of energy.
+
+    These are int Ec psi'^2 dz and int G psi^2 dz, (e, 3, 3) each.
+    """
     x, weight = np.polynomial.legendre.leggauss(4)
     N, dN = lagrange(x)
-    powers = weight * ((x + 1) / 2) ** np.arange(3)[:, None]
-    slopes, values = (powers @ (M[:, :, None] * M[:, None, :]).reshape(len(x), 9) for M in (dN, N))
-    h = (ends[:, 1] - ends[:, 0])[:, None]
-    s, ds = number / parts, 1 / parts
-    c0, c1, c2 = (table([layer.moduli[i] for layer in layers]).ravel()[owner] for i in range(3))
-    E = np.column_stack([c0 + s * (c1 + s * c2), ds * (c1 + 2 * s * c2), ds**2 * c2])
-    stretch = ((constrained.ravel()[owner, None] * 2 / h * E) @ slopes).reshape(-1, 3, 3)
-    shear = ((shearing.ravel()[owner, None] * h / 2 * E) @ values).reshape(-1, 3, 3)
-    first: Flags = (number == 0) & (owner % len(layers) == 0)
-    return ends, first, stretch, shear
+    ends, stretch, shear, top = [], [], [], 0.0
+    for layer in layers:
+        local = np.sqrt(decay2 * layer.shear / layer.oedometric_ratio) * layer.thickness
+        number = np.arange(int(points * (1 + local)))[:, None]
+        h = layer.thickness / len(number)
+        E = weight * layer.E((number + (x + 1) / 2) / len(number))
+        ends.append(top + h * (number + np.arange(2)))
+        stretch.append(layer.oedometric_ratio * 2 / h * np.einsum("ep,pa,pb->eab", E, dN, dN))
+        shear.append(layer.shear * h / 2 * np.einsum("ep,pa,pb->eab", E, N, N))
+        top += float(layer.thickness)
+    return np.concatenate(ends), np.concatenate(stretch), np.concatenate(shear)
 
 
-def _two_point_minimum(K: Array, first: Flags) -> Array:
-    """Return psi at the nodes of elements (e, 3) such that each column has least energy, 1 at its top, 0 at its base.
+def _two_point_minimum(K: Array) -> Array:
+    """Return psi at the nodes of elements (e, 3) with the least energy, 1 at the top, 0 at the base.
 
-    The middle nodes are condensed; what is left of each column is a chain of springs. The chains stand one after the
-    other in one banded matrix.
+    The middle nodes are condensed; what is left is a chain of springs.
     """
     from scipy.linalg import solveh_banded
 
     keep, middle = [0, 2], 1
     to_middle = K[:, keep, middle]
     C = K[:, keep][:, :, keep] - to_middle[:, :, None] * to_middle[:, None] / K[:, middle, middle, None, None]
-    above = np.flatnonzero(~np.append(first[1:], True))  # elements with another one of their column below them
-    diagonal = C[above, 1, 1] + C[above + 1, 0, 0]
-    upper = np.where(first[above], 0.0, C[above, 0, 1])
-    load = np.where(first[above], -C[above, 1, 0], 0.0)
-    inner = solveh_banded(np.stack([upper, diagonal]), load)
     psi = np.zeros((len(K), 3))
-    psi[first, 0] = 1.0
-    psi[above, 2] = psi[above + 1, 0] = inner
+    psi[0, 0] = 1.0
+    load = np.zeros(len(K) - 1)
+    load[0] = -C[0, 1, 0]
+    banded = np.stack([np.append(0.0, C[1:-1, 0, 1]), C[:-1, 1, 1] + C[1:, 0, 0]])
+    psi[:-1, 2] = psi[1:, 0] = solveh_banded(banded, load)
     psi[:, 1] = -(K[:, 1, 0] * psi[:, 0] + K[:, 1, 2] * psi[:, 2]) / K[:, 1, 1]
     return psi
 
