@@ -248,7 +248,14 @@ def own_rows(results: CombinationResult) -> str:
             errors = [scientific(error(row, place, to) if kind == "winkler" else None, to, place) for place in PLACES]
             others = ", ".join(
                 f"{key} {figure(row[key])}"
-                for key in ("assembly / bare", "peak / factor", "iterated / known", "further / first", *STUDIES)
+                for key in (
+                    "assembly / bare",
+                    "estimates / analysis",
+                    "peak / factor",
+                    "iterated / known",
+                    "further / first",
+                    *STUDIES,
+                )
                 if key in row
             )
             rows.append([name, f"{row['unknowns']:,}", *(figure(row.get(key)) for key in keys), *errors, others])

@@ -56,8 +56,10 @@ def make_prolongation(coarser: ResultMesh, finer: ResultMesh, ground: tuple[Mesh
     ground are the meshed parts of the ground, the coarser one first. Where the meshes are nested, nothing is taken
     across borders of sections, loads or supports.
     """
-    plate, element = _interpolation(coarser.mesh, finer.mesh)
-    return Prolongation(coarser, finer, plate, _interpolation(*ground)[0], element)
+    plates = coarser.mesh, finer.mesh
+    plate, element = _interpolation(*plates)
+    alone = all(np.array_equal(a.elements, b.elements) for a, b in zip(plates, ground, strict=True))
+    return Prolongation(coarser, finer, plate, plate if alone else _interpolation(*ground)[0], element)
 
 
 def _interpolation(coarse: Mesh, fine: Mesh) -> tuple[csr_array, Integers]:

@@ -176,6 +176,8 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
     of_node, t = np.zeros(len(mesh.nodes), dtype=np.int64), np.zeros(len(mesh.nodes))
     of_node[mesh.elements], t[mesh.elements] = section[:, None], thickness[:, None]
     nodes = np.flatnonzero(near_singular(model, mesh.nodes, t))
+    if not len(nodes):
+        return DiscMeans(nodes, csr_array((0, len(mesh.nodes))))
     offsets, weights = _disc()
     points = mesh.nodes[nodes, None] + t[nodes, None, None] / 2 * offsets
     element, place = locate(mesh, points.reshape(-1, 2))
