@@ -127,7 +127,12 @@ def at_nodes_of(results: CombinationResult, truth: CombinationResult) -> Combina
     mesh, nodes = Mesh(truth.plate.nodes, truth.plate.elements), results.plate.nodes
     element, place = locate_nearest(mesh, nodes)
     N = q9(place)[0]
-    fields = {name: (N * getattr(truth.plate, name)[mesh.elements[element]]).sum(axis=1) for name in LIMITED}
+    # parabolas overshoot where a field has a kink
+    known = {name: getattr(truth.plate, name) for name in LIMITED}
+    fields = {
+        name: (N * field[mesh.elements[element]]).sum(axis=1).clip(field.min(), field.max())
+        for name, field in known.items()
+    }
     return replace(results, plate=replace(results.plate, **fields))
 
 

@@ -37,7 +37,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     Shear forces around footprints and where they are singular, at the plate's corners too if ground with shear goes on
     beyond them, have no meaning in design, where punching is checked instead. Pressures on ground without shear follow
     the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
-    voids begin, and where the plate lifts off.
+    voids begin, and around where the plate has lifted off. There they are zero.
     """
     from scipy.spatial import KDTree
 
@@ -53,7 +53,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     lifted = np.zeros(len(nodes), dtype=bool)
     if not in_contact.all():
         lifted = KDTree(nodes[~in_contact]).query(nodes, distance_upper_bound=1.001 * reach)[0] <= reach
-    return Limits(shear_forces, ~(singular | lifted | _near(nodes, [*_creases(model)], reach)))
+    return Limits(shear_forces, ~(singular | lifted | _near(nodes, [*_creases(model)], reach)) | ~in_contact)
 
 
 def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
