@@ -96,7 +96,7 @@ def test_errors_below_the_reference_are_not_told(report: ModuleType) -> None:
 
 
 def test_the_mesh_from_which_on_errors_are_small_counts(report: ModuleType) -> None:
-    """A coarse mesh that is right by accident does not count; a mesh made for an accuracy says by how much it missed."""
+    """A coarse mesh that is right by accident does not count; one made for an accuracy says what it missed."""
 
     def solved(unknowns: int, error: float) -> dict[str, Any]:
         return row(unknowns, unknowns / 1000) | {"errors": {"moment": error}}

@@ -5,19 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.load_borders import load_borders
-from groundslab.discretize.singular_places import near_singular
+from groundslab.discretize.singular_places import near_places, singular_places
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
+from groundslab.geometry.plan import Place
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport
 from groundslab.results import patch_recovery
@@ -33,6 +34,8 @@ ANTISYMMETRIC = ({"rotation_x", "shear_x", "moment_xy"}, {"rotation_y", "shear_y
 SHARED = {"area", "contact_area", "edge_length"}
 #: Rings and rays of the points by which a field is integrated over a disc; no ray runs along an axis or a diagonal.
 RINGS, RAYS = 4, 16
+#: Those closer to a singular place than this share of the disc's diameter are replaced by so many by so many.
+CLOSE, DIVIDED = 0.15, 6
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
 XI_TURNED = np.array([2, 3, 0, 1])
 
@@ -175,15 +178,14 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
 
     of_node, t = np.zeros(len(mesh.nodes), dtype=np.int64), np.zeros(len(mesh.nodes))
     of_node[mesh.elements], t[mesh.elements] = section[:, None], thickness[:, None]
-    nodes = np.flatnonzero(near_singular(model, mesh.nodes, t))
+    singular = [place for places in singular_places(model).values() for place in places]
+    nodes = np.flatnonzero(near_places(singular, mesh.nodes, t))
     if not len(nodes):
         return DiscMeans(nodes, csr_array((0, len(mesh.nodes))))
-    offsets, weights = _disc()
-    points = mesh.nodes[nodes, None] + t[nodes, None, None] / 2 * offsets
-    element, place = locate(mesh, points.reshape(-1, 2))
-    inside = (element >= 0) & (section[element] == np.repeat(of_node[nodes], len(offsets)))
-    row = np.repeat(np.arange(len(nodes)), len(offsets))[inside]
-    share = np.tile(weights, len(nodes))[inside]
+    row, offset, weight = _disc_points(mesh.nodes[nodes], t[nodes] / 2, singular)
+    element, place = locate(mesh, mesh.nodes[nodes[row]] + offset)
+    inside = (element >= 0) & (section[element] == of_node[nodes[row]])
+    row, share = row[inside], weight[inside]
     total = np.bincount(row, weights=share, minlength=len(nodes))
     # beside a sharp corner no point may be left: the value stays
     alone = np.flatnonzero(total == 0)
@@ -194,13 +196,36 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
     return DiscMeans(nodes, csr_array((values, (rows, columns)), shape=(len(nodes), len(mesh.nodes))))
 
 
-def _disc() -> tuple[Array, Array]:
-    """Return points (p, 2) and weights (p,) that integrate over a disc of radius 1, for the mean."""
-    x, weights = np.polynomial.legendre.leggauss(RINGS)
-    angle = 2 * np.pi * (np.arange(RAYS) + 0.5) / RAYS
-    radius = np.sqrt((1 + x) / 2)
-    points = radius[:, None, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-    return points.reshape(-1, 2), np.repeat(weights / 2 / RAYS, RAYS)
+def _disc_points(centres: Array, radius: Array, singular: Sequence[Place]) -> tuple[Integers, Array, Array]:
+    """Return points that integrate over discs (r,): whose they are (p,), where from the centre (p, 2), weights (p,).
+
+    Parts of a disc near a singular place, around which fields change much, have more points.
+    """
+    from scipy.spatial import KDTree
+
+    def offsets(row: Integers, squared: Any, angle: Any) -> Array:
+        found: Array = (radius[row] * np.sqrt(squared) * np.array([np.cos(angle), np.sin(angle)])).T
+        return found
+
+    # points and weights for the mean over a disc of radius 1: rings by squares of the radius
+    x, of_ring = np.polynomial.legendre.leggauss(RINGS)
+    wide = 2 * np.pi / RAYS
+    ring, ray = (each.ravel() for each in np.indices((RINGS, RAYS)))
+    squared, angle, weight = (1 + x[ring]) / 2, wide * (ray + 0.5), of_ring[ring] / 2 / RAYS
+    row, point = (each.ravel() for each in np.indices((len(centres), len(ring))))
+    offset = offsets(row, squared[point], angle[point])
+    divided = KDTree(singular).query(centres[row] + offset)[0] <= CLOSE * 2 * radius[row]
+
+    parts = (np.arange(DIVIDED) + 0.5) / DIVIDED
+    s, v = (np.tile(each.ravel(), int(divided.sum())) for each in np.meshgrid(parts, parts))
+    of_parts, part_of = (np.repeat(each[divided], DIVIDED**2) for each in (row, point))
+    begin = (np.cumsum(of_ring) - of_ring)[ring[part_of]] / 2
+    inner = offsets(of_parts, begin + s * of_ring[ring[part_of]] / 2, angle[part_of] + (v - 0.5) * wide)
+    return (
+        np.concatenate([row[~divided], of_parts]),
+        np.concatenate([offset[~divided], inner]),
+        np.concatenate([weight[point[~divided]], weight[part_of] / DIVIDED**2]),
+    )
 
 
 def mirror_to_full(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:

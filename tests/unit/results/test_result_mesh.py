@@ -10,7 +10,7 @@ import pytest
 from groundslab.arrays import Flags
 from groundslab.fem.mesh import Mesh, grid, sides_along
 from groundslab.model.model import Model
-from groundslab.results.result_mesh import DiscMeans, make_disc_means, split_at
+from groundslab.results.result_mesh import DiscMeans, _disc_points, make_disc_means, split_at
 
 MESH = grid(np.arange(5.0), np.arange(5.0))
 CENTRES = MESH.nodes[MESH.elements[:, 8]]
@@ -69,12 +69,16 @@ def disc_means(t: float = 0.8, **changes: Any) -> tuple[Mesh, DiscMeans, Flags]:
 
 
 def test_means_over_discs() -> None:
-    """Within a thickness a linear field is its own mean, x^2 is larger by (t / 2)^2 / 4; beyond nothing changes."""
+    """Within a thickness a linear field is its own mean, x^2 is larger by (t / 2)^2 / 4; beyond nothing changes.
+
+    Where the force's own part of the disc is divided, both hold to a hundredth of what changes over the disc.
+    """
     mesh, means, near = disc_means()
     assert sorted(means.nodes) == np.flatnonzero(near).tolist()
     x, y = mesh.nodes.T
-    np.testing.assert_allclose(means.apply(1 + 2 * x - 3 * y), 1 + 2 * x - 3 * y, atol=1e-12)
-    np.testing.assert_allclose(means.apply(x * x) - x * x, np.where(near, 0.4**2 / 4, 0), atol=1e-12)
+    np.testing.assert_allclose(means.apply(1 + 2 * x - 3 * y), 1 + 2 * x - 3 * y, atol=2e-3)
+    np.testing.assert_allclose(means.apply(x * x) - x * x, np.where(near, 0.4**2 / 4, 0), atol=4e-4)
+    np.testing.assert_array_equal(means.apply(x)[~near], x[~near])
 
 
 def test_means_over_discs_keep_to_their_section() -> None:
@@ -84,3 +88,19 @@ def test_means_over_discs_keep_to_their_section() -> None:
     field = np.where(mesh.nodes[:, 0] >= 0, 5.0, 1.0)
     np.testing.assert_allclose(means.apply(field)[inside], 5.0)
     assert not len(disc_means(loads=[{"kind": "uniform", "q": 1e4}])[1].nodes)
+
+
+def test_means_over_discs_that_hold_a_singular_place() -> None:
+    """The mean of 1 / sqrt(r) over discs around places near r = 0 is low by a percent, wherever they lie."""
+    x, y = np.meshgrid(np.linspace(0.0, 0.45, 19), np.linspace(0.0, 0.2, 9))
+    centres = np.column_stack([x.ravel(), y.ravel()])
+    row, offset, weight = _disc_points(centres, np.full(len(centres), 0.5), [(0.0, 0.0)])
+    np.testing.assert_allclose(np.bincount(row, weight), 1.0, rtol=1e-12)
+    found = np.bincount(row, weight / np.sqrt(np.hypot(*(centres[row] + offset).T)))
+    # around the singular place: int r dr / sqrt(r) over each ray, up to where it leaves the disc
+    angle = 2 * np.pi * (np.arange(2000) + 0.5) / 2000
+    along = centres @ [np.cos(angle), np.sin(angle)]
+    end = along + np.sqrt(0.25 - (centres**2).sum(axis=1)[:, None] + along**2)
+    exact = (end**1.5 / 1.5).mean(axis=1) * 2 / 0.25
+    np.testing.assert_allclose(found, exact, rtol=0.02)
+    assert np.std(found / exact) < 0.005
