@@ -38,6 +38,8 @@ from groundslab.results.results import CombinationResult
 RESULTS = Path(__file__).parent / "random_slabs.json"
 #: Truth and uniform meshes have at most about so many unknowns, uniform ones so many times those of the adaptive mesh.
 MOST_UNKNOWNS, MOST_RATIO = 1_500_000, 4
+#: So far towards the middle of its element a node is moved to be on its side of a border.
+INWARDS = 1e-6
 #: Of uniform meshes, each has elements so many times as large as the one before.
 STEP = 2**-0.5
 
@@ -124,8 +126,12 @@ def true_errors(results: CombinationResult, truth: CombinationResult) -> Array:
 
 def at_nodes_of(results: CombinationResult, truth: CombinationResult) -> CombinationResult:
     """Return results whose fields that are not judged everywhere are those of the truth, at the same nodes."""
-    mesh, nodes = Mesh(truth.plate.nodes, truth.plate.elements), results.plate.nodes
-    element, place = locate_nearest(mesh, nodes)
+    plate, mesh = results.plate, Mesh(truth.plate.nodes, truth.plate.elements)
+    # a node may stand on one side of a border: go towards an element that has it
+    owner = np.empty(len(plate.nodes), dtype=np.int64)
+    owner[plate.elements] = np.arange(len(plate.elements))[:, None]
+    middle = plate.nodes[plate.elements[owner, 8]]
+    element, place = locate_nearest(mesh, plate.nodes + INWARDS * (middle - plate.nodes))
     N = q9(place)[0]
     # parabolas overshoot where a field has a kink
     known = {name: getattr(truth.plate, name) for name in LIMITED}
@@ -133,7 +139,7 @@ def at_nodes_of(results: CombinationResult, truth: CombinationResult) -> Combina
         name: (N * field[mesh.elements[element]]).sum(axis=1).clip(field.min(), field.max())
         for name, field in known.items()
     }
-    return replace(results, plate=replace(results.plate, **fields))
+    return replace(results, plate=replace(plate, **fields))
 
 
 def examine(seed: int, accuracy: float) -> dict[str, Any]:
