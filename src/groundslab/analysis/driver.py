@@ -257,9 +257,10 @@ def _solve_each(
         yield from (_outcome(model, each, hierarchies, name, on_step) for each in combinations)
         return
     # make what the lanes share first
-    for hierarchy in hierarchies if _is_infinite(model) else [finest]:
-        for coarsening in required_coarsenings(hierarchy, combinations):
-            hierarchy.level(coarsening)
+    for coarsening in required_coarsenings(finest, combinations):
+        finest.level(coarsening)
+    for hierarchy in margins if _is_infinite(model) else []:
+        hierarchy.level(hierarchy.finest)
     for coarsening in {0, 1} & finest.levels.keys():
         finest.level(coarsening).result_mesh(model)
     of_lanes = [hierarchies, *([each.clone() for each in hierarchies] for _ in range(lanes - 1))]
@@ -289,7 +290,8 @@ def _outcome(
     factors = _case_factors(model, combination)
     try:
         (*earlier, solution), coarser = solve_nested(finest, combination.name, factors, report)
-        effect = margin_effect(margins, combination.name, factors) if _is_infinite(model) else None
+        found = (*earlier, solution)
+        effect = margin_effect(margins, combination.name, factors, found) if _is_infinite(model) else None
         frame, before = finest.result_mesh(solution, 0), _with_load_shares(earlier)
         proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
         increments = tuple(Increment(share, *expand(recover_fields(each, frame), frame)) for share, each in before)

@@ -70,16 +70,30 @@ def _ignore(_: Step) -> None:
     """Report no step."""
 
 
-def margin_effect(margins: Sequence[MeshHierarchy], combination: str, factors: Array) -> float:
+def margin_effect(
+    margins: Sequence[MeshHierarchy], combination: str, factors: Array, found: Sequence[Solution]
+) -> float:
     """Return the change of any settlement by a wider margin of infinite ground, over the largest settlement.
 
-    Both meshes are the same on the plate, where their nodes have the same numbers.
+    Both meshes are the same on the plate, where their nodes have the same numbers. They are coarser than that of the
+    solutions found, one for each load increment, from which they start.
     """
-    narrow, wide = (solve_nested(hierarchy, combination, factors, _ignore)[0][-1] for hierarchy in margins)
+    narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
     under = narrow.system.problem.plate_nodes
     before, after = narrow.U[under, W], wide.U[under, W]
     largest = max(np.abs(before).max(), np.abs(after).max())
     return float(np.abs(after - before).max() / largest) if largest else 0.0
+
+
+def _solve_from(hierarchy: MeshHierarchy, combination: str, factors: Array, found: Sequence[Solution]) -> Solution:
+    """Return the solution under the full load, started from those on another mesh, if that converges."""
+    if not hierarchy.has_reference(combination):
+        level = hierarchy.level(hierarchy.finest)
+        with suppress(NotConverged):
+            solutions = _solve_increments(hierarchy.model, _load_system(level, factors), level, found, _ignore, True)
+            hierarchy.store(combination, solutions)
+            return solutions[-1]
+    return solve_nested(hierarchy, combination, factors, _ignore)[0][-1]
 
 
 def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[Combination]) -> list[int]:
@@ -117,7 +131,7 @@ def _first(model: Model) -> int:
 
 
 def _solve_increments(
-    model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, finest: bool
+    model: Model, s: System, level: Level, coarser: Sequence[Solution], report: OnStep, finest: bool
 ) -> list[Solution]:
     """Return a solution for each load increment, each started from the same increment on the coarser mesh."""
     found: list[Solution] = []
