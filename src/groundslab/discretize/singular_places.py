@@ -14,6 +14,11 @@ from groundslab.model.plate import Plate
 
 #: So many thicknesses around them section forces are told as means over a width.
 REACH = 1.0
+#: What is said of such places.
+SINGULAR = (
+    "Moments and shear forces are singular{} at {}: within a thickness of these they are means over a disc as wide as "
+    "the plate is thick. With a footprint a force has a moment under it."
+)
 
 
 def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
@@ -30,6 +35,13 @@ def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flag
     reach = REACH * thickness
     found: Flags = KDTree(places).query(nodes, distance_upper_bound=1.001 * reach.max())[0] <= reach * (1 + 1e-9)
     return found
+
+
+def notes_on_singular_places(model: Model, mark: str = "") -> tuple[str, ...]:
+    """Return what is said of the places at which section forces are singular, and of their mark; nothing of none."""
+    places = singular_places(model)
+    what = ", ".join(f"{kind} ({len(found)})" for kind, found in places.items())
+    return (SINGULAR.format(mark, what),) if places else ()
 
 
 def singular_places(model: Model) -> dict[str, list[Place]]:

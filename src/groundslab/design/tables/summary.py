@@ -7,6 +7,7 @@ import numpy as np
 from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
+from groundslab.discretize.singular_places import notes_on_singular_places
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
 from groundslab.results.fields import extreme
@@ -88,7 +89,7 @@ def extremes(combined: Results) -> Table:
             rows.append(row)
     notes = [
         "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",
-        "Under a point load without a footprint, moments and shear forces grow as the mesh is refined.",
+        *notes_on_singular_places(combined.model),
     ]
     if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)

@@ -41,12 +41,6 @@ CROOKED = (
     "mesh.size smaller, or leave out details of the outline there that do not matter."
 )
 
-#: What is said of places at which section forces are singular.
-SINGULAR = (
-    "Moments and shear forces are singular (*) at {}: within a thickness of these they are means over a disc as wide "
-    "as the plate is thick. With a footprint a force has a moment under it."
-)
-
 #: What the figures of the certificate mean, in words.
 CERTIFICATE_WORDS = {
     "residual": "force left over at a node",
@@ -241,16 +235,13 @@ def _section_forces(results: CombinationResult) -> SummarySection:
     for name, words in (("moment_xy", "twisting moment"), ("shear_x", "shear force"), ("shear_y", "shear force")):
         sizes = np.abs(getattr(plate, name))
         rows.append(_extreme(name, f"largest_{name}", f"largest {words}", plate.nodes, sizes, 1, "|{}|"))
-    from groundslab.discretize.singular_places import near_singular, singular_places
+    from groundslab.discretize.singular_places import near_singular, notes_on_singular_places
 
-    notes: tuple[str, ...] = ()
-    if places := singular_places(results.model):
+    if notes := notes_on_singular_places(results.model, " (*)"):
         thickness = results.elements.at_nodes(plate)[0]
         nodes = near_singular(results.model, plate.nodes, thickness).nonzero()[0]
         singular = {place_of(plate.nodes, int(node)) for node in nodes}
         rows = [replace(row, singular=row.place in singular) for row in rows]
-        what = ", ".join(f"{kind} ({len(found)})" for kind, found in places.items())
-        notes = (SINGULAR.format(what),)
     return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)
 
 
