@@ -133,12 +133,11 @@ def at_nodes_of(results: CombinationResult, truth: CombinationResult) -> Combina
     middle = plate.nodes[plate.elements[owner, 8]]
     element, place = locate_nearest(mesh, plate.nodes + INWARDS * (middle - plate.nodes))
     N = q9(place)[0]
-    # parabolas overshoot where a field has a kink
-    known = {name: getattr(truth.plate, name) for name in LIMITED}
-    fields = {
-        name: (N * field[mesh.elements[element]]).sum(axis=1).clip(field.min(), field.max())
-        for name, field in known.items()
-    }
+    fields = {}
+    for name in LIMITED:
+        values = getattr(truth.plate, name)[mesh.elements[element]]
+        # parabolas overshoot where a field has a kink, and where means over discs end
+        fields[name] = (N * values).sum(axis=1).clip(values.min(axis=1), values.max(axis=1))
     return replace(results, plate=replace(plate, **fields))
 
 
