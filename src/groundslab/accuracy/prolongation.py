@@ -74,7 +74,7 @@ def _interpolation(coarse: Mesh, fine: Mesh) -> tuple[csr_array, Integers]:
     owner = np.empty(len(fine.nodes), dtype=np.int64)
     owner[fine.elements] = np.arange(len(fine.elements))[:, None]
     element = parent[owner]
-    N: Array = q9(local_coordinates(coarse.xy[element], fine.nodes))[0]
+    N: Array = q9(local_coordinates(coarse, element, fine.nodes))[0]
     nodes = coarse.elements[element]
     shape = len(fine.nodes), len(coarse.nodes)
     return csr_array((N.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, 9)), shape=shape), parent

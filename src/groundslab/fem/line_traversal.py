@@ -94,7 +94,7 @@ def interpolation(mesh: Mesh, line: Pieces, piece: Integers, s: Array) -> tuple[
     At the end of a piece this is the limit from within its element.
     """
     element = line.element[piece]
-    N, _ = q9(local_coordinates(mesh.xy[element], line.points(piece, s)))
+    N, _ = q9(local_coordinates(mesh, element, line.points(piece, s)))
     return mesh.elements[element], N
 
 

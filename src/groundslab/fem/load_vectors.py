@@ -105,7 +105,7 @@ def integrate_over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressu
         x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
         dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
         element = np.repeat(elements[cut[owner]], len(weights))
-        N, _ = q9(local_coordinates(mesh.nodes[mesh.elements[element]], x.reshape(-1, 2)))
+        N, _ = q9(local_coordinates(mesh, element, x.reshape(-1, 2)))
         np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
     return shares
 

@@ -22,6 +22,8 @@ SIDES = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
 MIRRORED = np.array([1, 0, 3, 2, 4, 7, 6, 5, 8])
 #: The nodes of an element on its 3 x 3 grid, by row and column.
 GRID = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
+#: Coefficients of 1, x, x^2 in the quadratic Lagrange polynomials on (-1, 0, 1), by row.
+MONOMIALS = np.array([[0.0, 1.0, 0.0], [-0.5, 0.0, 0.5], [0.5, -1.0, 0.5]])
 #: A point this far outside an element, relative to its size, still counts as in it.
 NEAR = 1e-9
 
@@ -156,36 +158,53 @@ def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None
     points = np.asarray(points, dtype=float)
     boxes = bounding_boxes(mesh, reach) if boxes is None else boxes
     which, candidate = boxes.query(shapely.points(points))
-    local = local_coordinates(mesh.nodes[mesh.elements[candidate]], points[which])
+    local = local_coordinates(mesh, candidate, points[which])
     beside = np.abs(local).max(axis=1, initial=0)
-    order = np.lexsort((candidate, beside, which))
+    inside = np.flatnonzero(beside <= 1 + 10 * reach)
+    order = inside[np.lexsort((candidate[inside], beside[inside], which[inside]))]
     best = order[np.unique(which[order], return_index=True)[1]]
-    best = best[beside[best] <= 1 + 10 * reach]
     element, place = np.full(len(points), -1), np.zeros((len(points), 2))
     element[which[best]], place[which[best]] = candidate[best], local[best]
     return element, place
 
 
-def local_coordinates(xy: Array, points: Array) -> Array:
-    """Return where points (c, 2) lie in elements with nodes xy (c, 9, 2), on the reference square, by Newton's method.
+def local_coordinates(mesh: Mesh, element: Integers, points: Array) -> Array:
+    """Return where points (c, 2) lie in elements (c,) of a mesh, on the reference square, by Newton's method.
 
     Points far outside their element are only followed to its neighborhood.
     """
-    local, left, linear = np.zeros(points.shape), np.arange(len(points)), parallelograms(xy)
-    for _ in range(20):
-        N, dN = q9(local[left])
-        own = xy[left]
-        J = np.einsum("cia,cax->cix", dN, own)
-        dx, dy = (points[left] - np.einsum("ca,cax->cx", N, own)).T
-        det = J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0]
-        step = np.column_stack([J[:, 1, 1] * dx - J[:, 1, 0] * dy, J[:, 0, 0] * dy - J[:, 0, 1] * dx]) / det[:, None]
-        local[left] = np.clip(local[left] + step, -1.5, 1.5)
-        # Newton's steps shrink by their squares: after one so small nothing but rounding is left; in a parallelogram
-        # the first one leads there
-        left = left[(np.abs(step).max(axis=1) > 1e-10) & ~linear[left]]
-        if not len(left):
-            break
-    return local
+    used, which = unique_integers(element)
+    xy = mesh.xy[used]
+    # from the element's middle x = sum of C[i, j] xi^i eta^j; with straight sides that are halved, powers end at 1
+    C = np.einsum("ia,jb,mbax->xijm", MONOMIALS, MONOMIALS, (xy - xy[:, 8:])[:, GRID])
+    curved = np.maximum(abs(C[:, 2]), abs(C[:, :, 2])).max(axis=(0, 1)) > 1e-14 * abs(xy).max(axis=(1, 2))
+    local = np.zeros((2, len(points)))
+    for powers, left in ((2, np.flatnonzero(~curved[which])), (3, np.flatnonzero(curved[which]))):
+        own = C[:, :powers, :powers, which[left]]
+        offset = (points[left] - xy[which[left], 8]).T
+        for _ in range(20):
+            if not len(left):
+                break
+            before = local[:, left]
+            (x, x_xi, x_eta), (y, y_xi, y_eta) = (_polynomial(each, *before) for each in own)
+            dx, dy = offset - (x, y)
+            step = np.array([y_eta * dx - x_eta * dy, x_xi * dy - y_xi * dx]) / (x_xi * y_eta - x_eta * y_xi)
+            local[:, left] = np.clip(before + step, -1.5, 1.5)
+            # Newton's steps shrink by their squares: after one so small nothing but rounding is left
+            on = (abs(local[:, left] - before) > 1e-10).any(axis=0)
+            left, own, offset = left[on], own[..., on], offset[:, on]
+    return local.T
+
+
+def _polynomial(C: Array, xi: Array, eta: Array) -> tuple[Array, Array, Array]:
+    """Return sum of C[i, j] xi^i eta^j and its derivatives by xi and eta at points (c,), C (n, n, c)."""
+    value = d_xi = d_eta = np.zeros(len(xi))
+    for row in C[::-1]:
+        inner = d_inner = np.zeros(len(xi))
+        for c in row[::-1]:
+            inner, d_inner = inner * eta + c, d_inner * eta + inner
+        value, d_xi, d_eta = value * xi + inner, d_xi * xi + value, d_eta * xi + d_inner
+    return value, d_xi, d_eta
 
 
 MeshLocations = tuple[Integers, Array]
@@ -206,7 +225,7 @@ def locate_nearest(mesh: Mesh, points: Array, elements: Integers | None = None) 
         low, high = part.xy.min(axis=1), part.xy.max(axis=1)
         boxes = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
         element[outside] = boxes.nearest(shapely.points(points[outside]))
-        place[outside] = local_coordinates(part.xy[element[outside]], points[outside])
+        place[outside] = local_coordinates(part, element[outside], points[outside])
     return (element if elements is None else elements[element]), place
 
 

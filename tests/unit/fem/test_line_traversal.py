@@ -29,7 +29,7 @@ def test_pieces_fill_the_line_on_the_mesh(a: tuple, b: tuple, seed: int) -> None
     if len(line.low):
         assert (np.diff(line.low) > 0).all()
         piece, s, ds = line.gauss()
-        local = local_coordinates(mesh.xy[line.element[piece]], line.points(piece, s))
+        local = local_coordinates(mesh, line.element[piece], line.points(piece, s))
         assert np.abs(local).max() <= 1 + 1e-7
         assert ds.sum() == pytest.approx(line.length.sum())
 

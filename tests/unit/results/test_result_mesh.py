@@ -53,14 +53,14 @@ def test_without_creases_all_belong_together() -> None:
     assert len(creases) == 1
 
 
-def disc_means(t: float = 0.8, **changes: Any) -> tuple[Mesh, DiscMeans, Flags]:
+def disc_means(t: float = 0.8, elements: int = 8, **changes: Any) -> tuple[Mesh, DiscMeans, Flags]:
     """Return a mesh of 4 m x 4 m, the means for a force in its middle, and which nodes lie within its thickness."""
     given = {
         "plate": {"length_x": 4.0, "length_y": 4.0, "thickness": t, "E": 30e9, "nu": 0.2},
         "ground": {"kind": "winkler", "k": 1e7},
         "loads": [{"kind": "point", "P": 1e5, "x": 0.0, "y": 0.0}],
     }
-    lines = np.linspace(-2, 2, 9)
+    lines = np.linspace(-2, 2, elements + 1)
     mesh = grid(lines, lines)
     of_elements = np.full(len(mesh.elements), t)
     section = (mesh.nodes[mesh.elements[:, 8], 0] > 0).astype(int) if changes.pop("divided", False) else of_elements * 0
@@ -79,6 +79,17 @@ def test_means_over_discs() -> None:
     np.testing.assert_allclose(means.apply(1 + 2 * x - 3 * y), 1 + 2 * x - 3 * y, atol=2e-3)
     np.testing.assert_allclose(means.apply(x * x) - x * x, np.where(near, 0.4**2 / 4, 0), atol=4e-4)
     np.testing.assert_array_equal(means.apply(x)[~near], x[~near])
+
+
+def test_means_over_discs_between_corners() -> None:
+    """Small elements have the mean of their corners' means, of x^2 larger by at most (side / 2)^2."""
+    mesh, means, near = disc_means(elements=100)
+    assert sorted([*means.nodes, *means.between]) == np.flatnonzero(near).tolist()
+    assert len(means.between) > 2 * len(means.nodes)
+    np.testing.assert_allclose(mesh.nodes[means.corners].mean(axis=1), mesh.nodes[means.between], atol=1e-12)
+    x, y = mesh.nodes.T
+    np.testing.assert_allclose(means.apply(1 + 2 * x - 3 * y), 1 + 2 * x - 3 * y, atol=2e-3)
+    np.testing.assert_allclose(means.apply(x * x) - x * x, np.where(near, 0.4**2 / 4, 0), atol=4e-4 + 0.02**2)
 
 
 def test_means_over_discs_keep_to_their_section() -> None:
