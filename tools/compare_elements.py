@@ -24,18 +24,12 @@ _SIX = np.array([(r, s) for s in (-_T, 0.0, _T) for r in (-_G, _G)])
 
 
 def six_point_shear(points: Array, xy: Array, T: Array) -> Array:
-    """Return B_s (m, p, 2, 27) of the MITC9 whose shear strain is tied at six points inside the element."""
-    along_xi = plate._covariant_shear(_SIX, xy, T)[:, :, 0]
-    along_eta = plate._covariant_shear(_SIX[:, ::-1], xy, T)[:, :, 1]
-    tied = np.stack(
-        [
-            np.einsum("pt,etu->epu", _six_functions(points), along_xi),
-            np.einsum("pt,etu->epu", _six_functions(points[:, ::-1]), along_eta),
-        ],
-        axis=2,
+    """Return the strains (m, 2, p, 27) of the MITC9 whose shear strain is tied at six points inside the element."""
+    along_xi, along_eta = (
+        _six_functions(points[:, ::turn]) @ plate.sums_of_covariant_shear(axis, _SIX[:, ::turn], np.eye(6), xy, T)
+        for axis, turn in ((0, 1), (1, -1))
     )
-    B: Array = jacobian(q9(points)[1], xy)[1] @ tied
-    return B
+    return np.stack([along_xi, along_eta], axis=1)
 
 
 def _six_functions(points: Array) -> Array:
@@ -68,7 +62,7 @@ def error(element: plate.PlateElement, t: float, amount: float) -> float:
     n, xy = len(nodes), nodes[elements]
     D = plate.bending_rigidity(1.0, NU, t)
     S = plate.shear_rigidity(1.0, NU, t, 5 / 6)
-    K = plate.stiffness(element, xy, np.broadcast_to(D, (len(xy), 3, 3)), np.full(len(xy), S))
+    K = plate.stiffness(element, xy, np.broadcast_to(D, (len(xy), 3, 3)), np.full(len(xy), S), element.w_functions(xy))
     dof = np.concatenate([elements, elements + n, elements + 2 * n], axis=1)
     places = np.repeat(dof, 27, axis=1).ravel(), np.tile(dof, (1, 27)).ravel()
     A = coo_array((K.ravel(), places), shape=(3 * n, 3 * n)).tocsc()

@@ -58,7 +58,7 @@ def stiffness(name: str, xy: np.ndarray, t: float, E: float = 1.0, nu: float = 0
     """Return the element matrices (m, 27, 27) of one kind of element with the usual shear factor."""
     D = np.broadcast_to(plate.bending_rigidity(E, nu, t), (len(xy), 3, 3))
     S = np.full(len(xy), plate.shear_rigidity(E, nu, t, 5 / 6))
-    return plate.stiffness(plate.ELEMENTS[name], xy, D, S)
+    return plate.stiffness(plate.ELEMENTS[name], xy, D, S, plate.ELEMENTS[name].w_functions(xy))
 
 
 def assemble(K: np.ndarray, elements: np.ndarray, n: int) -> Any:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem.shape_functions import gauss, jacobian, q9
+from groundslab.fem.shape_functions import CHUNK, derivatives, gauss, q9
 
 #: A number for one column of soil, or one for each of c columns, (c,).
 Values = float | Array
@@ -156,12 +156,14 @@ def mass_and_slope(xy: Array) -> tuple[Array, Array]:
     Four Gauss points each way, so that both are exact on rectangles and the mass on every straight-sided quadrilateral.
     """
     points, weights = gauss(4)
-    N, dN = q9(points)
-    _, inverse, det = jacobian(dN, xy)
-    dA = det * weights
-    grad = np.einsum("epxi,pia->epxa", inverse, dN)
-    mass = np.einsum("ep,pab->eab", dA, N[:, :, None] * N[:, None, :])
-    slope = np.einsum("ep,epxa,epxb->eab", dA, grad, grad, optimize=True)
+    N = q9(points)[0]
+    mass, slope = (np.empty((len(xy), 9, 9)) for _ in range(2))
+    for start in range(0, len(xy), CHUNK):
+        some = slice(start, start + CHUNK)
+        x, y, det = derivatives(points, xy[some])
+        dA = det * weights
+        mass[some] = (dA @ (N[:, :, None] * N[:, None, :]).reshape(-1, 81)).reshape(-1, 9, 9)
+        slope[some] = x.swapaxes(1, 2) @ (dA[..., None] * x) + y.swapaxes(1, 2) @ (dA[..., None] * y)
     return mass, slope
 
 

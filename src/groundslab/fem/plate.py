@@ -15,19 +15,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.fem.shape_functions import SERENDIPITY_CENTER, gauss, jacobian, parallelograms, q9
+from groundslab.fem.shape_functions import CHUNK, SERENDIPITY_CENTER, derivatives, gauss, jacobian, parallelograms, q9
 
 #: Where MITC9 takes the covariant shear strain along xi: at two points of each side, and all over for its mean.
 _SIDES = np.array([(r, s) for s in (-1.0, 1.0) for r in (-1 / np.sqrt(3.0), 1 / np.sqrt(3.0))])
 _TIED = np.vstack([_SIDES, gauss(3)[0]])
+#: What it takes there: the four values, and the mean.
+_TAKEN = np.zeros((5, 13))
+_TAKEN[:4, :4], _TAKEN[4, 4:] = np.eye(4), gauss(3)[1] / 4
 
 
 @dataclass(frozen=True, slots=True)
 class PlateElement:
-    """One way to make a plate element: its shear strain operator, shear rule and interpolation of w."""
+    """One way to make a plate element: its covariant shear strain, shear rule and interpolation of w."""
 
     name: str
-    shear_strain: Callable[[Array, Array, Array], Array]
+    covariant_shear: Callable[[Array, Array, Array], Array]
     shear_points: int
     center_w: bool  # whether the center node has a w of its own
 
@@ -36,62 +39,60 @@ class PlateElement:
         T = np.broadcast_to(np.eye(9), (len(xy), 9, 9))
         return T if self.center_w else _centre_from_boundary(xy)
 
+    def shear_strain(self, points: Array, xy: Array) -> Array:
+        """Return B_s (m, p, 2, 27) with (w,x - beta_x ; w,y - beta_y) = B_s u at points (p, 2)."""
+        _, inverse, _ = jacobian(q9(points)[1], xy)
+        covariant = self.covariant_shear(points, xy, self.w_functions(xy))
+        B: Array = inverse @ covariant.swapaxes(1, 2)
+        return B
+
 
 def bending_strain(points: Array, xy: Array) -> Array:
     """Return B_b (m, p, 3, 27) with (beta_x,x ; beta_y,y ; beta_x,y + beta_y,x) = B_b u at points (p, 2)."""
-    _, dN = q9(points)
-    _, inverse, _ = jacobian(dN, xy)
-    grad = np.einsum("epxi,pia->epxa", inverse, dN)
-    B = np.zeros((*grad.shape[:2], 3, 27))
-    B[..., 0, 9:18] = B[..., 2, 18:27] = grad[..., 0, :]
-    B[..., 1, 18:27] = B[..., 2, 9:18] = grad[..., 1, :]
+    x, y, _ = derivatives(points, xy)
+    B = np.zeros((*x.shape[:2], 3, 27))
+    B[..., 0, 9:18] = B[..., 2, 18:27] = x
+    B[..., 1, 18:27] = B[..., 2, 9:18] = y
     return B
 
 
-def _covariant_shear(points: Array, xy: Array, T: Array) -> Array:
-    """Return the strains (w,xi - beta . x,xi ; w,eta - beta . x,eta) as (m, p, 2, 27)."""
+def sums_of_covariant_shear(axis: int, points: Array, factors: Array, xy: Array, T: Array) -> Array:
+    """Return B (m, r, 27): sums of w,xi - beta . x,xi at points (p, 2) with factors (r, p); along eta for axis 1."""
     N, dN = q9(points)
-    J, _, _ = jacobian(dN, xy)
-    B = np.empty((len(xy), len(points), 2, 27))
-    B[..., :9] = np.einsum("pia,eab->epib", dN, T)
-    B[..., 9:18] = -J[..., 0, None] * N[:, None, :]
-    B[..., 18:] = -J[..., 1, None] * N[:, None, :]
+    d = dN[:, axis]
+    of_places = np.einsum("rp,pa,pb->arb", factors, d, N).reshape(9, -1)
+    B = np.empty((len(xy), len(factors), 27))
+    B[..., :9] = (factors @ d) @ T
+    for k in (0, 1):
+        B[..., 9 * (k + 1) : 9 * (k + 2)] = (xy[..., k] @ -of_places).reshape(-1, len(factors), 9)
     return B
 
 
 def displacement_shear(points: Array, xy: Array, T: Array) -> Array:
-    """Return B_s (m, p, 2, 27) with (w,x - beta_x ; w,y - beta_y) = B_s u, straight from the displacements."""
-    _, inverse, _ = jacobian(q9(points)[1], xy)
-    return inverse @ _covariant_shear(points, xy, T)
+    """Return the strains (w,xi - beta . x,xi ; w,eta - beta . x,eta) as (m, 2, p, 27), straight from displacements."""
+    each = np.eye(len(points))
+    return np.stack([sums_of_covariant_shear(axis, points, each, xy, T) for axis in (0, 1)], axis=1)
 
 
 def tied_shear(points: Array, xy: Array, T: Array) -> Array:
-    """Return B_s (m, p, 2, 27) of MITC9: covariant strains tied on the element's sides and in its mean.
+    """Return the strains of MITC9, (m, 2, p, 27): tied on the element's sides and in their mean.
 
     The strain along xi lies in span(1, xi, eta, xi eta, eta^2); it takes the values of w,xi - beta . x,xi at the Gauss
     points of the sides eta = -1 and 1, and its mean over the reference square; along eta likewise (Bathe, Brezzi and
     Cho 1989). Two elements share what is tied on their common side, which is why the element does not lock on
     distorted meshes either. A bubble of w has no part in this strain: the center's w hangs on the eight others.
     """
-    along_xi, along_eta = _covariant_shear(_TIED, xy, T)[:, :, 0], _covariant_shear(_TIED[:, ::-1], xy, T)[:, :, 1]
-    tied = np.stack(
-        [
-            np.einsum("pt,etu->epu", _tying_functions(points), along_xi),
-            np.einsum("pt,etu->epu", _tying_functions(points[:, ::-1]), along_eta),
-        ],
-        axis=2,
-    )
-    _, inverse, _ = jacobian(q9(points)[1], xy)
-    B: Array = inverse @ tied
-    return B
+    along_xi = _tying_functions(points) @ sums_of_covariant_shear(0, _TIED, _TAKEN, xy, T)
+    along_eta = _tying_functions(points[:, ::-1]) @ sums_of_covariant_shear(1, _TIED[:, ::-1], _TAKEN, xy, T)
+    return np.stack([along_xi, along_eta], axis=1)
 
 
 def _tying_functions(points: Array) -> Array:
-    """Return the functions (p, 4 + 9) of the values at the side points and of those that make up the mean."""
+    """Return the functions (p, 4 + 1) of the values at the side points and of the mean."""
     r, s = points[:, :1], points[:, 1:]
     on_sides = (1 + r * _SIDES[:, 0] * 3) * (1 + s * _SIDES[:, 1]) / 4
     bulge = 1.5 * (1 - s * s)
-    return np.hstack([on_sides - bulge / 4, bulge * (gauss(3)[1] / 4)])
+    return np.hstack([on_sides - bulge / 4, bulge])
 
 
 def _centre_from_boundary(xy: Array) -> Array:
@@ -108,8 +109,12 @@ def _centre_from_boundary(xy: Array) -> Array:
     x, y = np.moveaxis(centred / np.abs(centred).max(axis=(1, 2), keepdims=True), -1, 0)
     A = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=1)  # (m, 6, 9)
     wanted = A[:, :, 8] - A[:, :, :8] @ SERENDIPITY_CENTER
-    correction = np.linalg.pinv(A[:, :, :8], rcond=1e-10) @ wanted[..., None]
-    T[odd, 8, :8] += correction[..., 0]
+    A = A[:, :, :8]
+    # the smallest correction is A^T (A A^T)^-1 wanted; what the shift does to it is put right by a second step
+    inverse = np.linalg.inv(A @ A.swapaxes(1, 2) + 1e-12 * np.eye(6))
+    for _ in range(2):
+        left = wanted - np.einsum("eab,eb->ea", A, T[odd, 8, :8] - SERENDIPITY_CENTER)
+        T[odd, 8, :8] += np.einsum("eab,ea->eb", A, np.einsum("eab,eb->ea", inverse, left))
     return T
 
 
@@ -132,20 +137,45 @@ def shear_rigidity(E: float, nu: float, t: float, factor: float) -> float:
     return factor * E / (2 * (1 + nu)) * t
 
 
-def stiffness(element: PlateElement, xy: Array, D: Array, S: Array) -> Array:
+def stiffness(element: PlateElement, xy: Array, D: Array, S: Array, T: Array) -> Array:
     """Return the stiffness matrices (m, 27, 27) of m plate elements [N/m, N, N m].
 
-    xy (m, 9, 2) are the nodes [m], D (m, 3, 3) the bending rigidities [N m], S (m,) the shear rigidities [N/m].
+    xy (m, 9, 2) are the nodes [m], D (m, 3, 3) the bending rigidities [N m], S (m,) the shear rigidities [N/m],
+    T (m, 9, 9) the element's `w_functions`.
     """
-    K = np.zeros((len(xy), 27, 27))
+    K = np.empty((len(xy), 27, 27))
+    for start in range(0, len(xy), CHUNK):
+        some = slice(start, start + CHUNK)
+        K[some] = _shear_stiffness(element, xy[some], S[some], T[some])
+        K[some, 9:, 9:] += _bending_stiffness(xy[some], D[some])
+    return K
+
+
+def _bending_stiffness(xy: Array, D: Array) -> Array:
+    """Return int B_b^T D B_b dA (m, 18, 18) between the rotations, by products of their derivatives by x and y."""
     points, weights = gauss(3)
-    dA = jacobian(q9(points)[1], xy)[2] * weights
-    B = bending_strain(points, xy)
-    K += _quadratic_form(B, np.einsum("ep,eij->epij", dA, D))
+    x, y, det = derivatives(points, xy)
+    dA = (det * weights)[..., None]
+    xx, xy_, yy = x.swapaxes(1, 2) @ (dA * x), x.swapaxes(1, 2) @ (dA * y), y.swapaxes(1, 2) @ (dA * y)
+    d = D[:, :, :, None, None]
+    both = xy_ + xy_.swapaxes(1, 2)
+    K = np.empty((len(xy), 18, 18))
+    K[:, :9, :9] = d[:, 0, 0] * xx + d[:, 0, 2] * both + d[:, 2, 2] * yy
+    K[:, 9:, 9:] = d[:, 1, 1] * yy + d[:, 1, 2] * both + d[:, 2, 2] * xx
+    K[:, :9, 9:] = d[:, 0, 1] * xy_ + d[:, 0, 2] * xx + d[:, 1, 2] * yy + d[:, 2, 2] * xy_.swapaxes(1, 2)
+    K[:, 9:, :9] = K[:, :9, 9:].swapaxes(1, 2)
+    return K
+
+
+def _shear_stiffness(element: PlateElement, xy: Array, S: Array, T: Array) -> Array:
+    """Return int S B_s^T B_s dA (m, 27, 27), from covariant strains by the metric of the element."""
     points, weights = gauss(element.shear_points)
-    dA = jacobian(q9(points)[1], xy)[2] * weights
-    B = element.shear_strain(points, xy, element.w_functions(xy))
-    K += _quadratic_form(B, np.einsum("ep,e,ij->epij", dA, S, np.eye(2)))
+    _, inverse, det = jacobian(q9(points)[1], xy)
+    metric = np.einsum("epxi,epxj,ep->ijep", inverse, inverse, det * weights * S[:, None])[..., None]
+    B = element.covariant_shear(points, xy, T)
+    of_xi, of_eta = B[:, 0], B[:, 1]
+    stresses = [metric[i, 0] * of_xi + metric[i, 1] * of_eta for i in (0, 1)]
+    K: Array = B.reshape(len(xy), -1, 27).swapaxes(1, 2) @ np.concatenate(stresses, axis=1)
     return K
 
 
@@ -162,20 +192,13 @@ def thermal_couples(xy: Array, D: Array, curvature: Array) -> Array:
     return couples
 
 
-def _quadratic_form(B: Array, C: Array) -> Array:
-    """Return sum over p of B^T C B, (m, u, u), for B (m, p, c, u) and C (m, p, c, c)."""
-    m, _, _, u = B.shape
-    CB = (C @ B).reshape(m, -1, u)
-    return np.swapaxes(B.reshape(m, -1, u), 1, 2) @ CB
-
-
 def section_matrices(element: PlateElement, points: Array, xy: Array, D: Array, S: Array) -> Array:
     """Return the matrices (m, p, 5, 27) from unknowns to m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at points (p, 2).
 
     M = -D kappa: sagging positive; Q = S (grad w - beta), so that Q is the divergence of M.
     """
     bending = -np.einsum("eij,epju->epiu", D, bending_strain(points, xy))
-    shear = S[:, None, None, None] * element.shear_strain(points, xy, element.w_functions(xy))
+    shear = S[:, None, None, None] * element.shear_strain(points, xy)
     return np.concatenate([bending, shear], axis=2)
 
 

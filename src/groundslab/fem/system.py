@@ -80,8 +80,8 @@ def blocks(problem: Problem) -> Blocks:
     under = np.flatnonzero(section < sections)
     K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
     section = section[under]
-    K[under] = plate.stiffness(problem.element, xy[under], problem.bending[section], problem.shear[section])
     T[under] = problem.element.w_functions(xy[under])
+    K[under] = plate.stiffness(problem.element, xy[under], problem.bending[section], problem.shear[section], T[under])
     mass, slope = mass_and_slope(xy)
     on_diagonal = masses[:, 1:] * mass.sum(axis=2)
     return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T)
