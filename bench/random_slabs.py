@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from groundslab.accuracy.judgment import LIMITED, judge, judged_values
+from groundslab.accuracy.judgment import LIMITED, JudgedValue, judge, judged_values
 from groundslab.analysis import driver
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Meshes
@@ -106,14 +106,15 @@ def solve_on(model: Model, sizes: tuple[Array, Array] | None) -> CombinationResu
     return driver._combine(model, combinations, outcomes).only
 
 
-def true_errors(results: CombinationResult, truth: CombinationResult) -> Array:
+def true_errors(results: CombinationResult, truth: CombinationResult, of_truth: list[tuple[str, JudgedValue]]) -> Array:
     """Return the errors (k,) of the judged values, each as a share of the largest of its quantity.
 
-    Fields that are not judged everywhere are steep where they begin to be: the truth is taken at the same nodes.
+    Fields that are not judged everywhere are steep where they begin to be: the truth is taken at the same nodes. Its
+    judged values are passed, as they are asked for again and again.
     """
-    of, own, there = [[*judged_values(each)] for each in (results, truth, at_nodes_of(results, truth))]
+    of, there = [[*judged_values(each)] for each in (results, at_nodes_of(results, truth))]
     limited = {PLATE_FIELDS[name].label for name in LIMITED}
-    exact = [b if b.label in limited else a for (_, a), (_, b) in zip(own, there, strict=True)]
+    exact = [b if b.label in limited else a for (_, a), (_, b) in zip(of_truth, there, strict=True)]
     largest: dict[str, float] = {}
     for each in exact:
         largest[each.label] = max(largest.get(each.label, 0.0), abs(each.value))
@@ -151,7 +152,8 @@ def examine(seed: int, accuracy: float) -> dict[str, Any]:
     factor = 4 if 16 * found.unknowns <= MOST_UNKNOWNS else 2
     base = min(model.plate.sides) / 24
     truth = solve_on(model, (xy[:, 8], np.sqrt(areas(xy)) / factor))
-    errors = true_errors(found, truth)
+    of_truth = [*judged_values(truth)]
+    errors = true_errors(found, truth, of_truth)
     told = {each.value: each.share for each in judge(found)}
     shares = np.array([told.get(each.value, 0.0) for _, each in judged_values(found)])
     wanted = max(accuracy, float(errors.max()))
@@ -159,7 +161,7 @@ def examine(seed: int, accuracy: float) -> dict[str, Any]:
     while not uniform:
         size *= STEP
         other = solve_on(model.replace(mesh=model.mesh.replace(size=size)), None)
-        if true_errors(other, truth).max() <= wanted or other.unknowns > min(
+        if true_errors(other, truth, of_truth).max() <= wanted or other.unknowns > min(
             MOST_UNKNOWNS, MOST_RATIO * found.unknowns
         ):
             uniform = other.unknowns

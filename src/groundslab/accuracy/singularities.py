@@ -60,12 +60,13 @@ def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
     """Return which nodes (n, 2) are within reach [m] of edges."""
     import shapely
 
-    if not edges:
-        return np.zeros(len(nodes), dtype=bool)
-    lines = [edge.at(np.arange(n + 1) / n) for edge in edges for n in [edge.chords(CHORD * reach)]]
-    shape = shapely.multilinestrings([shapely.linestrings(each) for each in lines])
-    shapely.prepare(shape)
-    found: Flags = shapely.dwithin(shapely.points(nodes), shape, reach)
+    found = np.zeros(len(nodes), dtype=bool)
+    for edge in edges:
+        n = edge.chords(CHORD * reach)
+        line = edge.at(np.arange(n + 1) / n)
+        in_box = (nodes >= line.min(axis=0) - reach) & (nodes <= line.max(axis=0) + reach)
+        some = np.flatnonzero(in_box.all(axis=1) & ~found)
+        found[some] = shapely.dwithin(shapely.points(nodes[some]), shapely.linestrings(line), reach)
     return found
 
 

@@ -104,12 +104,16 @@ def limit_of(smaller: Sources, size: float, slope: float = GRADING) -> Callable[
 
     places, sizes = smaller
     level = np.ceil(8 * np.log2(size / sizes)).astype(np.int64)
-    near = [(size * 2 ** (-k / 8), KDTree(places[level == k])) for k in np.unique(level)]
+    near = [(size * 2 ** (-k / 8), KDTree(places[level == k])) for k in np.unique(level)[::-1]]
 
     def limit(at: Array) -> Array:
         result = np.full(len(at), np.inf)
         for least, tree in near:
-            result = np.minimum(result, least + slope * tree.query(at)[0])
+            # the smallest come first: where they have been found, larger ones need not be looked for
+            left = np.flatnonzero(result > least)
+            reach = (result[left].max(initial=least) - least) / slope
+            distance = tree.query(at[left], distance_upper_bound=reach)[0]
+            result[left] = np.minimum(result[left], least + slope * distance)
         return result
 
     return limit
