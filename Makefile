@@ -16,7 +16,7 @@ PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate
 
-.PHONY: demo test test-fast test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
+.PHONY: demo test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -56,6 +56,10 @@ test-fast: $(VENV)/dev.stamp pages ## all tests but the slow ones
 
 coverage: $(VENV)/dev.stamp pages ## the fast tests, and how much of the code they run
 	$(PYTEST) -m "not slow" --cov --cov-report=term
+
+test-solvers: $(VENV)/dev.stamp pages ## the fast tests with each solver that can take PARDISO's place
+	$(PYTEST) --no-cov -m "not slow" --solver cholmod
+	$(PYTEST) --no-cov -m "not slow" --solver superlu
 
 test-oldest: $(VENV)/dev.stamp pages ## the fast tests with the oldest dependencies that pyproject.toml allows
 	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(OLDEST)

@@ -18,7 +18,7 @@ Reach = Literal["none", "margin", "infinite"]
 OuterEdge = Literal["free", "fixed"]
 Side = Literal["left", "right", "bottom", "top"]
 Symmetry = Literal["auto", "off"]
-Solver = Literal["auto", "pardiso", "superlu", "mumps"]
+Solver = Literal["auto", "pardiso", "cholmod", "superlu", "mumps"]
 
 
 #: Of what the mesh is allowed to be off.
@@ -180,7 +180,11 @@ class Analysis(Section):
         int, Integer("steps in which the load is applied; the result does not depend on it", at_most=1000)
     ] = 1
     solver: Annotated[
-        Solver, Choice(Solver, "direct solver; auto takes pardiso where it is installed, mumps is for many processes")
+        Solver,
+        Choice(
+            Solver,
+            "direct solver; auto takes the first that is installed, mumps is for many processes",
+        ),
     ] = "auto"
     nested: Annotated[bool, Boolean("start the contact zone from coarser meshes")] = True
     max_iterations: Annotated[int, Integer("most contact steps on one mesh", at_most=10_000)] = 200

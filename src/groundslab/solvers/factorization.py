@@ -11,10 +11,18 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 
 from groundslab.errors import InputError, Issue
+from groundslab.solvers.cholmod import Cholmod
 from groundslab.solvers.mumps import Mumps
 from groundslab.solvers.pardiso import Pardiso, import_pardiso, pardiso_import_error
 from groundslab.solvers.protocols import Solver
 from groundslab.solvers.superlu import SuperLU
+
+SOLVERS: dict[str, Solver] = {"pardiso": Pardiso, "cholmod": Cholmod, "superlu": SuperLU, "mumps": Mumps}
+#: What solvers need that does not come with groundslab, and how to get it.
+PACKAGES = {
+    "cholmod": ("cvxopt", "pip install groundslab[cholmod]"),
+    "mumps": ("petsc4py", "docs/large.md tells how to install it"),
+}
 
 
 def threads(solver: Solver) -> int:
@@ -42,19 +50,23 @@ def one_thread() -> Iterator[None]:
         use_threads(solver, 0)
 
 
-def choose(name: str) -> tuple[str, Solver]:
-    """Return name and solver for "pardiso", "superlu" or "mumps"; for "auto" PARDISO where it can be imported."""
-    solvers: dict[str, Solver] = {"pardiso": Pardiso, "superlu": SuperLU, "mumps": Mumps}
-    if name != "auto":
-        if name == "pardiso" and pardiso_import_error():
-            hint = 'solver = "auto" takes it where it is there'
-            found = f'"pardiso", which cannot be loaded ({pardiso_import_error()})'
-            raise InputError([Issue("analysis.solver", found, '"superlu" or "auto"', hint)])
-        if name == "mumps" and find_spec("petsc4py") is None:
-            found = '"mumps", which needs petsc4py, and that is not there'
-            hint = "docs/large.md tells how to install it"
-            raise InputError([Issue("analysis.solver", found, '"auto"', hint)])
-        return name, solvers[name]
+def automatic() -> str:
+    """Return the name of the solver that "auto" takes: PARDISO where it can be imported, else CHOLMOD, else SuperLU."""
     if platform.machine().lower() in ("x86_64", "amd64") and not pardiso_import_error():
-        return "pardiso", Pardiso
-    return "superlu", SuperLU
+        return "pardiso"
+    return "cholmod" if find_spec("cvxopt") else "superlu"
+
+
+def choose(name: str) -> tuple[str, Solver]:
+    """Return name and solver for a name or "auto"."""
+    if name == "auto":
+        name = automatic()
+    elif name == "pardiso" and pardiso_import_error():
+        hint = 'solver = "auto" takes it where it is there'
+        found = f'"pardiso", which cannot be loaded ({pardiso_import_error()})'
+        raise InputError([Issue("analysis.solver", found, '"cholmod", "superlu" or "auto"', hint)])
+    elif name in PACKAGES and find_spec(PACKAGES[name][0]) is None:
+        package, hint = PACKAGES[name]
+        found = f'"{name}", which needs {package}, and that is not there'
+        raise InputError([Issue("analysis.solver", found, '"auto"', hint)])
+    return name, SOLVERS[name]

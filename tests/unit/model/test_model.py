@@ -286,7 +286,7 @@ ONE_FAULT = [
     (case(analysis__increments=0), "analysis.increments", "0", "a whole number from 1 to 1000"),
     (case(analysis__increments=10**30), "analysis.increments", str(10**30), "a whole number from 1 to 1000"),
     (case(analysis__max_iterations=0), "analysis.max_iterations", "0", "a whole number from 1 to 10000"),
-    (case(analysis__solver="cg"), "analysis.solver", '"cg"', '"auto", "pardiso", "superlu" or "mumps"'),
+    (case(analysis__solver="cg"), "analysis.solver", '"cg"', '"auto", "pardiso", "cholmod", "superlu" or "mumps"'),
 ]  # fmt: skip
 
 

@@ -14,7 +14,8 @@ from groundslab.errors import InputError, SingularMatrix
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers import factor_reuse, factorization, pardiso, protocols
 
-SOLVERS = ["pardiso", "superlu"]
+SOLVERS = ["pardiso", "cholmod", "superlu"]
+PACKAGES = {"pardiso": "pypardiso", "cholmod": "cvxopt"}
 
 
 def upper_half(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -34,8 +35,8 @@ def random_positive(n: int, seed: int) -> np.ndarray:
 
 def solver(name: str) -> protocols.Solver:
     """Return a solver, or skip the test where it is not installed."""
-    if name == "pardiso":
-        pytest.importorskip("pypardiso")
+    if name in PACKAGES:
+        pytest.importorskip(PACKAGES[name])
     return factorization.choose(name)[1]
 
 
@@ -51,13 +52,14 @@ def test_solution_of_one_and_of_several_right_sides(name: str, n: int) -> None:
     np.testing.assert_allclose(A @ factor.solve(b), b, atol=1e-11)
 
 
-def test_pardiso_and_superlu_agree() -> None:
-    """Two programs that share no line give the same solution."""
+def test_all_agree() -> None:
+    """Programs that share no line give the same solution."""
     A = random_positive(200, seed=9)
     indptr, indices, data = upper_half(A)
     b = np.random.default_rng(2).standard_normal(200)
     x = [solver(name)(indptr, indices).factor(data).solve(b.copy()) for name in SOLVERS]
-    np.testing.assert_allclose(x[0], x[1], rtol=1e-10, atol=1e-14)
+    for other in x[1:]:
+        np.testing.assert_allclose(x[0], other, rtol=1e-10, atol=1e-14)
 
 
 @pytest.mark.parametrize("name", SOLVERS)
@@ -152,28 +154,35 @@ def test_analysis_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def asked_anew() -> Iterator[None]:
+def asked_anew(request: pytest.FixtureRequest) -> Iterator[None]:
     """Forget whether PARDISO can be loaded, in this test and after it."""
+    if request.config.getoption("--solver"):
+        pytest.skip("the solver is given")
     pardiso.pardiso_import_error.cache_clear()
     yield
     pardiso.pardiso_import_error.cache_clear()
 
 
 @pytest.mark.usefixtures("asked_anew")
-def test_without_pypardiso_superlu_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where pypardiso cannot be imported "auto" is SuperLU, and asking for it by name is an input error."""
+def test_without_pypardiso_another_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where pypardiso cannot be imported "auto" is another, and asking for it by name is an input error."""
     monkeypatch.setitem(sys.modules, "pypardiso", None)
-    assert factorization.choose("auto") == ("superlu", factorization.SuperLU)
+    assert factorization.choose("auto")[0] in ("cholmod", "superlu")
     with pytest.raises(InputError, match=r"pardiso.*cannot be loaded"):
         factorization.choose("pardiso")
 
 
 @pytest.mark.usefixtures("asked_anew")
-def test_on_other_processors_auto_is_superlu(monkeypatch: pytest.MonkeyPatch) -> None:
-    """MKL exists for x86-64 alone, so elsewhere its import is not even tried."""
+@pytest.mark.parametrize(("there", "taken"), [(True, "cholmod"), (False, "superlu")])
+def test_on_other_processors(monkeypatch: pytest.MonkeyPatch, there: bool, taken: str) -> None:
+    """MKL exists for x86-64 alone, so elsewhere its import is not even tried: CHOLMOD is taken, or SuperLU."""
     monkeypatch.setattr(factorization.platform, "machine", lambda: "arm64")
     monkeypatch.setattr(factorization, "import_pardiso", lambda: pytest.fail("tried to import pypardiso"))
-    assert factorization.choose("auto")[0] == "superlu"
+    monkeypatch.setattr(factorization, "find_spec", lambda _: there or None)
+    assert factorization.choose("auto") == (taken, factorization.SOLVERS[taken])
+    if not there:
+        with pytest.raises(InputError, match=r"(?s)cvxopt.*groundslab\[cholmod\]"):
+            factorization.choose("cholmod")
 
 
 @pytest.mark.parametrize("name", SOLVERS)
