@@ -8,8 +8,11 @@ Kinds: linear (Winkler, glued), winkler and pasternak (tensionless), raft (an L-
 or Netgen). The bare solve, PARDISO's analysis, factorisation and one solution of the glued matrix on the finest mesh,
 is taken in turn with the whole analysis; medians are printed. And kinds of their own: gamma (iterated, in turn with the
 gamma that comes out given), combinations (of three load cases, in turn with the first of them alone), variants (of the
-ground, each in turn with a cold solution of the same model, on one thread as in a study), and study (the same variants
-by two workers and by one).
+ground, each in turn with a cold solution of the same model, on one thread as in a study), study (the same variants by
+two workers and by one), solvers (a further factorization by each of them, on one thread), threads (an analysis on one
+and on all) and cases:
+
+    python bench/job.py case bench/slabs/house_raft.toml 5   # beside as many bare solves as it has combinations
 """
 
 from __future__ import annotations
@@ -33,9 +36,11 @@ import numpy as np
 
 from groundslab.accuracy.judgment import judge
 from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested
+from groundslab.arrays import Array
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize
 from groundslab.fem import system
+from groundslab.fem.sparse import Symmetric
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 from groundslab.solvers import contact, factor_reuse, factorization, pardiso
@@ -142,12 +147,14 @@ def measure(function: Callable[..., Any], *arguments: Any) -> tuple[float, Any]:
     return time.perf_counter() - start, found
 
 
-def bare(model: Model) -> Callable[[], float]:
-    """Return what times PARDISO alone on the glued matrix of the finest mesh."""
-    glued = model.replace(contact={"tensionless": False})
-    s = system.build_system(discretize(glued))
-    upper = system.stiffness(s, s.problem.ground)
-    f = system.right_hand_side(s, 1.0)
+def glued_system(model: Model) -> tuple[Symmetric, Array]:
+    """Return the matrix of the finest mesh without contact, and its right-hand side."""
+    s = system.build_system(discretize(model.replace(contact={"tensionless": False})))
+    return system.stiffness(s, s.problem.ground), system.right_hand_side(s, 1.0)
+
+
+def bare(upper: Symmetric, f: Array) -> Callable[[], float]:
+    """Return what times PARDISO alone on a matrix."""
     from pypardiso import PyPardisoSolver
     from scipy.sparse import csr_array
 
@@ -256,7 +263,7 @@ def written(results: CombinationResult) -> float:
 def beside_the_bare_solve(kind: str, unknowns: int, times: int) -> dict[str, Any]:
     """Return the figures of a job that is taken in turn with the bare solve."""
     model = model_of(kind, unknowns)
-    alone = bare(model)
+    alone = bare(*glued_system(model))
     spent: dict[str, float] = defaultdict(float)
     for phase, module, name in PHASES:
         setattr(module, name, timed(getattr(module, name), phase, spent))
@@ -394,17 +401,102 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
     }
 
 
+def solvers(unknowns: int, times: int) -> dict[str, Any]:
+    """Return how long a further factorization of one pattern takes on one thread, beside PARDISO's."""
+    upper, _ = glued_system(model_of("linear", unknowns))
+    spent: dict[str, list[float]] = defaultdict(list)
+    with factorization.one_thread():
+        for name in ("pardiso", "cholmod", "superlu"):
+            analyzed = factorization.choose(name)[1](upper.indptr, upper.indices)
+            analyzed.factor(upper.data)
+            spent[name] = [measure(analyzed.factor, upper.data)[0] for _ in range(times)]
+    medians = {name: statistics.median(each) for name, each in spent.items()}
+    return {
+        "unknowns": upper.size,
+        "total [s]": medians["pardiso"],
+        **{f"{name} / pardiso": medians[name] / medians["pardiso"] for name in ("cholmod", "superlu")},
+    }
+
+
+def threads(unknowns: int, times: int) -> dict[str, Any]:
+    """Return an analysis on one thread beside the same on all."""
+    model = model_of("winkler", unknowns)
+    ratios, totals = [], []
+    for _ in range(times):
+        with factorization.one_thread():
+            alone, _ = measure(driver.solve, model)
+        total, results = measure(driver.solve, model)
+        totals.append(total)
+        ratios.append(alone / total)
+    return {
+        "unknowns": results.only.unknowns,
+        "total [s]": statistics.median(totals),
+        "one thread / all": statistics.median(ratios),
+    }
+
+
+def case(path: str, times: int) -> dict[str, Any]:
+    """Return solving and the whole process of a case beside as many bare solves as it has combinations.
+
+    The bare solve is that of the largest matrix that was factorized on the way. The share of the direct solver is
+    taken with one combination at a time.
+    """
+    model, spent, largest = casefile.load(path), defaultdict[str, float](float), dict[int, Symmetric]()
+    factor = pardiso.Pardiso.factor
+
+    def watched(self: Any, data: Any) -> Any:
+        if len(data) > max(largest, default=0):
+            largest.clear()
+            largest[len(data)] = Symmetric(self.indptr, self.indices, data)
+        return factor(self, data)
+
+    pardiso.Pardiso.factor = watched  # type: ignore[method-assign]
+    combined = driver.solve(model)
+    pardiso.Pardiso.factor = factor  # type: ignore[method-assign]
+    (upper,) = largest.values()
+    alone, n = bare(upper, np.ones(upper.size)), len(combined.combinations)
+    figures = defaultdict[str, list[float]](list)
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "groundslab", "solve", path, "--quiet", "--out", f"{folder}/results"]
+        for _ in range(times):
+            least = n * alone()
+            solving = measure(driver.solve, model)[0]
+            whole = measure(subprocess.run, command)[0]
+            figures["total [s]"].append(solving)
+            figures["solving / bare"].append(solving / least)
+            figures["whole process [s]"].append(whole)
+            figures["whole process / bare"].append(whole / least)
+    # single combinations, so that times in the solver do not overlap
+    pardiso.Pardiso._call = timed(pardiso.Pardiso._call, "solver", spent)  # type: ignore[method-assign]
+    driver.MAX_LANES = 1
+    for _ in range(times):
+        spent.clear()
+        solving = measure(driver.solve, model)[0]
+        figures["direct solver / solving"].append(spent["solver"] / solving)
+    return {
+        "unknowns": next(iter(combined.results.values())).unknowns,
+        "combinations": n,
+        **{name: statistics.median(each) for name, each in figures.items()},
+    }
+
+
 def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
     """Return the figures of one job."""
     keep_memory()
-    own = {"gamma": gamma, "combinations": combinations, "variants": variants, "study": study}
+    own = {
+        "gamma": gamma, "combinations": combinations, "variants": variants, "study": study, "solvers": solvers,
+        "threads": threads,
+    }  # fmt: skip
     if kind in own:
         return {"kind": kind, **own[kind](unknowns, times)}
     return {"kind": kind, **beside_the_bare_solve(kind, unknowns, times)}
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "memory":
+    if sys.argv[1] == "case":
+        keep_memory()
+        print(json.dumps({"kind": Path(sys.argv[2]).stem, **case(sys.argv[2], int(sys.argv[3]))}))
+    elif sys.argv[1] == "memory":
         solver = {"solver": sys.argv[4]} if len(sys.argv) > 4 else {}
         print(json.dumps(memory(model_of(sys.argv[2], int(sys.argv[3])).replace(analysis=solver))))
     else:

@@ -37,6 +37,11 @@ NAMES = {
     "combinations": "several combinations of loads",
     "variants": "variants of the ground",
     "study": "a study of such variants, two workers",
+    "solvers": "a further factorization, on one thread",
+    "threads": "Winkler, tensionless, on one thread and on all",
+    "l_raft": "the README's raft, 8 combinations",
+    "house_raft": "house raft, 17 combinations",
+    "warehouse": "warehouse floor, 75 combinations",
 }
 #: Okabe and Ito's colours, which the colour-blind can tell apart, a grey, and marks that tell the same.
 COLOURS = {
@@ -120,11 +125,17 @@ def worst(key: str, kinds: Sequence[str], sizes: Sequence[str] = ()) -> Callable
     return look
 
 
-def small_job(results: CombinationResult) -> Measured | None:
-    """Return our whole process over the fastest peer's."""
-    medians = {name: row["median"] for name, row in results["small"].items() if "median" in row}
-    others = [median for name, median in medians.items() if not name.startswith(OWN)]
-    return Measured(medians[OWN] / min(others)) if OWN in medians and others else None
+def small_job(name: str, beside: bool = True) -> Callable[[CombinationResult], Measured | None]:
+    """Return what looks up the time of a command, beside the fastest peer's small job or [s]."""
+
+    def look(results: CombinationResult) -> Measured | None:
+        medians = {name: row["median"] for name, row in results["small"].items() if "median" in row}
+        others = [median for name, median in medians.items() if not name.startswith(OWN)]
+        if name not in medians or not others:
+            return None
+        return Measured(medians[name] / (min(others) if beside else 1.0))
+
+    return look
 
 
 def against_every_peer(results: CombinationResult) -> Measured | None:
@@ -143,35 +154,51 @@ def against_every_peer(results: CombinationResult) -> Measured | None:
 
 
 STUDIES = ("variant / cold", "efficiency on two workers")
+CASES = ("solving / bare", "direct solver / solving", "whole process [s]", "whole process / bare")
+SOLVERS = ("cholmod / pardiso", "superlu / pardiso", "one thread / all")
 TENSIONLESS = ("winkler", "pasternak", "raft")
 PLATES = ("linear", "winkler", "pasternak")
+AS_IT_IS = "as it is"
 TARGETS = [
+    Target("the README's raft: solving / (8 bare solves)", 3, 2, own("l_raft", AS_IT_IS, "solving / bare")),
+    Target(
+        "the same: time in the direct solver / solving", 0.5, 0.7,
+        own("l_raft", AS_IT_IS, "direct solver / solving"), less=False,
+    ),
+    Target(
+        "house raft: whole process with files / (17 bare solves)", 7, 3.5,
+        own("house_raft", AS_IT_IS, "whole process / bare"),
+    ),
+    Target("warehouse floor: whole process [s]", 3.7, 1.85, own("warehouse", AS_IT_IS, "whole process [s]")),
+    Target("L-shaped raft, 100k: total / bare", 3.5, 2.5, own("raft", "100k", "total / bare")),
+    Target("the same: assembly / bare", 0.3, 0.15, own("raft", "100k", "assembly / bare")),
+    Target("tensionless rectangle, 6k: total / bare", 3, 2, own("winkler", "6k", "total / bare")),
     Target("linear, 1M: total / bare", 1.6, 1.25, own("linear", "1M", "total / bare")),
     Target("tensionless Winkler, 1M: total / bare", 3, 2, own("winkler", "1M", "total / bare")),
-    Target("tensionless Pasternak, 1M: total / bare", 4, 2.5, own("pasternak", "1M", "total / bare")),
+    Target("tensionless Pasternak, 1M: total / bare", 2.2, 1.7, own("pasternak", "1M", "total / bare")),
     Target("iterations on the finest mesh, any size", 5, 3, worst("iterations on the finest mesh", TENSIONLESS)),
-    Target(
-        "gamma iterated and tensionless / tensionless with gamma known", 2, 1.4, worst("iterated / known", ["gamma"])
-    ),
+    Target("gamma iterated / known, tensionless, 250k", 1.4, 1.2, own("gamma", "250k", "iterated / known")),
     Target("peak memory / the factor's memory, 1M", 1.6, 1.3, worst("peak / factor", PLATES, ["1M"])),
     Target("assembly of 1M unknowns / bare solve", 0.25, 0.1, own("linear", "1M", "assembly / bare")),
-    Target("each further load combination / the first, 250k", 0.5, 0.2, own("combinations", "250k", "further / first")),
-    Target("small job, whole process / the fastest peer's", 1.0, 0.7, small_job),
     Target(
-        "variant of the ground / cold solution, 7k, one thread", 1 / 3, 1 / 3, own("variants", "6k", "variant / cold")
+        "each further load combination / the first, 250k", 0.35, 0.2, own("combinations", "250k", "further / first")
     ),
+    Target("small job, whole process / the fastest peer's", 1.0, 0.7, small_job(OWN)),
+    Target("the same with files, by command / the fastest peer's", 1.4, 1.0, small_job(f"{OWN} solve, files written")),
+    Target("groundslab --help [s]", 0.07, 0.05, small_job(f"{OWN} --help", beside=False)),
+    Target("groundslab check [s]", 0.25, 0.15, small_job(f"{OWN} check", beside=False)),
+    Target("variant of the ground / cold one, 7k, one thread", 0.25, 0.15, own("variants", "6k", "variant / cold")),
     *(
         Target(
-            f"study on two workers, {size}: pace / twice that of one",
-            0.9,
-            0.9,
-            own("study", size, "efficiency on two workers"),
-            less=False,
+            f"study on two workers, {size}: pace / twice that of one", 0.93, 0.97,
+            own("study", size, "efficiency on two workers"), less=False,
         )
         for size in ("6k", "25k")
     ),
-    Target("250k, tensionless: every peer's total / ours", 3, 10, against_every_peer, less=False),
-]
+    Target("250k, tensionless: every peer's total / ours", 3, 5, against_every_peer, less=False),
+    Target("further factorization, 250k, one thread: CHOLMOD / PARDISO", 1.5, 1.0, own("solvers", "250k", SOLVERS[0])),
+    Target("1M, tensionless: one thread / two", 1.5, 1.8, own("threads", "1M", "one thread / all"), less=False),
+]  # fmt: skip
 
 
 def reference(results: CombinationResult) -> Reference | None:
@@ -255,6 +282,8 @@ def own_rows(results: CombinationResult) -> str:
                     "iterated / known",
                     "further / first",
                     *STUDIES,
+                    *CASES,
+                    *SOLVERS,
                 )
                 if key in row
             )

@@ -63,7 +63,11 @@ KINDS = {
     "combinations": ("250k",),
     "variants": ("6k",),
     "study": ("6k", "25k"),
+    "solvers": ("250k",),
+    "threads": ("1M",),
 }
+#: Slabs as engineers have them, each solved as it is.
+CASES = ("examples/l_raft.toml", "bench/slabs/house_raft.toml", "bench/slabs/warehouse.toml")
 
 
 @dataclass(frozen=True)
@@ -222,6 +226,18 @@ def own_jobs(ledger: Ledger, kinds: Sequence[str], sizes: Sequence[str], times: 
             tell(figures)
 
 
+def case_jobs(ledger: Ledger, times: int) -> None:
+    """Run the slabs as engineers have them."""
+    for path in CASES:
+        name = Path(path).stem
+        key = f"own/{name}/as it is"
+        if not finished(ledger, key):
+            say(f"{OWN}, {name}")
+            figures = once("own", ["bench/job.py", "case", path, str(times)], OWN_CAP)
+            ledger.add(key, {**figures, "times": times})
+            tell(figures)
+
+
 def peer_jobs(ledger: Ledger, names: Sequence[str], sizes: Sequence[str], times: int) -> None:
     """Run all programs, ours too, from the smallest size upwards as far as each comes within the cap.
 
@@ -272,6 +288,8 @@ def small_jobs(ledger: Ledger, names: Sequence[str], times: int) -> None:
         every: dict[str, tuple[str, list[str]]] = {
             OWN: ("own", ["-c", solve, case]),
             f"{OWN} solve, files written": ("own", ["-m", "groundslab", "solve", case, "--out", out, "--quiet"]),
+            f"{OWN} check": ("own", ["-m", "groundslab", "check", case]),
+            f"{OWN} --help": ("own", ["-m", "groundslab", "--help"]),
         }
         for name in names:
             if name != OWN:
@@ -395,6 +413,7 @@ def main(words: Sequence[str] | None = None) -> None:
     parser.add_argument("--peers", nargs="*", default=[""], help="those whose names begin so; none without a name")
     parser.add_argument("--times", type=int, default=5, help="how often each job runs")
     parser.add_argument("--no-small", action="store_true", help="without the whole processes of the small job")
+    parser.add_argument("--no-cases", action="store_true", help="without the slabs as engineers have them")
     parser.add_argument("--results", type=Path, default=RESULTS, help="where the figures go")
     given = parser.parse_args(words)
     sizes = [size for size in SIZES if size in given.sizes and not (given.quick and size not in ("6k", "25k"))]
@@ -408,6 +427,8 @@ def main(words: Sequence[str] | None = None) -> None:
     if not given.no_small:
         small_jobs(ledger, peers, times)
     own_jobs(ledger, given.kinds, sizes, times)
+    if not given.no_cases:
+        case_jobs(ledger, times)
     peer_jobs(ledger, peers, sizes, min(times, 3))
     results = collect(ledger)
     given.results.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
