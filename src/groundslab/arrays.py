@@ -1,4 +1,4 @@
-"""Types of arrays, and a cache of values derived from an array."""
+"""Types of arrays, and a cache of values derived from what holds them."""
 
 from __future__ import annotations
 
@@ -18,21 +18,22 @@ T = TypeVar("T")
 
 
 class Memo(Generic[T]):
-    """Cache of values by the identity of an array and of a companion object, for as long as the array lives.
+    """Cache of values by the identity of an object and of a companion, for as long as the object lives.
 
     Results are immutable and hold arrays, which have no hash: functools.cache cannot hold what is derived from them.
+    Neither the companion nor the value may hold the object.
     """
 
     def __init__(self) -> None:
         self._kept: dict[int, tuple[object, T]] = {}
 
-    def get(self, array: Array | Integers, beside: object, make: Callable[[], T]) -> T:
-        """Return the cached value of an array and its companion; compute it first if there is none."""
-        key = id(array)
+    def get(self, of: object, beside: object, make: Callable[[], T]) -> T:
+        """Return the cached value of an object and its companion; compute it first if there is none."""
+        key = id(of)
         kept = self._kept.get(key)
         if kept is None or kept[0] is not beside:
             if kept is None:
-                weakref.finalize(array, self._kept.pop, key, None)
+                weakref.finalize(of, self._kept.pop, key, None)
             kept = beside, make()
             self._kept[key] = kept
         return kept[1]

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.arrays import Array, Flags, Memo
 from groundslab.discretize.load_borders import load_borders
 from groundslab.discretize.singular_places import corners_of, near_places, near_singular
 from groundslab.geometry.plan import Segment
 
 if TYPE_CHECKING:
-    from groundslab.arrays import Array, Flags
     from groundslab.model.model import Model
 
 #: Values are judged so many thicknesses away from there.
@@ -31,6 +31,10 @@ class Limits:
     pressures: Flags
 
 
+#: What combinations have in common.
+_WITHOUT_CONTACT: Memo[Limits] = Memo()
+
+
 def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     """Return at which nodes (n, 2) shear forces and pressures are judged.
 
@@ -41,6 +45,16 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     """
     from scipy.spatial import KDTree
 
+    limits = _WITHOUT_CONTACT.get(nodes, model, lambda: _without_contact(model, nodes))
+    if not model.ground_carries_shear or in_contact.all():
+        return limits
+    reach = AWAY * model.plate.thickness
+    distance, _ = KDTree(nodes[~in_contact]).query(nodes, distance_upper_bound=1.001 * reach)
+    return Limits(limits.shear_forces, (limits.pressures & (distance > reach)) | ~in_contact)
+
+
+def _without_contact(model: Model, nodes: Array) -> Limits:
+    """Return at which nodes (n, 2) shear forces and pressures are judged where nothing has lifted off."""
     reach = AWAY * model.plate.thickness
     footprints = [edge for load in model.loads if load.kind == "point" for edge in load_borders(load, model)]
     within = np.full(len(nodes), reach)
@@ -50,10 +64,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     shear_forces = ~(singular | _near(nodes, footprints, reach))
     if not model.ground_carries_shear:
         return Limits(shear_forces, np.ones(len(nodes), dtype=bool))
-    lifted = np.zeros(len(nodes), dtype=bool)
-    if not in_contact.all():
-        lifted = KDTree(nodes[~in_contact]).query(nodes, distance_upper_bound=1.001 * reach)[0] <= reach
-    return Limits(shear_forces, ~(singular | lifted | _near(nodes, [*_creases(model)], reach)) | ~in_contact)
+    return Limits(shear_forces, ~(singular | _near(nodes, [*_creases(model)], reach)))
 
 
 def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:

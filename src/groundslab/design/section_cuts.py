@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.design.design_moments import wood_armer
 from groundslab.errors import InputError, Issue
 from groundslab.fem.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
@@ -172,6 +172,10 @@ def strip(
     return StripResult(s[kept], x, y, *np.array(rows).T)
 
 
+#: Pieces of lines in the elements of a mesh, which combinations have in common, by the ends of their legs.
+_LINES: Memo[dict[bytes, Pieces]] = Memo()
+
+
 @dataclass(frozen=True, slots=True)
 class _Cut:
     """The points at which straight cuts, one a leg, read the plate's fields."""
@@ -235,7 +239,8 @@ def _legs(points: Array) -> Array:
 
 def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
     """Return the pieces of legs in the plate's elements; InputError if there are none."""
-    line = pieces(mesh, ends)
+    known, key = _LINES.get(mesh.nodes, mesh.elements, dict), ends.tobytes()
+    line = known[key] if key in known else known.setdefault(key, pieces(mesh, ends))
     if not len(line.low):
         (a, b), (c, d) = ends[0, 0], ends[-1, 1]
         found = f"a line from ({a:g}, {b:g}) to ({c:g}, {d:g}) m that does not meet the plate"

@@ -147,7 +147,7 @@ class Comparison:
     reduction: float
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, slots=True, weakref_slot=True, repr=False)
 class CombinationResult:
     """Results of one combination of loads, with the model that they belong to.
 

@@ -275,7 +275,8 @@ class PointLoad(_Load):
             return self
         own = next(each for each in columns if each.name == self.column)
         place = {name: getattr(own, name) for name in ("x", "y", "width_x", "width_y", "diameter")}
-        return self.replace(column="", **place)
+        # nothing is checked again: a column's place and widths are valid for a load, too
+        return self.model_copy(update={"column": "", **place})
 
 
 class TemperatureLoad(_Load):

@@ -23,7 +23,8 @@ def with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row
     assert results.comparison is not None
     if row.values is None or coarser.values is None:
         return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
-    return replace(row, error=error_of_largest(row.values, coarser.values, results.comparison))
+    error = error_of_largest(row.values, coarser.values, results.comparison)
+    return replace(row, error=error, values=None)
 
 
 def discretization_section(results: CombinationResult) -> SummarySection:

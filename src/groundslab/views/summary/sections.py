@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
+from groundslab.arrays import Memo
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
@@ -72,13 +73,21 @@ def description(results: CombinationResult) -> list[SummarySection]:
     return [_plate(results), mesh_section(results), description_of_ground(results), *cut_loads(results.model)]
 
 
+#: Figures of results, which are asked for more than once.
+_FIGURES: Memo[list[SummarySection]] = Memo()
+
+
 def figures(results: CombinationResult) -> list[SummarySection]:
     """Return what came out: settlement, contact, what supports carry, section forces, with discretization errors."""
+    return _FIGURES.get(results, None, lambda: _figures(results))
+
+
+def _figures(results: CombinationResult) -> list[SummarySection]:
     supports = [_supports(results)] if results.supports else []
     found = [_settlement(results), _contact(results), *supports, _section_forces(results)]
     if results.coarser is None:
         return found
-    coarser = {(section.key, row.key): row for section in figures(results.coarser) for row in section.rows}
+    coarser = {(section.key, row.key): row for section in _figures(results.coarser) for row in section.rows}
     found = [
         replace(each, rows=tuple(with_error(row, coarser.get((each.key, row.key)), results) for row in each.rows))
         for each in found
