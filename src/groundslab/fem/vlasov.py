@@ -119,7 +119,8 @@ def profiles(layers: tuple[Layer, ...], decay2: Array) -> tuple[Array, Array]:
 
     The least energy k0 + decay2 k1 is the stiffness Z = -Ec psi' / psi of the top, and k1 its derivative by decay2.
     From the base upwards Z' = decay2 G - Z^2 / Ec, and its inverse Y' = 1 / Ec - decay2 G Y^2, of which the one is
-    integrated in which the solution is no faster than the mode dies out. k0 and k1 are good to 1e-6.
+    integrated in which the solution is no faster than the mode dies out; through a layer of one modulus it is known. k0
+    and k1 are good to 1e-6.
     """
     k0, k1 = np.empty(len(decay2)), np.empty(len(decay2))
     for start in range(0, len(decay2), CHUNK):
@@ -134,15 +135,39 @@ def _stiffness_of_top(layers: list[Layer], decay2: Array) -> tuple[Array, Array]
     y, dy = np.zeros((2, len(decay2)))  # Y or Z, and its derivative
     inverse = np.ones(len(decay2), dtype=bool)  # where it is Y
     for layer in reversed(layers):
+        even = (np.asarray(layer.moduli[1:]) == 0).all(axis=0)
         lasting = np.sqrt(decay2 * layer.shear * layer.oedometric_ratio) * layer.E(np.array(1.0))
         other = np.where(inverse, y * lasting, y / np.maximum(lasting, np.finfo(float).tiny)) > 1
+        other = np.where(even, ~inverse, other)
         dy[other] /= -(y[other] ** 2)
         y[other] = 1 / y[other]
         inverse ^= other
-        for own, of_inverse in ((inverse, True), (~inverse, False)):
+        if even.any():
+            y[even], dy[even] = _through_even(layer.at(even), decay2[even], y[even], dy[even])
+        for own, of_inverse in ((inverse & ~even, True), (~inverse, False)):
             if own.any():
                 y[own], dy[own] = _integrate_upwards(layer.at(own), decay2[own], of_inverse, y[own], dy[own])
     return np.where(inverse, 1 / y, y), np.where(inverse, -dy / y**2, dy)
+
+
+def _through_even(layer: Layer, decay2: Array, y: Array, dy: Array) -> tuple[Array, Array]:
+    """Return Y and its derivative by decay2 at the top of a layer of one modulus from those at its bottom, (c,) each.
+
+    Y_top = (Y + p) / (1 + q Y) with p = h / Ec * tanh g / g, q = decay2 G h * tanh g / g and g^2 = decay2 h^2 G / Ec.
+    """
+    h, Ec, G = layer.thickness, layer.oedometric_ratio * layer.moduli[0], layer.shear * layer.moduli[0]
+    of_g2 = h**2 * G / Ec
+    small = of_g2 * decay2 < 3e-3
+    x = np.where(small, of_g2 * decay2, 0.0)
+    series = 1 - x / 3 + 2 * x**2 / 15 - 17 * x**3 / 315, of_g2 * (-1 / 3 + 4 * x / 15 - 17 * x**2 / 105)
+    g = np.sqrt(np.where(small, 1.0, of_g2 * decay2))
+    T = np.tanh(g)
+    closed = T / g, (1 - T**2 - T / g) / (2 * np.where(small, 1.0, decay2))
+    share, slope = (np.where(small, *each) for each in zip(series, closed, strict=True))
+    p, dp = h / Ec * share, h / Ec * slope
+    q, dq = decay2 * G * h * share, G * h * (share + decay2 * slope)
+    below = 1 + q * y
+    return (y + p) / below, (dy + dp) / below - (y + p) * (q * dy + dq * y) / below**2
 
 
 def _integrate_upwards(layer: Layer, decay2: Array, inverse: bool, y: Array, dy: Array) -> tuple[Array, Array]:

@@ -76,6 +76,20 @@ def test_modes_of_many_columns_are_those_of_each() -> None:
         assert (k0[i], k1[i]) == pytest.approx((alone.k0, alone.k1), rel=1e-6)
 
 
+@pytest.mark.parametrize("decay2", [0.0, 1e-6, 1e-4, 0.1, 2.0, 30.0])
+def test_layers_of_one_modulus_have_a_closed_form(decay2: float) -> None:
+    """Where E does not vary in a layer, k0 and k1 are those of finite elements, beside others where it does."""
+    rng = np.random.default_rng(4)
+    layers = tuple(
+        Layer(each.thickness, (each.moduli[0], *(np.where(even, 0.0, c) for c in each.moduli[1:])), each.nu)
+        for each, even in ((many(rng, 4), np.array(which)) for which in ([1, 1, 0, 1], [1, 0, 1, 0], [1, 1, 0, 0]))
+    )
+    k0, k1 = profiles(layers, np.full(4, decay2))
+    for i in range(4):
+        alone = profile(tuple(one(layer, i) for layer in layers), decay2)
+        assert (k0[i], k1[i]) == pytest.approx((alone.k0, alone.k1), rel=1e-6)
+
+
 def test_stacks_and_tails_of_many_columns_are_those_of_each() -> None:
     """Consistent stacks, and the infinite ground beside them, are found for all columns as for each."""
     rng = np.random.default_rng(3)
