@@ -10,11 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Indices, Integers
 from groundslab.fem.sparse import Symmetric
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 _A, _B = np.triu_indices(9)
 #: Entries whose places are found at a time: few enough to stay near the processor.
@@ -180,6 +184,26 @@ def assemble(
         sums[pairs[further] - start] += blocks[further].reshape(-1, F * F)
         data[slice(*entries)] = sums.ravel()[p.taken[slice(*entries)]]
     return Symmetric(p.indptr, p.indices, data)
+
+
+def sums_over_elements(p: Pattern, kind: Integers, matrices: Array) -> csr_array:
+    """Return what takes factors of elements (m,) to the sums (pairs,) of their matrices times these.
+
+    kind (m,) says which of the matrices (u, 9, 9) each element has.
+    """
+    from scipy.sparse import csr_array
+
+    values = matrices.reshape(len(matrices), 81)[kind[p.element], p.place]
+    return csr_array((values, p.element, p.starts), shape=(len(p.first), len(kind)))
+
+
+def entries_of_pairs(p: Pattern) -> Indices:
+    """Return where the matrix has the entries (pairs, F, F) of each pair of nodes, -1 where it has none."""
+    F = p.unknown.shape[1]
+    found = np.full(len(p.first) * F * F, -1, dtype=np.int32)
+    for start, (begin, end) in zip(p.cuts, pairwise(p.entries), strict=False):
+        found[start * F * F + p.taken[begin:end]] = np.arange(begin, end)
+    return found.reshape(-1, F, F)
 
 
 def scatter(places: Integers, values: Array, size: int) -> Array:

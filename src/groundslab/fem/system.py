@@ -5,16 +5,20 @@ from __future__ import annotations
 import functools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Flags, Indices, Integers, Memo
 from groundslab.fem import assembly, plate
 from groundslab.fem.assembly import Pattern, find_congruent
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay, mass_and_slope
 from groundslab.fem.problem import TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 
 def current_bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
@@ -55,6 +59,12 @@ class Blocks:
     def of(self, kinds: Integers) -> Blocks:
         """Return the blocks of some kinds (k,), renumbered."""
         return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T)))
+
+    def between_unknowns(self, fields: int) -> Array:
+        """Return the plate's matrices between unknowns of nodes, (u, 9, 9, F, F)."""
+        K = np.zeros((len(self.plate), 9, 9, fields, fields))
+        K[..., :TOP, :TOP] = self.plate.reshape(-1, TOP, 9, TOP, 9).transpose(0, 2, 4, 1, 3)
+        return K
 
     def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
         """Return mass and slope (u, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
@@ -121,34 +131,81 @@ def surface_fields(surface: int) -> tuple[int, ...]:
 
 def stiffness(s: System, column: Column) -> Symmetric:
     """Return the matrix of plate and ground together; the ground's column may differ between elements."""
+    if column.varies:
+        return _with_varying_ground(s, column)
     b, F = s.blocks, s.pattern.unknown.shape[1]
-    kind = np.arange(len(b.kind)) if column.varies else b.kind
 
     def matrices(kinds: Integers) -> Array:
-        own = b.of(b.kind[kinds] if column.varies else kinds)
-        K = np.zeros((len(kinds), 9, 9, F, F))
-        K[..., :TOP, :TOP] = own.plate.reshape(-1, TOP, 9, TOP, 9).transpose(0, 2, 4, 1, 3)
-        here = column.at(kinds)
-        for i, j, A0, A1, mass, slope in _ground(own, here, s.problem.element):
-            K[..., i, j] += A0 * mass + A1 * slope
+        own = b.of(kinds)
+        K, ground = own.between_unknowns(F), functools.cache(own.ground)
+        for i, j, a, c in _coupled(column):
+            mass, slope = ground(*_of_plate(s.problem, i, j))
+            K[..., i, j] += column.A0[a, c] * mass + column.A1[a, c] * slope
         return K
 
-    return assembly.assemble(s.pattern, kind, matrices, *_tail_blocks(s, column))
+    return assembly.assemble(s.pattern, b.kind, matrices, *_tail_blocks(s, column))
 
 
-def _ground(
-    b: Blocks, column: Column, element: plate.PlateElement
-) -> Iterator[tuple[int, int, Array, Array, Array, Array]]:
-    """Yield fields i, j that the ground couples, A0 and A1 for their blocks, (u, 1, 1) if they vary, mass and slope."""
-    between = functools.cache(b.ground)
+@dataclass(frozen=True, slots=True)
+class _Varying:
+    """What a matrix has whatever the ground under the elements is, and where the ground is added."""
+
+    plate: Symmetric
+    entry: Indices  # (pairs, F, F)
+    mass: dict[tuple[bool, bool], csr_array]  # by whether rows and columns are w of the plate: (pairs, m)
+    slope: dict[tuple[bool, bool], csr_array]
+
+
+#: Kept for further columns of ground.
+_VARYING: Memo[_Varying] = Memo()
+
+
+def _with_varying_ground(s: System, column: Column) -> Symmetric:
+    """Return the matrix of plate and ground whose column differs between elements: it is linear in A0 and A1."""
+    known = _VARYING.get(s.blocks.plate, s.pattern, lambda: _varying(s))
+    data = known.plate.data.copy()
+
+    def add(values: Array, entry: Indices) -> None:
+        there = entry >= 0
+        data[entry[there]] += values[there]
+
+    for i, j, a, c in _coupled(column):
+        of_plate = _of_plate(s.problem, i, j)
+        values = known.mass[of_plate] @ column.A0[:, a, c] + known.slope[of_plate] @ column.A1[:, a, c]
+        add(values, known.entry[:, i, j])
+    pairs, blocks = _tail_blocks(s, column)
+    add(blocks, known.entry[pairs])
+    return replace(known.plate, data=data)
+
+
+def _varying(s: System) -> _Varying:
+    """Return what the matrices of a system with ground that varies have in common."""
+    b, p = s.blocks, s.pattern
+    F = p.unknown.shape[1]
+    none = np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
+    plate_alone = assembly.assemble(p, b.kind, lambda kinds: b.of(kinds).between_unknowns(F), *none)
+    sides = (False, True) if not s.problem.element.center_w else (False,)
+    blocks = {(rows, columns): b.ground(rows, columns) for rows in sides for columns in sides}
+    mass, slope = (
+        {which: assembly.sums_over_elements(p, b.kind, both[k]) for which, both in blocks.items()} for k in (0, 1)
+    )
+    return _Varying(plate_alone, assembly.entries_of_pairs(p), mass, slope)
+
+
+def _coupled(column: Column) -> Iterator[tuple[int, int, int, int]]:
+    """Yield fields i, j that the ground couples, and the surfaces a, c whose A0 and A1 couple them."""
     for a in range(column.surfaces):
         for c in range(column.surfaces):
-            A0, A1 = column.A0[..., a, c, None, None], column.A1[..., a, c, None, None]
-            if A0.any() or A1.any():
+            if column.A0[..., a, c].any() or column.A1[..., a, c].any():
                 for i in surface_fields(a):
                     for j in surface_fields(c):
-                        of_w = (field == W and not element.center_w for field in (i, j))
-                        yield i, j, A0, A1, *between(*of_w)
+                        yield i, j, a, c
+
+
+def _of_plate(problem: Problem, i: int, j: int) -> tuple[bool, bool]:
+    """Return whether the fields i and j are w of a plate whose center hangs on its other nodes."""
+    hangs = not problem.element.center_w
+    return hangs and i == W, hangs and j == W
 
 
 def edge_decays(problem: Problem, column: Column) -> tuple[EdgeDecay, EdgeDecay]:
