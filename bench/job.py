@@ -43,7 +43,8 @@ from groundslab.fem import system
 from groundslab.fem.sparse import Symmetric
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
-from groundslab.solvers import contact, factor_reuse, factorization, pardiso
+from groundslab.solvers import contact, factor_reuse, factorization
+from groundslab.solvers.direct import pardiso
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "table1.toml"
 KINDS: dict[str, dict[str, Any]] = {

@@ -1,7 +1,7 @@
 # The public names, and where each is defined.
 from . import study as study
 from ._version import __version__ as __version__
-from .analysis.driver import check as check
+from .analysis.check import check as check
 from .analysis.driver import solve as solve
 from .case.casefile import load as load
 from .design.tables import tables_of as tables_of

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from groundslab.analysis.driver import check
+from groundslab.analysis.check import check
 from groundslab.discretize.discretize import discretize
 from groundslab.errors import InputError
 from groundslab.model.model import Model

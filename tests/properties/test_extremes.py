@@ -14,7 +14,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from groundslab.analysis.driver import check, solve_combinations
+from groundslab.analysis.check import check
+from groundslab.analysis.driver import solve_combinations
 from groundslab.case.casefile import from_table, loads, starter
 from groundslab.design.tables import tables_of
 from groundslab.errors import GroundslabError, InputError, Issue

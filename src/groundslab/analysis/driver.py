@@ -1,8 +1,7 @@
-"""The public entry points of an analysis: check a model, solve its combinations, solve variants of it."""
+"""The public entry points of an analysis: solve the combinations of a model, solve variants of it."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -11,18 +10,15 @@ import numpy as np
 
 from groundslab.accuracy.comparison import compare
 from groundslab.analysis.adaptivity import solve_adaptively
-from groundslab.analysis.gamma_iteration import GAMMA_START, OnStep
+from groundslab.analysis.gamma_iteration import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
 from groundslab.analysis.parallel import run_parallel
 from groundslab.arrays import Array
-from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
-from groundslab.fem.foundation import Column
 from groundslab.model.combinations import list_combinations
-from groundslab.model.consistency import estimate_elements
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
@@ -39,43 +35,7 @@ MAX_LANES = 4
 #: and only if each has no more unknowns than this: every lane needs memory for a factor.
 MAX_PARALLEL_UNKNOWNS = 400_000
 
-#: `check` makes a mesh of at most so many elements,
-MAX_CHECKED_ELEMENTS = 20_000
-#: and looks for symmetry among at most so many loads.
-MAX_COMPARED_LOADS = 10_000
-
 OnCombination = Callable[[Combination], None]
-
-
-def check(model: Model) -> None:
-    """Validate a model: raise the errors that `solve` would raise before it solves anything.
-
-    The arrays of a problem are made as for solving, but those of the loads, whose coordinates the model has checked
-    already; of a mesh of more than MAX_CHECKED_ELEMENTS elements a coarser one is made.
-
-    Parameters
-    ----------
-    model : Model
-        The model.
-
-    Raises
-    ------
-    InputError
-        If the model describes no problem that can be solved.
-
-    Examples
-    --------
-    >>> import groundslab
-    >>> groundslab.check(model)
-    """
-    if model.analysis.solver != "auto":
-        factorization.choose(model.analysis.solver)
-    ratio = estimate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
-    if len(model.loads) > MAX_COMPARED_LOADS:
-        model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
-    ground = discretize(model, max(0, math.ceil(math.log2(ratio) / 2)), loaded=False).ground
-    if not isinstance(ground, Column):
-        ground.column(ground.gamma or GAMMA_START)
 
 
 def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Results:

@@ -13,7 +13,7 @@ from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
 from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
-from groundslab.fem.vlasov import Soil
+from groundslab.fem.vlasov import GAMMA_START, Soil
 from groundslab.results.certificate import decay_squared
 from groundslab.results.record import Step
 from groundslab.solvers import contact, warm_start
@@ -27,7 +27,6 @@ GAMMA_TOLERANCE_COARSE = 1e-3
 #: Below this gamma, k0 and k1 hardly depend on it any more; its change is then taken relative to this value.
 GAMMA_SMALL = 0.01
 MAX_GAMMA_ITERATIONS = 60
-GAMMA_START = 1.0
 #: A contact force this small against the largest nodal_table load is rounding: the plate does not touch the ground.
 NO_CONTACT = 1e-9
 

@@ -19,9 +19,9 @@ from groundslab.results.certificate import exact_rigid_products
 from groundslab.results.result_mesh import ResultMesh, make_result_mesh
 from groundslab.solvers import warm_start
 from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio
+from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.equilibrium import rigid_motions
 from groundslab.solvers.factor_reuse import CachedFactorization
-from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
 #: Sections of a model on which the mesh of its results depends.

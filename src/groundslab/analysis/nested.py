@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from groundslab.analysis.gamma_iteration import GAMMA_START, LoadStep, OnStep, solve_load_step
+from groundslab.analysis.gamma_iteration import LoadStep, OnStep, solve_load_step
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import coarsest, has_coarser
@@ -107,7 +107,7 @@ def _load_system(level: Level, factors: Array) -> System:
     problem = level.system.problem.combine(factors)
     require_equilibrium(problem)
     soil = problem.ground
-    require_digits(level.system, soil if isinstance(soil, Column) else soil.column(soil.gamma or GAMMA_START))
+    require_digits(level.system, soil if isinstance(soil, Column) else soil.first_column())
     return replace(level.system, problem=problem)
 
 

@@ -44,10 +44,10 @@ def check_case(options: argparse.Namespace) -> int:
         print_stdout("\n".join(study.describe_file(Path(options.case))))
         return EXIT_OK
     model = casefile.from_table(tables)
-    from groundslab.analysis import driver
+    from groundslab.analysis.check import check
     from groundslab.model.loads.clipping import find_clipped_loads
 
-    driver.check(model)
+    check(model)
     plate = model.plate
     lines = [
         f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "

@@ -82,7 +82,7 @@ def _is_helper(model: Model) -> bool:
     from groundslab.solvers import factorization
 
     factorization.choose("mumps")
-    from groundslab.solvers import mumps
+    from groundslab.solvers.direct import mumps
 
     return not mumps.is_root_process()
 

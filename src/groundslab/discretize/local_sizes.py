@@ -56,7 +56,7 @@ def _elastic_length(model: Model) -> float:
     plate = model.plate
     parts = [(plate.E, plate.nu, plate.thickness)]
     parts += [(zone.E or plate.E, zone.nu or plate.nu, zone.thickness or plate.thickness) for zone in plate.zones]
-    grounds = [each if isinstance(each, Column) else each.column(each.gamma or 1.0) for each in grounds_of(model)]
+    grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
     k = max(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
     return float((min(bending_rigidity(*part)[0, 0] for part in parts) / k) ** 0.25)
 

@@ -28,6 +28,9 @@ _COTH = np.array([
 #: varies much; of so many columns at a time, to spare memory.
 STEPS, CHUNK = 16, 4096
 
+#: What the iteration of gamma begins with.
+GAMMA_START = 1.0
+
 
 def _mode_terms(gamma: Values) -> tuple[Array, Array, Array]:
     """Return a = coth g / g - 1/g^2, b = 1/sinh^2 g - 1/g^2 and (a - b - 2/3) / g^2, without cancellation."""
@@ -315,3 +318,7 @@ class Soil:
         k0, k1 = self.layer_parameters(gamma)
         found = interface_stack(k0, k1) if self.way == "interface" else single(k0[..., 0], k1[..., 0])
         return found if self.parts is None else found.mix(self.parts)
+
+    def first_column(self) -> Column:
+        """Return the column of the ground for the gamma that is given, or from which it is iterated."""
+        return self.column(self.gamma or GAMMA_START)

@@ -11,11 +11,11 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 
 from groundslab.errors import InputError, Issue
-from groundslab.solvers.cholmod import Cholmod
-from groundslab.solvers.mumps import Mumps
-from groundslab.solvers.pardiso import Pardiso, import_pardiso, pardiso_import_error
-from groundslab.solvers.protocols import Solver
-from groundslab.solvers.superlu import SuperLU
+from groundslab.solvers.direct.cholmod import Cholmod
+from groundslab.solvers.direct.mumps import Mumps
+from groundslab.solvers.direct.pardiso import Pardiso, import_pardiso, pardiso_import_error
+from groundslab.solvers.direct.protocols import Solver
+from groundslab.solvers.direct.superlu import SuperLU
 
 SOLVERS: dict[str, Solver] = {"pardiso": Pardiso, "cholmod": Cholmod, "superlu": SuperLU, "mumps": Mumps}
 #: What solvers need that does not come with groundslab, and how to get it.

@@ -18,8 +18,8 @@ from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, on_plate_edge, plate_settlement, surface_settlement
 from groundslab.solvers import contact
+from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.factor_reuse import CachedFactorization
-from groundslab.solvers.protocols import Solver
 from groundslab.solvers.solution import Solution
 
 #: A node starts closed where the coarser mesh's contact (-1 closed, 1 open, linear between) is below this: the value

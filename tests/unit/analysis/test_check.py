@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 
-from groundslab.analysis.driver import check, solve
+from groundslab.analysis.check import check
+from groundslab.analysis.driver import solve
 from groundslab.case.casefile import to_toml
 from groundslab.cli import main
 from groundslab.errors import InputError

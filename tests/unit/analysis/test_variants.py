@@ -11,7 +11,8 @@ import pytest
 from groundslab.analysis import driver, nested
 from groundslab.errors import InputError, NoEquilibrium, NotConverged
 from groundslab.model.model import Model
-from groundslab.solvers import factorization, protocols
+from groundslab.solvers import factorization
+from groundslab.solvers.direct import protocols
 
 pytestmark = pytest.mark.slow
 

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.analysis.driver import check, solve
+from groundslab.analysis.check import check
+from groundslab.analysis.driver import solve
 from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
 from groundslab.model.columns import Column

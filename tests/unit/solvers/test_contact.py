@@ -16,8 +16,8 @@ from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.assembly import Pattern
 from groundslab.fem.bearings import OPEN, YIELDING, Bearings, Contact, make_bearings
 from groundslab.solvers import contact, factor_reuse, factorization
+from groundslab.solvers.direct.protocols import Factor
 from groundslab.solvers.factor_reuse import CachedFactorization
-from groundslab.solvers.protocols import Factor
 from helpers.bearings import NODES, any_bearings, entries, one_element, positive
 
 

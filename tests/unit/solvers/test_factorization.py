@@ -12,7 +12,8 @@ from scipy.sparse import csr_array, triu
 
 from groundslab.errors import InputError, SingularMatrix
 from groundslab.fem.sparse import Symmetric
-from groundslab.solvers import factor_reuse, factorization, pardiso, protocols
+from groundslab.solvers import factor_reuse, factorization
+from groundslab.solvers.direct import pardiso, protocols
 
 SOLVERS = ["pardiso", "cholmod", "superlu"]
 PACKAGES = {"pardiso": "pypardiso", "cholmod": "cvxopt"}

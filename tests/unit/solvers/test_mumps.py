@@ -24,7 +24,7 @@ PATIENCE = 120.0
 PROGRAM = """
 import json, sys
 from groundslab import load, solve
-from groundslab.solvers import mumps
+from groundslab.solvers.direct import mumps
 from groundslab.errors import SingularMatrix
 from groundslab.solvers.factorization import choose
 import numpy as np

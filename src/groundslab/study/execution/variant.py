@@ -15,7 +15,8 @@ from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_cases import has_ultimate_combination
-from groundslab.solvers import factorization, pardiso
+from groundslab.solvers import factorization
+from groundslab.solvers.direct import pardiso
 from groundslab.study.definition import case_paths, outputs
 from groundslab.study.sampling import random_fields
 

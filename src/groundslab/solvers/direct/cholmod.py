@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Indices
 from groundslab.errors import SingularMatrix
-from groundslab.solvers.protocols import Factor
+from groundslab.solvers.direct.protocols import Factor
 
 
 class Cholmod:

@@ -1,0 +1,1 @@
+"""Direct solvers of libraries, behind one interface."""
