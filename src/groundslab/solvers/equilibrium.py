@@ -152,7 +152,8 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
     b, law = problem.bearing, problem.bearing.law
     full = np.zeros(len(law), dtype=bool)
     use = np.flatnonzero(~law.bilateral & (law.limit_force > 0))
-    size = problem.loading.size
+    # forced curvature, as by temperature, presses supports that pull against the ground without any force from outside
+    size = problem.loading.size or float(np.abs(problem.load[:, BETA_X : BETA_Y + 1]).sum() * scale[1])
     if not len(use) or size == 0:
         return 0.0, full
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
