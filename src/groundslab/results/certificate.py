@@ -187,7 +187,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
 
     settlement = max(np.abs(U[:, W]).max(), NOTHING * length)
-    gap, force, product = _bearing_errors(solution, NOTHING * size)
+    gap, force, product = _bearing_errors(solution, NOTHING / Certificate.TOLERANCE * size)
     share = 2.0 ** sum(problem.symmetry)
     return Certificate(
         residual=residual,
