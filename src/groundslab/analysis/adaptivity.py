@@ -25,7 +25,10 @@ MOST_UNKNOWNS = 300_000
 MOST_WORK = 2_400_000
 #: Errors aimed at, as a share of what is asked for: estimates are no bounds.
 AIM = 0.8
-#: An error is to fall by no more than this from one mesh to the next: one that is large says little.
+#: Elements that may stay as they are may become so many times larger: where meshes are made for the sizes that they
+#: have, sides come out smaller, on short edges half as long.
+KEPT = 1.25
+#: An error in energy is to fall by no more than this from one mesh to the next: one that is large says little.
 MOST_REDUCTION = 3.0
 #: Elements become at most so many times smaller from one mesh to the next.
 SMALLER = 8.0
@@ -73,6 +76,7 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: fl
             if first.unknowns > left / 2:
                 break
             sizes = sizes * np.sqrt(unknowns / left)
+        sizes = np.maximum(sizes, KEPT * sizes**2 / np.sqrt(area))
         results = solve(Meshes(local=join((mesh.xy[:, 8], sizes), start)))
     return results
 
@@ -85,8 +89,8 @@ def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: flo
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     h, p = np.sqrt(areas(mesh.xy)), float(np.clip(-np.log2(max(results.comparison.reduction, 1e-3)), *ORDERS))
     spread = next((each.share for each in judged if each.label not in LOCAL), 0.0)
-    sizes = h if not spread else _equidistributed(h, density, p, min(spread / (AIM * accuracy), MOST_REDUCTION))
-    sizes = np.minimum(sizes, _near_values(mesh, h, judged, p, AIM * accuracy))
+    sizes = h if not spread else _equidistributed(h, density, p, _reduction(spread, accuracy))
+    sizes = np.minimum(sizes, _near_values(mesh, h, judged, accuracy))
     found: Array = np.clip(sizes, h / SMALLER, h)
     return found
 
@@ -107,7 +111,12 @@ def _equidistributed(h: Array, density: Array, p: float, ratio: float) -> Array:
     return found
 
 
-def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], p: float, accuracy: float) -> Array:
+def _reduction(share: float, accuracy: float) -> float:
+    """Return by what the error in energy is to fall, of which that of a value is a square."""
+    return float(min((share / (AIM * accuracy)) ** 0.5, MOST_REDUCTION))
+
+
+def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: float) -> Array:
     """Return sizes (m,) [m] with which errors at the places of values fall to the accuracy; no limit elsewhere."""
     from scipy.spatial import KDTree
 
@@ -115,6 +124,5 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], p: float, accu
     for each in judged:
         if len(each.around):
             near = KDTree(each.around).query(mesh.xy[:, 8])[0] <= AROUND * h
-            ratio = min(each.share / accuracy, MOST_REDUCTION)
-            found[near] = np.minimum(found[near], h[near] * ratio ** (-1 / p))
+            found[near] = np.minimum(found[near], h[near] / _reduction(each.share, accuracy))
     return found
