@@ -16,7 +16,7 @@ from groundslab.discretize.discretize import discretize
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.problem import BETA_X
 from groundslab.model.ground import Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, TemperatureLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Contact, Mesh
@@ -280,3 +280,37 @@ def test_a_load_that_supports_take_up_to_the_limit_is_balanced() -> None:
     found = solve(hung(anchors, [UniformLoad(q=-79e3 / 24)]))
     assert found.certificate.holds
     assert sum(support.total for support in found.supports) <= -79e3 * (1 - 1e-9)
+
+
+def test_temperature_alone_presses_between_supports_that_pull_and_the_ground() -> None:
+    """Its couples have no resultant: a plate that anchors hold down warps against them, without any other load."""
+    anchors = [pile(x, y, "in tension") for x in (-2, 2) for y in (-1, 1)]
+    found = solve(hung(anchors, [TemperatureLoad(difference=-10.0)]))
+    assert found.certificate.holds
+    assert found.plate.contact_share > 0
+    with pytest.raises(NoEquilibrium):
+        solve(hung([], [TemperatureLoad(difference=-10.0)]))
+
+
+def test_rounding_beside_what_rigid_supports_carry_does_not_fail_the_certificate() -> None:
+    """A support pushed up by 3.8 mm takes some MN from its neighbors: the ground's 1e-10 N beside that is rounding."""
+    found = solve(
+        Model(
+            plate={
+                "length_x": 2, "length_y": 2, "thickness": 0.6864307576422247, "E": 1e10, "nu": 0, "element": "mitc9",
+                "edges": {"right": "hinged"},
+            },
+            ground={
+                "kind": "layered",
+                "coupling": "consistent",
+                "layers": [
+                    {"E": 81460065.19668013, "E_bottom": 5e6, "variation": "linear", "nu": 0, "thickness": 3.512}
+                ],
+            },
+            supports=[{"kind": "point", "name": "S1", "x": 0, "y": 0}, {"kind": "point", "x": 0.75, "y": 0}],
+            loads=[{"kind": "uniform", "q": 1e3}, {"kind": "settlement", "support": "S1", "w": -0.0038}],
+            mesh={"size": 0.5637530794220673},
+            analysis={"nested": False},
+        )
+    )  # fmt: skip
+    assert found.certificate.holds
