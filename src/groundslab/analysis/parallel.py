@@ -28,6 +28,8 @@ def run_parallel(
     `on_report` is called on the caller's thread while it waits for the task that reports, and exceptions of tasks are
     raised there. When the iteration is closed, running tasks end with their next report.
     """
+    from threadpoolctl import ThreadpoolController  # type: ignore[import-untyped,unused-ignore]
+
     stop = Event()
 
     def run(task: Callable[[Callable[[Report], None]], Result], reports: SimpleQueue[Report | None]) -> Result:
@@ -42,6 +44,8 @@ def run_parallel(
             reports.put(None)
 
     with ExitStack() as stack:
+        # NumPy's products are small here: further threads of theirs would only take the cores from the lanes
+        stack.enter_context(ThreadpoolController().select(internal_api="openblas").limit(limits=1))
         pools = [stack.enter_context(ThreadPoolExecutor(1, initializer=initialize)) for _ in lanes]
         submitted = []
         for turn in range(max(map(len, lanes))):
