@@ -12,6 +12,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
+from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import GAMMA_START, Soil
 from groundslab.results.certificate import decay_squared
@@ -44,6 +45,7 @@ class LoadStep:
     finest: bool
     max_iterations: int  # of contact
     report: OnStep
+    gamma: float | None = None  # known from another mesh, not to be found
 
 
 class _ContactIteration:
@@ -89,12 +91,19 @@ class _ContactIteration:
                 require_hold(step.system.problem, Contact(last["u"], state, last["force"]))
             raise
         self.near, self.state = found.u, found.state
-        return found
+        # where digits are few, what is found leads nowhere without refinement
+        return found if A.exact_products is None else self._refine(found, A)
+
+    def _refine(self, found: Contact, A: Symmetric) -> Contact:
+        """Return a solution just found without the rounding of its factorization."""
+        f = right_hand_side(self.step.system, self.step.factor)
+        return contact.refine(A, f, self.step.level.factorization, self.law, found)
 
     def solution(self, found: Contact, column: Column, gamma: float | None) -> Solution:
         """Return the solution of the load step; on the finest mesh raises NeutralEquilibrium if nothing holds it."""
         step, problem = self.step, self.step.system.problem
         if step.finest:
+            found = self._refine(found, step.level.stiffness(column, gamma))
             require_hold(problem, found)
         slip = step.slip + plastic_slip(self.law, found)
         return Solution(step.system, nodal_table(problem, found.u), found, column, gamma, self.law, slip)
@@ -105,10 +114,11 @@ def solve_load_step(step: LoadStep, start: Solution | None) -> Solution:
     iteration, ground = _ContactIteration(step, start), step.system.problem.ground
     if isinstance(ground, Column):
         column, gamma = ground, None
-    elif ground.gamma is None:
-        return _iterate_gamma(iteration, ground, start)
     else:
-        column, gamma = ground.column(ground.gamma), ground.gamma
+        known = ground.gamma if step.gamma is None else step.gamma
+        if known is None:
+            return _iterate_gamma(iteration, ground, start)
+        column, gamma = ground.column(known), known
     return iteration.solution(iteration.solve(column, gamma), column, gamma)
 
 
@@ -121,7 +131,7 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
     tolerance = GAMMA_TOLERANCE if step.finest else GAMMA_TOLERANCE_COARSE
     history: list[tuple[float, float]] = []
     while len(history) < MAX_GAMMA_ITERATIONS:
-        column = soil.column(gamma)
+        column = soil.column(gamma, by_table=start is not None or len(history) > 0)
         found = iteration.solve(column, gamma)
         U = nodal_table(problem, found.u)
         # a plate that its supports carry clear of the ground leaves nothing to find gamma from

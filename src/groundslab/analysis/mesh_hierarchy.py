@@ -39,6 +39,7 @@ class Level:
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
     locations: warm_start.NodeLocations | None = None  # of its nodes in the next coarser mesh
     rigid: Array | None = None  # the plate's rigid motions
+    column: Column | None = None  # of the ground, for the first gamma
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
     prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
 
@@ -50,6 +51,14 @@ class Level:
                 A = replace(A, exact_products=exact_rigid_products(self.system, column))
             self.matrix = gamma, A
         return self.matrix[1]
+
+    @property
+    def first_column(self) -> Column:
+        """Return the column of the ground, for the gamma that is given, or from which it is iterated."""
+        if self.column is None:
+            ground = self.system.problem.ground
+            self.column = ground if isinstance(ground, Column) else ground.first_column()
+        return self.column
 
     @property
     def motions(self) -> Array:

@@ -13,7 +13,6 @@ from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import coarsest, has_coarser
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
-from groundslab.fem.foundation import Column
 from groundslab.fem.problem import W
 from groundslab.fem.system import System
 from groundslab.model.loads.load_cases import Combination
@@ -76,7 +75,7 @@ def margin_effect(
     """Return the change of any settlement by a wider margin of infinite ground, over the largest settlement.
 
     Both meshes are the same on the plate, where their nodes have the same numbers. They are coarser than that of the
-    solutions found, one for each load increment, from which they start.
+    solutions found, one for each load increment, from which they start and whose gamma they have.
     """
     narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
     under = narrow.system.problem.plate_nodes
@@ -86,13 +85,15 @@ def margin_effect(
 
 
 def _solve_from(hierarchy: MeshHierarchy, combination: str, factors: Array, found: Sequence[Solution]) -> Solution:
-    """Return the solution under the full load, started from those on another mesh, if that converges."""
-    if not hierarchy.has_reference(combination):
-        level = hierarchy.level(hierarchy.finest)
-        with suppress(NotConverged):
-            solutions = _solve_increments(hierarchy.model, _load_system(level, factors), level, found, _ignore, True)
-            hierarchy.store(combination, solutions)
-            return solutions[-1]
+    """Return the solution under the full load with the gammas found, started from what is known, if that converges."""
+    level = hierarchy.level(hierarchy.finest)
+    s = _load_system(level, factors)
+    known = hierarchy.matching(combination, s) if hierarchy.has_reference(combination) else []
+    gammas = [each.gamma for each in found]
+    with suppress(NotConverged, SingularMatrix):
+        solutions = _solve_increments(hierarchy.model, s, level, known or found, _ignore, True, gammas)
+        hierarchy.store(combination, solutions)
+        return solutions[-1]
     return solve_nested(hierarchy, combination, factors, _ignore)[0][-1]
 
 
@@ -106,8 +107,7 @@ def _load_system(level: Level, factors: Array) -> System:
     """Return the system of a mesh under load cases times factors; raises an error if it cannot be solved."""
     problem = level.system.problem.combine(factors)
     require_equilibrium(problem)
-    soil = problem.ground
-    require_digits(level.system, soil if isinstance(soil, Column) else soil.first_column())
+    require_digits(level.system, level.first_column)
     return replace(level.system, problem=problem)
 
 
@@ -131,9 +131,18 @@ def _first(model: Model) -> int:
 
 
 def _solve_increments(
-    model: Model, s: System, level: Level, coarser: Sequence[Solution], report: OnStep, finest: bool
+    model: Model,
+    s: System,
+    level: Level,
+    coarser: Sequence[Solution],
+    report: OnStep,
+    finest: bool,
+    gammas: Sequence[float | None] = (),
 ) -> list[Solution]:
-    """Return a solution for each load increment, each started from the same increment on the coarser mesh."""
+    """Return a solution for each load increment, each started from the same increment on the coarser mesh.
+
+    gammas are those of the increments, where they are not to be found.
+    """
     found: list[Solution] = []
     for number in range(1, model.analysis.increments + 1):
         start = coarser[number - 1] if coarser else (found[-1] if found else None)
@@ -143,6 +152,7 @@ def _solve_increments(
 
         factor = number / model.analysis.increments
         slip = found[-1].slip if found else np.zeros(len(s.problem.bearing.law))
-        step = LoadStep(s, level, factor, slip, finest, model.analysis.max_iterations, report_increment)
+        gamma = gammas[number - 1] if gammas else None
+        step = LoadStep(s, level, factor, slip, finest, model.analysis.max_iterations, report_increment, gamma)
         found.append(solve_load_step(step, start))
     return found

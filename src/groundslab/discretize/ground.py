@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -23,6 +24,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Ring
+from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
 from groundslab.model.model import Model
 from groundslab.model.varying_ground import Borehole
@@ -76,7 +78,8 @@ def ground_under(
         return only, none if isinstance(only, Soil) else _constants(model.ground, tables[0])
     found, share = _make_ground(model.ground, tables), _share(parts, mesh, plate_elements)
     if isinstance(found, Soil):
-        return Soil(found.layers, found.way, found.as_printed, found.gamma, parts, share), none
+        many = found.gamma is None and not factors and len(list_combinations(model)) > 1
+        return replace(found, parts=parts, area_fraction=share, table={} if many else None), none
     k0, k1 = _constants(model.ground, tables)
     return found.mix(parts), (share @ k0, share @ k1)
 

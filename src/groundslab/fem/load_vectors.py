@@ -90,7 +90,9 @@ def integrate_over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressu
     """Return int q N dA (m, 9) over the part of each element that lies in a polygon: [m2], or [N] for a q [Pa]."""
     from shapely import contains, intersection, intersects, polygons, prepare
 
-    shares = np.zeros((len(elements), 9))
+    total = np.zeros((len(elements), 9))
+    near = np.flatnonzero(_meets_box(mesh.nodes[mesh.elements[elements]], part.bounds))
+    elements, shares = elements[near], total[near]
     outlines = polygons(_outlines(mesh.nodes[mesh.elements[elements]]))
     prepare(part)
     touched = intersects(outlines, part)
@@ -107,7 +109,8 @@ def integrate_over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressu
         element = np.repeat(elements[cut[owner]], len(weights))
         N, _ = q9(local_coordinates(mesh, element, x.reshape(-1, 2)))
         np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
-    return shares
+    total[near] = shares
+    return total
 
 
 def integrate_along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple[float, float] = (1.0, 1.0)) -> Array:

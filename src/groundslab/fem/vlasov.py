@@ -9,6 +9,7 @@ varies over the plan there are c columns of layers, each with k0 and k1 of its o
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -24,9 +25,12 @@ _COTH = np.array([
     1 / 3, 1 / 45, 2 / 945, 1 / 4725, 2 / 93555, 1382 / 638512875, 4 / 18243225, 3617 / 162820783125,
 ])  # fmt: skip
 
-#: The modes of many columns are integrated over a layer in so many steps, more where they die out in it or its modulus
-#: varies much; of so many columns at a time, to spare memory.
-STEPS, CHUNK = 16, 4096
+#: Modes are integrated in so many steps over a layer whose modulus changes by a factor of e, more where they die out in
+#: it; of so many columns at a time, to spare memory.
+STEPS, CHUNK = 32, 1024
+#: A table of k0 and k1 over gamma has polynomials through so many points on each octave, good to 5e-9, in so many below
+#: and above 1; outside these they are computed anew.
+NODES, OCTAVES = 14, 10
 
 #: What the iteration of gamma begins with.
 GAMMA_START = 1.0
@@ -120,10 +124,8 @@ def profile(layers: tuple[Layer, ...], decay2: float, points: int = 60) -> Mode:
 def profiles(layers: tuple[Layer, ...], decay2: Array) -> tuple[Array, Array]:
     """Return k0 [Pa/m] and k1 [Pa m], each (c,), under each column's own mode; decay2 (c,) [1/m2] as in `profile`.
 
-    The least energy k0 + decay2 k1 is the stiffness Z = -Ec psi' / psi of the top, and k1 its derivative by decay2.
-    From the base upwards Z' = decay2 G - Z^2 / Ec, and its inverse Y' = 1 / Ec - decay2 G Y^2, of which the one is
-    integrated in which the solution is no faster than the mode dies out; through a layer of one modulus it is known. k0
-    and k1 are good to 1e-6.
+    The least energy k0 + decay2 k1 is the stiffness Z = Ec psi' / psi of the top, upwards, and k1 its derivative by
+    decay2: psi' = (Ec psi') / Ec and (Ec psi')' = decay2 G psi from the base, where psi = 0.
     """
     k0, k1 = np.empty(len(decay2)), np.empty(len(decay2))
     for start in range(0, len(decay2), CHUNK):
@@ -135,70 +137,59 @@ def profiles(layers: tuple[Layer, ...], decay2: Array) -> tuple[Array, Array]:
 
 def _stiffness_of_top(layers: list[Layer], decay2: Array) -> tuple[Array, Array]:
     """Return Z [Pa/m] and its derivative by decay2 [Pa m], (c,) each, see `profiles`."""
-    y, dy = np.zeros((2, len(decay2)))  # Y or Z, and its derivative
-    inverse = np.ones(len(decay2), dtype=bool)  # where it is Y
-    for layer in reversed(layers):
-        even = (np.asarray(layer.moduli[1:]) == 0).all(axis=0)
-        lasting = np.sqrt(decay2 * layer.shear * layer.oedometric_ratio) * layer.E(np.array(1.0))
-        other = np.where(inverse, y * lasting, y / np.maximum(lasting, np.finfo(float).tiny)) > 1
-        other = np.where(even, ~inverse, other)
-        dy[other] /= -(y[other] ** 2)
-        y[other] = 1 / y[other]
-        inverse ^= other
-        if even.any():
-            y[even], dy[even] = _through_even(layer.at(even), decay2[even], y[even], dy[even])
-        for own, of_inverse in ((inverse & ~even, True), (~inverse, False)):
-            if own.any():
-                y[own], dy[own] = _integrate_upwards(layer.at(own), decay2[own], of_inverse, y[own], dy[own])
-    return np.where(inverse, 1 / y, y), np.where(inverse, -dy / y**2, dy)
+    steps = [_steps(layer, decay2) for layer in reversed(layers)]
+    M, dM = (np.concatenate(parts, axis=2) for parts in zip(*steps, strict=True))
+    while M.shape[2] > 1:
+        # the product of two steps, the upper one times the lower one; a single one at the top waits
+        pairs = M.shape[2] // 2 * 2
+        (low, high), (d_low, d_high) = ((part[..., :pairs:2, :], part[..., 1:pairs:2, :]) for part in (M, dM))
+        merged, d_merged = _times(high, low), _times(d_high, low) + _times(high, d_low)
+        M, dM = (np.concatenate([new, old[..., pairs:, :]], axis=2) for new, old in ((merged, M), (d_merged, dM)))
+    (_, psi), (_, force) = M[:, :, 0]
+    (_, d_psi), (_, d_force) = dM[:, :, 0]
+    return force / psi, (d_force - force / psi * d_psi) / psi
 
 
-def _through_even(layer: Layer, decay2: Array, y: Array, dy: Array) -> tuple[Array, Array]:
-    """Return Y and its derivative by decay2 at the top of a layer of one modulus from those at its bottom, (c,) each.
+def _times(left: Array, right: Array) -> Array:
+    """Return the products of two by two matrices, whose rows and columns come first."""
+    product: Array = np.einsum("ij...,jk...->ik...", left, right)
+    return product
 
-    Y_top = (Y + p) / (1 + q Y) with p = h / Ec * tanh g / g, q = decay2 G h * tanh g / g and g^2 = decay2 h^2 G / Ec.
+
+def _steps(layer: Layer, decay2: Array) -> tuple[Array, Array]:
+    """Return what takes (psi, Ec psi') upwards over each step through a layer, and its derivative by decay2.
+
+    Both (2, 2, n, c), from the bottom to the top, with a common factor left out. exp(W) = cosh m + sinh m / m W with
+    m^2 = -det W is Magnus' rule of fourth order, exact for one modulus: W is the mean of the matrices at two Gauss
+    points times the step, and the commutator of both times step^2 sqrt(3) / 12 (Blanes, Casas, Oteo and Ros 2009).
     """
-    h, Ec, G = layer.thickness, layer.oedometric_ratio * layer.moduli[0], layer.shear * layer.moduli[0]
-    of_g2 = h**2 * G / Ec
-    small = of_g2 * decay2 < 3e-3
-    x = np.where(small, of_g2 * decay2, 0.0)
-    series = 1 - x / 3 + 2 * x**2 / 15 - 17 * x**3 / 315, of_g2 * (-1 / 3 + 4 * x / 15 - 17 * x**2 / 105)
-    g = np.sqrt(np.where(small, 1.0, of_g2 * decay2))
-    T = np.tanh(g)
-    closed = T / g, (1 - T**2 - T / g) / (2 * np.where(small, 1.0, decay2))
-    share, slope = (np.where(small, *each) for each in zip(series, closed, strict=True))
-    p, dp = h / Ec * share, h / Ec * slope
-    q, dq = decay2 * G * h * share, G * h * (share + decay2 * slope)
-    below = 1 + q * y
-    return (y + p) / below, (dy + dp) / below - (y + p) * (q * dy + dq * y) / below**2
-
-
-def _integrate_upwards(layer: Layer, decay2: Array, inverse: bool, y: Array, dy: Array) -> tuple[Array, Array]:
-    """Return y and its derivative by decay2 at a layer's top from those at its bottom, (c,) each, see `profiles`.
-
-    y' = a - b y^2 with a = decay2 G and b = 1 / Ec, or the other way round where y is the inverse; by Runge and Kutta's
-    rule of fourth order.
-    """
-    dying_out = np.sqrt(decay2 * layer.shear / layer.oedometric_ratio) * layer.thickness
     E = layer.E(np.linspace(0, 1, 5)[:, None])
-    n = int(max(STEPS * (1 + np.log(E.max(axis=0) / E.min(axis=0)) + dying_out / 2)))
-    E = layer.E((1 - np.arange(2 * n + 1) / (2 * n))[:, None])
-    soft, stiff = layer.thickness / (n * layer.oedometric_ratio * E), layer.thickness / n * layer.shear * E
-    none, decaying = np.zeros(2 * n + 1), decay2 * stiff
-    a, b, da, db = (soft, decaying, none, stiff) if inverse else (decaying, soft, stiff, none)
+    varies = np.log(E.max(axis=0) / E.min(axis=0))
+    dying_out = np.sqrt(decay2 * layer.shear / layer.oedometric_ratio) * layer.thickness
+    n = math.ceil(max(np.where(varies > 0, STEPS * (varies + dying_out / 4), 1.0)))
+    h, offset = layer.thickness / n, np.array([-1, 1]) / math.sqrt(12)
+    one, two = (layer.E(1 - (np.arange(n)[:, None] + 0.5 + share) / n) for share in offset)
+    compliance = h / 2 / layer.oedometric_ratio * (1 / one + 1 / two)
+    shear = h / 2 * layer.shear * (one + two)
+    commutator = h**2 * math.sqrt(3) / 12 * layer.shear / layer.oedometric_ratio * (one / two - two / one)
+    f, slope = _tanh_share(decay2**2 * commutator**2 + decay2 * compliance * shear)
+    d_f = slope * (2 * decay2 * commutator**2 + compliance * shear)
+    none = np.zeros_like(shear)
+    W = np.array([[decay2 * commutator, compliance], [decay2 * shear, -decay2 * commutator]])
+    dW = np.array([[commutator, none], [shear, -commutator]])
+    return np.eye(2)[:, :, None, None] + f * W, d_f * W + f * dW
 
-    def slope(i: int, y: Array, dy: Array) -> tuple[Array, Array]:
-        by = b[i] * y
-        return a[i] - by * y, da[i] - db[i] * y**2 - 2 * by * dy
 
-    for i in range(0, 2 * n, 2):
-        one, d_one = slope(i, y, dy)
-        two, d_two = slope(i + 1, y + one / 2, dy + d_one / 2)
-        three, d_three = slope(i + 1, y + two / 2, dy + d_two / 2)
-        four, d_four = slope(i + 2, y + three, dy + d_three)
-        y = y + (one + 2 * (two + three) + four) / 6
-        dy = dy + (d_one + 2 * (d_two + d_three) + d_four) / 6
-    return y, dy
+def _tanh_share(x: Array) -> tuple[Array, Array]:
+    """Return tanh(m) / m for m^2 = x, and its derivative by x."""
+    small = x < 3e-3
+    near = np.where(small, x, 0.0)
+    series = 1 - near / 3 + 2 * near**2 / 15 - 17 * near**3 / 315, -1 / 3 + 4 * near / 15 - 17 * near**2 / 105
+    far = np.where(small, 1.0, x)
+    T = np.tanh(np.sqrt(far))
+    closed = T / np.sqrt(far), (1 - T**2 - T / np.sqrt(far)) / (2 * far)
+    f, slope = (np.where(small, *each) for each in zip(series, closed, strict=True))
+    return f, slope
 
 
 def _over_the_depth(layers: tuple[Layer, ...], decay2: float, points: int) -> tuple[Array, Array, Array]:
@@ -256,6 +247,7 @@ class Soil:
     gamma: float | None = None  # given; None if it is to be found from the settlement
     parts: Parts | None = None  # which columns the elements have; None if all have the one
     area_fraction: Array | None = None  # (c,): of the plate's area on each column
+    table: dict[int, Array] | None = None  # of profiles' k0 and k1, by octaves of gamma, if many are looked up
 
     @property
     def depth(self) -> Values:
@@ -303,6 +295,20 @@ class Soil:
             raise InputError([Issue("ground.formulas", found, "formulas without misprints", 'use formulas = "exact"')])
         return k0, k1
 
+    def _look_up(self, gamma: float) -> tuple[Array, Array]:
+        """Return k0 [Pa/m] and k1 [Pa m] (c, 1) of profiles as `layer_parameters`, by the table: many for a few."""
+        place = math.log2(gamma) if gamma > 0 else -math.inf
+        if self.table is None or not abs(place) < OCTAVES:
+            return self.layer_parameters(gamma)
+        octave, at = math.floor(place), np.polynomial.chebyshev.chebpts1(NODES)
+        if octave not in self.table:
+            found = [self.layer_parameters(2 ** (octave + (x + 1) / 2)) for x in at]
+            polynomials = np.polynomial.chebyshev.chebvander(at, NODES - 1)
+            self.table[octave] = np.asarray(np.linalg.solve(polynomials, np.log(found).reshape(NODES, -1)))
+        terms = np.polynomial.chebyshev.chebvander(2 * (place - octave) - 1, NODES - 1)
+        k0, k1 = np.exp(terms @ self.table[octave]).reshape(2, -1, 1)
+        return k0, k1
+
     def mode(self, gamma: float, points: int = 60) -> Mode | None:
         """Return the mode of soil that is the same everywhere; None for interface layers, each of which has its own."""
         if self.way == "interface":
@@ -313,9 +319,12 @@ class Soil:
         s = np.linspace(0.0, 1.0, points + 1)
         return Mode(s * self.depth, sinh_mode(s, gamma), float(k0[0]), float(k1[0]))
 
-    def column(self, gamma: float) -> Column:
-        """Return the column of the ground for a gamma, by element where the soil varies."""
-        k0, k1 = self.layer_parameters(gamma)
+    def column(self, gamma: float, by_table: bool = False) -> Column:
+        """Return the column of the ground for a gamma, by element where the soil varies.
+
+        Many gammas of the same octave, or nearly, take less time `by_table`.
+        """
+        k0, k1 = self._look_up(gamma) if by_table else self.layer_parameters(gamma)
         found = interface_stack(k0, k1) if self.way == "interface" else single(k0[..., 0], k1[..., 0])
         return found if self.parts is None else found.mix(self.parts)
 

@@ -52,7 +52,7 @@ def solve(
     near: Array | None = None,
     motions: Array | None = None,
 ) -> Contact:
-    """Return the solution of A u - f = forces of the bearings.
+    """Return the solution of A u - f = forces of the bearings, to the digits of one substitution (see `refine`).
 
     start (c,) holds the initial states; near (size,) approximates the solution; motions (size, m) are those of the
     plate as a rigid body, against which only the bearings hold it; report takes iteration, touching bearings and
@@ -79,7 +79,7 @@ def solve(
             wrong = after != state
             record(state, int(wrong.sum()))
             if not wrong.any():
-                return _refine(found, b, factorization)
+                return found.contact
             # close to a cycle decisions must not rest on the residual of conjugate gradients
             last, near = found.contact.u, found.contact.u if progress.update(state, wrong) else None
             state = after
@@ -144,18 +144,20 @@ def _solve_states(
     return iterate(u, residual)
 
 
-def _refine(s: _Iterate, b: Bearings, factorization: CachedFactorization) -> Contact:
-    """Return a solution without the rounding of the factorization."""
-    A, u, before = s.system.A, s.contact.u.copy(), np.inf
+def refine(A: Symmetric, f: Array, factorization: CachedFactorization, b: Bearings, found: Contact) -> Contact:
+    """Return a solution that `solve` has just found without the rounding of the factorization."""
+    system, load = _constrain(A, f, b, found.state)
+    if not factorization.holds(system) and not factorization.preconditions(system):
+        return found  # one of many solutions, whose states no factor belongs to
+    u, before = found.u.copy(), np.inf
     for _ in range(MAX_REFINEMENTS):
-        residual = s.load - A @ u
-        largest = np.abs((residual - s.system.diagonal_shift * u)[~s.system.fixed]).max(initial=0.0)
+        residual = load - A @ u
+        largest = np.abs((residual - system.diagonal_shift * u)[~system.fixed]).max(initial=0.0)
         if largest <= REFINEMENT_TOLERANCE * np.abs(residual).max(initial=0.0) or largest > before / 2:
             break
         before = largest
-        factorization.iterate(s.system, s.load, u, residual, 1)
-    state = s.contact.state
-    return Contact(u, state, _bearing_forces(b, state, u, s.bearing_load - (s.load - A @ u)))
+        factorization.iterate(system, load, u, residual, 1)
+    return Contact(u, found.state, _bearing_forces(b, found.state, u, load - f - (load - A @ u)))
 
 
 def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> Array:

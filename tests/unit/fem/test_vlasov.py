@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.integrate import quad, solve_bvp
 
-from groundslab.fem.foundation import Layer
-from groundslab.fem.vlasov import Mode, Soil, parameters, parameters_as_printed, profile
+from groundslab.fem.foundation import Layer, Parts
+from groundslab.fem.vlasov import Mode, Soil, parameters, parameters_as_printed, profile, profiles
 
 GAMMAS = [1e-6, 1e-4, 0.01, 0.1, 0.29, 0.2999, 0.3, 0.3001, 0.5, 1.0, 1.1316, 1.4, 2.1327, 5.0, 20.0, 100.0]
 #: E = c0 + c1 s + c2 s^2, alone and mixed.
@@ -216,6 +216,44 @@ def test_profile_of_layers_solves_the_equation(decay2: float) -> None:
         np.testing.assert_allclose(mode.psi[inside], wanted.sol((mode.z[inside] - top[i]) / h[i])[i], atol=2e-7)
     # the energy of the mode is the work of the stress at the top
     assert mode.k0 + decay2 * mode.k1 == pytest.approx(-wanted.y[n, 0], rel=1e-6)
+
+
+def soil_of_columns(rng: np.random.Generator, c: int) -> Soil:
+    """Return soil of c columns of three layers each, whose moduli are even, linear and quadratic over the depth."""
+    top = 10 ** rng.uniform(6, 8.5, (3, c))
+    change = top * rng.uniform(-0.7, 2, (3, c))
+    layers = (
+        Layer(10 ** rng.uniform(-0.5, 1, c), (top[0], 0 * top[0], 0 * top[0]), rng.uniform(0.1, 0.45, c)),
+        Layer(10 ** rng.uniform(-0.5, 1, c), (top[1], change[1], 0 * top[1]), rng.uniform(0.1, 0.45, c)),
+        Layer(10 ** rng.uniform(-0.5, 1, c), (top[2], 0 * top[2], change[2]), rng.uniform(0.1, 0.45, c)),
+    )
+    parts = Parts(np.arange(c), np.arange(c), np.ones(c))
+    return Soil(layers, "profile", parts=parts, area_fraction=np.full(c, 1 / c), table={})
+
+
+@pytest.mark.parametrize("decay2", [0.0, 1e-6, 0.01, 0.3, 5.0, 100.0])
+def test_profiles_of_many_columns(decay2: float) -> None:
+    """Each column has the constants of its own profile by finite elements, which are good to 1e-8; these to 1e-6."""
+    soil = soil_of_columns(np.random.default_rng(1), 12)
+    k0, k1 = profiles(soil.layers, np.full(12, decay2))
+    for i in range(12):
+        own = tuple(
+            Layer(layer.thickness[i], (layer.moduli[0][i], layer.moduli[1][i], layer.moduli[2][i]), layer.nu[i])  # type: ignore[index]
+            for layer in soil.layers
+        )
+        mode = profile(own, decay2, 200)
+        assert (k0[i], k1[i]) == pytest.approx((mode.k0, mode.k1), rel=1e-6)
+
+
+def test_the_table_over_gamma_has_eight_digits() -> None:
+    """Between its nodes, on several octaves; far outside gammas of soil it is not used."""
+    soil = soil_of_columns(np.random.default_rng(2), 40)
+    for gamma in [0.0, 1e-4, *np.geomspace(0.05, 20, 60), 1500.0]:
+        direct, by_table = soil.column(gamma), soil.column(gamma, by_table=True)
+        np.testing.assert_allclose(by_table.A0, direct.A0, rtol=5e-9)
+        np.testing.assert_allclose(by_table.A1, direct.A1, rtol=5e-9)
+    assert soil.table is not None
+    assert sorted(soil.table) == list(range(-5, 5))
 
 
 def energy(layers: tuple[Layer, ...], decay2: float, trial: object, slope: object) -> float:
