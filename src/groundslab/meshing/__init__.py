@@ -14,7 +14,7 @@ from groundslab.meshing import quadrangulation, sizing
 from groundslab.meshing.backends import Maker, available, choose, with_netgen
 from groundslab.meshing.cells import Cells
 from groundslab.meshing.grid import rectilinear
-from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish
+from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish, on_bounds
 from groundslab.meshing.quality import quality
 from groundslab.meshing.sizing import Sources
 
@@ -92,6 +92,6 @@ def unstructured(
 def _quadrilaterals(plan: Plan, cells: Cells) -> PlanMesh:
     """Return cells cut into good nine-node quadrilaterals, or say that there are bad ones."""
     nodes, elements = quadrangulation.make_elements(cells)
-    result = finish(nodes, elements, sections(plan, nodes[elements[:, 8]]))
+    result = finish(on_bounds(plan, nodes), elements, sections(plan, nodes[elements[:, 8]]))
     check_area(plan, result)
     return result

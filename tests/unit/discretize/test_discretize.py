@@ -29,6 +29,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.varying_ground import GapPoint, Void
+from helpers.plans import needs_gmsh
 
 LX, LY = 6.0, 4.0
 ELEMENTS = ["mitc9", "q9", "heterosis"]
@@ -557,3 +558,16 @@ def test_a_rigid_plate_takes_up_a_measured_gap() -> None:
     parts = {"gaps": [GapPoint(x=1.0, y=1.0, gap=3e-3)], "ground": Winkler(k=1e7), "counts": (4, 4)}
     settlement = solve(model([UniformLoad(q=1e4)], **parts)).plate.settlement
     np.testing.assert_allclose(settlement, 3e-3 + 1e-3, rtol=1e-9)
+
+
+@needs_gmsh
+def test_infinite_edges_of_a_mesh_that_is_no_grid() -> None:
+    """All around a plate with an oblique edge, whatever rounding its mesh comes with."""
+    outline = {"kind": "polygon", "points": [(0, 0), (7, 0), (8, 3), (5, 6), (0, 6)]}
+    for width in (1.3, 1.7, 2.9):
+        plate = {"outline": outline, "thickness": 0.4, "E": 30e9, "nu": 0.2}
+        beyond = Beyond(kind="infinite", width=width)
+        problem = discretize(model().replace(plate=plate, mesh={"size": 1.0}, beyond=beyond))
+        ends = problem.mesh.nodes[problem.edges]
+        assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() == pytest.approx(2 * (8 + 6 + 4 * width))
+        assert len(problem.corners) == 4
