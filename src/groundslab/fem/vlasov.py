@@ -144,6 +144,7 @@ def _stiffness_of_top(layers: list[Layer], decay2: Array) -> tuple[Array, Array]
         pairs = M.shape[2] // 2 * 2
         (low, high), (d_low, d_high) = ((part[..., :pairs:2, :], part[..., 1:pairs:2, :]) for part in (M, dM))
         merged, d_merged = _times(high, low), _times(d_high, low) + _times(high, d_low)
+        merged, d_merged = merged / merged[1, 1], d_merged / merged[1, 1]  # a factor of both changes nothing
         M, dM = (np.concatenate([new, old[..., pairs:, :]], axis=2) for new, old in ((merged, M), (d_merged, dM)))
     (_, psi), (_, force) = M[:, :, 0]
     (_, d_psi), (_, d_force) = dM[:, :, 0]
