@@ -19,10 +19,11 @@ from groundslab.results.results import CombinationResult, Results
 
 #: So many meshes are made at most,
 MOST_MESHES = 5
-#: of at most about so many unknowns each, and so many together, times the combinations; one with more than half of what
-#: is left is not followed by another.
+#: of at most about so many unknowns each, and so many together, times the combinations; one with more than a share of
+#: what is left is not followed by another.
 MOST_UNKNOWNS = 300_000
-MOST_WORK = 2_400_000
+MOST_WORK = 4_000_000
+MOST_SHARE = 0.8
 #: Errors aimed at, as a share of what is asked for: estimates are no bounds.
 AIM = 0.8
 #: Elements that may stay as they are may become so many times larger: where meshes are made for the sizes that they
@@ -73,12 +74,20 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: fl
         spent += first.unknowns
         left = min(MOST_UNKNOWNS, MOST_WORK / len(results) - spent)
         if unknowns > left:
-            if first.unknowns > left / 2:
+            if first.unknowns > MOST_SHARE * left:
                 break
             sizes = sizes * np.sqrt(unknowns / left)
-        sizes = np.maximum(sizes, KEPT * sizes**2 / np.sqrt(area))
-        results = solve(Meshes(local=join((mesh.xy[:, 8], sizes), start)))
+        ratio = sizes / np.sqrt(area)
+        extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * _extents(mesh)
+        results = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))
     return results
+
+
+def _extents(mesh: Mesh) -> Array:
+    """Return the elements' extents along x and y (m, 2) [m]: sides of rectangles, else those of squares as large."""
+    sides, area = np.ptp(mesh.xy[:, :4], axis=1), areas(mesh.xy)
+    rectangle = np.isclose(sides.prod(axis=1), area)
+    return np.where(rectangle[:, None], sides, np.sqrt(area)[:, None])
 
 
 def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: float) -> Array:

@@ -14,7 +14,7 @@ from groundslab.discretize.singular_places import forces_without_footprint
 from groundslab.fem.foundation import Column
 from groundslab.fem.plate import bending_rigidity
 from groundslab.geometry.plan import Ring, circle
-from groundslab.meshing.sizing import Sources, along
+from groundslab.meshing.sizing import LocalExtents, along
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.loads.load_types import PatchLoad, PointLoad
 from groundslab.model.model import Model
@@ -25,30 +25,33 @@ PLACES_PER_SIDE = 2
 SURE = 0.72
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
+#: Footprints are to have more than so many elements across: two of the next coarser mesh, which are halved.
+ACROSS = 2.5
 #: The first of adaptive meshes has no elements larger than the elastic length, along free edges, where shear forces
 #: change within a thickness, than the thickness; but for them at most so many on the shorter side.
 MOST_ON_SHORT_SIDE = 96
 
 
-def local_sizes(model: Model) -> Sources | None:
-    """Return places (k, 2) [m] with the sizes (k,) [m] that elements have there at most, None without such places.
+def local_sizes(model: Model) -> LocalExtents | None:
+    """Return places (k, 2) [m] with the extents (k, 2) [m] that elements have there at most, None without such places.
 
     Footprints, elastic length and thickness count where the mesh is adaptive: elements that do not see them cannot tell
-    their error either.
+    their error either. Free edges limit the extent across them.
     """
-    found = [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
+    found: list[tuple[Array, float | Array]] = []
+    found += [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
     if model.mesh.adaptive:
         least = min(model.plate.sides) / MOST_ON_SHORT_SIDE
         size, edge_size = max(_elastic_length(model), least), max(model.plate.thickness, least)
         if size < min(model.plate.sides) / SHORT_SIDE_ELEMENTS:
             found.append((_places(model.plate.ring(), size), size))
-        rings = [model.plate.ring(), *(each.ring() for each in model.plate.openings)]
-        found += [(along(ring, edge_size), edge_size) for ring in rings]
-        found += [(_raster(ring.bounds, 3, 3), min(_sides(ring))) for ring in _footprints(model)]
+        for ring in [model.plate.ring(), *(each.ring() for each in model.plate.openings)]:
+            found += _across(ring, edge_size)
+        found += [(_raster(ring.bounds, 3, 3), min(_sides(ring)) / ACROSS) for ring in _footprints(model)]
     if not found:
         return None
     places = np.concatenate([where for where, _ in found])
-    return places, np.concatenate([np.full(len(where), size) for where, size in found])
+    return places, np.concatenate([np.full(where.shape, extents) for where, extents in found])
 
 
 def _elastic_length(model: Model) -> float:
@@ -59,6 +62,16 @@ def _elastic_length(model: Model) -> float:
     grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
     k = max(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
     return float((min(bending_rigidity(*part)[0, 0] for part in parts) / k) ** 0.25)
+
+
+def _across(ring: Ring, size: float) -> Iterator[tuple[Array, Array]]:
+    """Yield places (p, 2) along each edge of a ring, with extents (2,) [m] of a size across it."""
+    for edge in ring.segments():
+        extents = np.full(2, size)
+        if edge.straight and edge.along_axis:
+            extents[int(edge.start[0] == edge.end[0])] = np.inf
+        n = max(1, math.ceil(edge.length / size))
+        yield edge.at(np.linspace(0, 1, n + 1)), extents
 
 
 def _places(ring: Ring, size: float) -> Array:

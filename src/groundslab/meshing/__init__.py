@@ -16,7 +16,7 @@ from groundslab.meshing.cells import Cells
 from groundslab.meshing.grid import rectilinear
 from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish, on_bounds
 from groundslab.meshing.quality import quality
-from groundslab.meshing.sizing import Sources
+from groundslab.meshing.sizing import LocalExtents
 
 __all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
 
@@ -24,9 +24,9 @@ __all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netge
 ENOUGH = 0.35
 #: Such a next mesh takes the place of the one before if its least scaled Jacobian is larger by this.
 CLEARLY = 0.05
-#: Smaller elements in places make a grid of lines through the whole plan while it has no more than this many times the
-#: elements that would do: those of a grid are the better ones.
-MORE = 2.0
+#: Smaller elements in places make a grid of lines through the whole plan if it has no more than this many times the
+#: elements that would do, or no more than the mesh that a maker has for them.
+FEW = 1.5
 
 
 def mesh(
@@ -35,14 +35,14 @@ def mesh(
     beyond_growth: float | None = None,
     maker: Maker | None = None,
     edge_size: float | None = None,
-    local: Sources | None = None,
+    local: LocalExtents | None = None,
 ) -> PlanMesh:
     """Return a mesh with sides of at most about `size` [m], smaller where the plan requires it.
 
     On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
     the plate's longer side). Along the plate's edges on this ground, on both sides, they are at most `edge_size` [m]
-    (default: `size`); near the places `local` at most of the sizes there, from where they grow. Where a grid does
-    not fit, or would have many more elements, `maker` makes the cells (default: what `choose` returns).
+    (default: `size`); near the places `local` at most of the extents there, from where they grow. Where a grid does
+    not fit, or would have more elements, `maker` makes the cells (default: what `choose` returns).
     """
     if local is not None and not (local[1] < size).any():
         local = None
@@ -50,11 +50,18 @@ def mesh(
         return unstructured(plan, size, beyond_growth, maker, edge_size, local)
     if local is None or not available():
         return rectilinear(plan, size, beyond_growth, edge_size, local)
-    with suppress(InputError):
+    try:
         found = rectilinear(plan, size, beyond_growth, edge_size, local)
-        if len(found.elements) <= MORE * sizing.estimate_count(plan, size, local):
-            return found
-    return unstructured(plan, size, beyond_growth, maker, edge_size, local)
+    except InputError:  # of too many elements
+        return unstructured(plan, size, beyond_growth, maker, edge_size, local)
+    needed = sizing.join(sizing.sources(plan, size, edge_size or size), sizing.isotropic(local))
+    if len(found.elements) <= FEW * sizing.estimate_count(plan, size, needed):
+        return found
+    with suppress(InputError):
+        other = unstructured(plan, size, beyond_growth, maker, edge_size, local)
+        if len(other.elements) < len(found.elements):
+            return other
+    return found
 
 
 def unstructured(
@@ -63,7 +70,7 @@ def unstructured(
     beyond_growth: float | None = None,
     maker: Maker | None = None,
     edge_size: float | None = None,
-    local: Sources | None = None,
+    local: LocalExtents | None = None,
 ) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)
@@ -72,9 +79,11 @@ def unstructured(
     best = None
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
     smaller = sizing.sources(plan, size, edge_size or size)
+    elsewhere = None
     if local is not None:
-        local = local[0][local[1] < size], local[1][local[1] < size]
-    for cells in make(plan, size, smaller, scale, local):
+        places, sizes = sizing.isotropic(local)
+        elsewhere = places[sizes < size], sizes[sizes < size]
+    for cells in make(plan, size, smaller, scale, elsewhere):
         try:
             result = _quadrilaterals(plan, cells)
         except InputError as error:

@@ -12,10 +12,12 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING, count_intervals, divide_graded, graded_size, grid
 from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, sections
 from groundslab.meshing.plan_mesh import PlanMesh, check, finish, too_many_elements
-from groundslab.meshing.sizing import Sources, growth_distance, limit_of
+from groundslab.meshing.sizing import LocalExtents, growth_distance, limit_of
 
 #: Neighboring intervals of a grid may differ by this factor before the longer one is graded.
 SIMILAR = 1.5
+#: Intervals may grow by this share of the distance from smaller local ones: half as fast where the grid is halved.
+LOCAL = 2 * GRADING
 
 
 def rectilinear(
@@ -23,7 +25,7 @@ def rectilinear(
     size: float,
     beyond_growth: float | None = None,
     edge_size: float | None = None,
-    local: Sources | None = None,
+    local: LocalExtents | None = None,
 ) -> PlanMesh:
     """Return a grid with lines through all corners and points of a plan in which everything runs along x or y."""
     check(plan, size)
@@ -53,11 +55,15 @@ def rectilinear(
     return finish(whole.nodes, whole.elements[kept], section[kept])
 
 
-def _least(limit: Callable[[Array], Array], local: Sources | None, size: float, axis: int) -> Callable[[Array], Array]:
+def _least(
+    limit: Callable[[Array], Array], local: LocalExtents | None, size: float, axis: int
+) -> Callable[[Array], Array]:
     """Return a limit of sizes along an axis that holds near local sources, too: lines run through the whole plan."""
     if local is None:
         return limit
-    here = limit_of((local[0][:, [axis]], local[1]), size)
+    extents = local[1][:, axis]
+    small = extents < size
+    here = limit_of((local[0][small][:, [axis]], extents[small]), size, LOCAL)
     return lambda x: np.minimum(limit(x), here(x[:, None]))
 
 

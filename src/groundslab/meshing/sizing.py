@@ -19,6 +19,8 @@ MAX_SOURCES = 200
 
 #: Places and the largest size [m] of elements around each: (k, 2) and (k,).
 Sources = tuple[Array, Array]
+#: Places and the largest extents of elements around each along x and y [m], inf where there is no limit: (k, 2) each.
+LocalExtents = tuple[Array, Array]
 
 
 def sources(plan: Plan, size: float, edge_size: float) -> Sources:
@@ -56,6 +58,12 @@ def sources(plan: Plan, size: float, edge_size: float) -> Sources:
         where = along(ring, edge_size)
         ask(where, np.full(len(where), edge_size))
     return np.concatenate(places), np.concatenate(sizes)
+
+
+def isotropic(local: LocalExtents) -> Sources:
+    """Return places and sizes for elements that are as long as wide: of the same area, or of the only limit's size."""
+    places, extents = local
+    return places, np.where(np.isfinite(extents).all(axis=1), np.sqrt(extents.prod(axis=1)), extents.min(axis=1))
 
 
 def join(one: Sources, other: Sources | None) -> Sources:

@@ -127,12 +127,12 @@ def test_parts_beside_counts_are_refused() -> None:
 
 
 def test_footprints_count_where_the_mesh_is_adaptive() -> None:
-    """With its side, in its middle, at its corners and between; with a size there are none."""
+    """With a share of its side, in its middle, at its corners and between; with a size there are none."""
     model = slab({"accuracy": 0.05})
-    places, sizes = local_sizes(model) or pytest.fail("no places")
-    along_edges = sizes == model.plate.thickness
-    places, sizes = places[~along_edges], sizes[~along_edges]
-    assert sizes.tolist() == pytest.approx([0.15] * 27)
+    places, extents = local_sizes(model) or pytest.fail("no places")
+    along_edges = np.isinf(extents).any(axis=1)
+    places, extents = places[~along_edges], extents[~along_edges]
+    np.testing.assert_allclose(extents, np.full((27, 2), 0.06))
     for k, load in enumerate(LEGS):
         offset = places[9 * k : 9 * k + 9] - [load["x"], load["y"]]
         np.testing.assert_allclose(np.unique(np.abs(offset).round(9)), [0.0, 0.075])
@@ -193,19 +193,22 @@ def test_a_mesh_is_adaptive_unless_it_is_described() -> None:
 def test_first_elements_are_no_larger_than_the_elastic_length() -> None:
     """(D / k)^(1/4) all over a large plate; on a small one 24 elements on the shorter side are smaller anyway.
 
-    Along free edges no larger than the thickness; for neither are there more than 96 on the shorter side.
+    Across free edges no larger than the thickness; for neither are there more than 96 on the shorter side.
     """
     large = {"length_x": 60.0, "length_y": 40.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
     uniform = [{"kind": "uniform", "q": 1e4}]
-    places, sizes = local_sizes(slab({}, plate=large, loads=uniform)) or pytest.fail("no places")
+    places, extents = local_sizes(slab({}, plate=large, loads=uniform)) or pytest.fail("no places")
     length = (30e9 * 0.2**3 / 12 / (1 - 0.2**2) / 50e6) ** 0.25
-    inner = np.isclose(sizes, length)
+    inner = np.isclose(extents, length).all(axis=1)
     assert np.ptp(places[inner], axis=0) == pytest.approx([60, 40])
-    np.testing.assert_allclose(sizes[~inner], 40 / 96)
-    assert (np.isclose(np.abs(places[~inner]), [30, 20]).any(axis=1)).all()
+    for axis, half in enumerate((30, 20)):
+        across = np.isclose(extents[:, axis], 40 / 96)
+        np.testing.assert_allclose(np.abs(places[across, axis]), half)
+        assert np.ptp(places[across, 1 - axis]) == pytest.approx([40, 60][axis])
+        assert np.isinf(extents[across, 1 - axis]).all()
     small = slab({}, loads=uniform)
-    places, sizes = local_sizes(small) or pytest.fail("no places")
-    np.testing.assert_allclose(sizes, small.plate.thickness)
+    places, extents = local_sizes(small) or pytest.fail("no places")
+    np.testing.assert_allclose(extents.min(axis=1), small.plate.thickness)
     assert np.ptp(places, axis=0) == pytest.approx(small.plate.sides)
 
 

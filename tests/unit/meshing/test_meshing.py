@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from groundslab.errors import InputError
+from groundslab.fem.mesh import sides_on_boundary
 from groundslab.geometry.plan import GROUND, Plan, Ring, circle, rectangle
 from groundslab.meshing import mesh, quality, unstructured
 from groundslab.meshing.backends import Maker, with_gmsh
@@ -267,7 +268,7 @@ def test_a_broken_pipe_stays_an_error(thread: bool) -> None:
 def test_smaller_elements_in_places(maker: Maker | None) -> None:
     """Elements near a place have the size there, others far from it the one of all; between them they grow."""
     plan = Plan(rectangle(0, 8, 0, 6)) if maker is None else Plan(circle((4, 3), 3))
-    local = np.array([(4.0 + dx, 3.0 + dy) for dx in (-0.1, 0.0, 0.1) for dy in (-0.1, 0.0, 0.1)]), np.full(9, 0.1)
+    local = np.array([(4.0 + dx, 3.0 + dy) for dx in (-0.1, 0.0, 0.1) for dy in (-0.1, 0.0, 0.1)]), np.full((9, 2), 0.1)
     result = rectilinear(plan, 0.8, local=local) if maker is None else unstructured(plan, 0.8, maker=maker, local=local)
     middle, side = result.nodes[result.elements[:, 8]], np.sqrt(areas(result))
     distance = np.hypot(*(middle - [4.0, 3.0]).T)
@@ -281,9 +282,45 @@ def test_a_grid_gives_way_to_fewer_elements() -> None:
     """Where lines through the whole plan would make many more elements than are needed, there is no grid."""
     plan = Plan(rectangle(0, 20, 0, 20))
     places = np.random.default_rng(1).uniform(1, 19, (12, 2))
-    local = places, np.full(12, 0.05)
+    local = places, np.full((12, 2), 0.05)
     found = mesh(plan, 1.0, local=local)
     assert len(found.elements) < len(rectilinear(plan, 1.0, local=local).elements) / 2
     assert quality(found.nodes[found.elements]).worst > 0.2
-    few = mesh(plan, 1.0, local=(places[:1], np.array([0.5])))
-    assert len(few.elements) == len(rectilinear(plan, 1.0, local=(places[:1], np.array([0.5]))).elements)
+    one = places[:1], np.full((1, 2), 0.5)
+    few = mesh(plan, 1.0, local=one)
+    assert len(few.elements) == len(rectilinear(plan, 1.0, local=one).elements)
+
+
+@pytest.mark.parametrize("maker", MAKERS)
+def test_nodes_on_the_rim_are_exactly_there(maker: Maker) -> None:
+    """Where ground beyond ends, further ground begins, and what is found there may not hang on rounding."""
+    rng = np.random.default_rng(3)
+    for width in rng.uniform(1, 4, 5):
+        rim = rectangle(-width, 12 + width, -width, 9 + width)
+        result = unstructured(Plan(OBLIQUE, beyond=rim), 1.5, maker=maker)
+        sides = result.nodes[sides_on_boundary(result.elements)]
+        on_rim = [
+            (sides[:, :, axis] == value).all(axis=1) for axis, value in zip((0, 0, 1, 1), rim.bounds, strict=True)
+        ]
+        assert np.any(on_rim, axis=0).all()
+
+
+@needs_gmsh
+def test_narrow_places_are_for_grids() -> None:
+    """A line close to an edge makes many small quadrilaterals, but a grid of long ones."""
+    plan = Plan(rectangle(0, 10, 0, 10), lines=(((0.15, 0.15), (0.15, 9.85)),))
+    local = np.array([(5.0, 5.0)]), np.full((1, 2), 0.3)
+    found = mesh(plan, 1.0, local=local)
+    assert len(found.elements) == len(rectilinear(plan, 1.0, local=local).elements)
+    assert len(found.elements) < len(unstructured(plan, 1.0, local=local).elements) / 2
+
+
+def test_places_that_limit_one_extent() -> None:
+    """Elements of a grid are as short across an edge as asked for there, and as long as elsewhere along it."""
+    places = np.column_stack([np.linspace(0, 8, 33), np.zeros(33)])
+    result = rectilinear(Plan(rectangle(0, 8, 0, 6)), 0.8, local=(places, np.tile([np.inf, 0.1], (33, 1))))
+    sides = np.ptp(result.nodes[result.elements[:, :4]], axis=1)
+    assert sides[:, 0] == pytest.approx(0.8)
+    at_edge = result.nodes[result.elements[:, 8], 1] < 0.1
+    assert sides[at_edge, 1].max() < 0.14
+    assert sides[:, 1].max() > 0.7
