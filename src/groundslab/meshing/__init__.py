@@ -22,6 +22,8 @@ __all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netge
 
 #: A mesh whose least scaled Jacobian exceeds this is good; else the next one that the maker has is looked at.
 ENOUGH = 0.35
+#: From the second on, one whose least exceeds this will do: triangles, which come last, become many more elements.
+USABLE, SECOND = 0.2, 2
 #: Such a next mesh takes the place of the one before if its least scaled Jacobian is larger by this.
 CLEARLY = 0.05
 #: Smaller elements in places make a grid of lines through the whole plan if it has no more than this many times the
@@ -83,7 +85,7 @@ def unstructured(
     if local is not None:
         places, sizes = sizing.isotropic(local)
         elsewhere = places[sizes < size], sizes[sizes < size]
-    for cells in make(plan, size, smaller, scale, elsewhere):
+    for tried, cells in enumerate(make(plan, size, smaller, scale, elsewhere), start=1):
         try:
             result = _quadrilaterals(plan, cells)
         except InputError as error:
@@ -91,7 +93,7 @@ def unstructured(
             continue
         if best is None or result.quality.worst > best.quality.worst + CLEARLY:
             best = result
-        if best.quality.worst > ENOUGH:
+        if best.quality.worst > (ENOUGH if tried < SECOND else USABLE):
             break
     if best is None:
         raise refused

@@ -18,9 +18,9 @@ Maker = Callable[[Plan, float, Sources, float, Sources | None], Iterator[Cells]]
 
 
 def with_gmsh(plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None) -> Iterator[Cells]:
-    """Yield Gmsh's cells, then such as grow more gently."""
-    for slope in (gmsh.SLOPE, gmsh.GENTLE):
-        yield gmsh.cells_of(plan, size, smaller, scale, local, slope)
+    """Yield Gmsh's cells, then such as grow more gently, at last triangles."""
+    for slope, triangles_alone in ((gmsh.SLOPE, False), (gmsh.GENTLE, False), (gmsh.GENTLE, True)):
+        yield gmsh.cells_of(plan, size, smaller, scale, local, slope, triangles_alone)
 
 
 with_netgen: Maker = netgen.cells_of

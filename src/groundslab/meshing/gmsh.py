@@ -22,6 +22,8 @@ from groundslab.meshing.sizing import Sources, along, limit_of, quarter
 SLOPE, GENTLE = 0.8, 0.4
 #: From smaller ones elsewhere they grow by so much: with no edge or point there, Gmsh would step over a small place.
 LOCAL = 0.5
+#: Gmsh's algorithm for triangles; the one in its options makes such as become quadrilaterals.
+FRONTAL_DELAUNAY = 6
 #: Gmsh's geometry merges places less than 1e-7 apart, whatever the extent: plans are scaled to this extent.
 SCALED_EXTENT = 100.0
 #: Libraries that Gmsh's wheel needs on a bare Debian or Ubuntu.
@@ -98,13 +100,22 @@ def load() -> Any:
 
 @session()
 def cells_of(
-    plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None, slope: float = SLOPE
+    plan: Plan,
+    size: float,
+    smaller: Sources,
+    scale: float,
+    local: Sources | None = None,
+    slope: float = SLOPE,
+    triangles_alone: bool = False,
 ) -> Cells:
-    """Return Gmsh's mesh of twice the required sizes, local ones too: mostly quadrilaterals, some triangles.
+    """Return Gmsh's mesh of twice the required sizes, local ones too: mostly quadrilaterals, or triangles alone.
 
     Cells grow by `slope` of the distance from smaller ones.
     """
     gmsh = load()
+    if triangles_alone:
+        gmsh.option.setNumber("Mesh.Algorithm", FRONTAL_DELAUNAY)
+        gmsh.option.setNumber("Mesh.RecombineAll", 0)
     geometry = PlanGeometry(gmsh, plan)
     _set_sizes(geometry, plan, size, (smaller, local), scale, slope)
     unwanted = [part for part in gmsh.model.getEntities(2) if part[1] not in geometry.faces]

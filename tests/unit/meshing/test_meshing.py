@@ -6,6 +6,7 @@ import builtins
 import subprocess
 import sys
 from collections import Counter
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from groundslab.fem.mesh import sides_on_boundary
 from groundslab.geometry.plan import GROUND, Plan, Ring, circle, rectangle
 from groundslab.meshing import mesh, quality, unstructured
 from groundslab.meshing.backends import Maker, with_gmsh
+from groundslab.meshing.cells import Cells
 from groundslab.meshing.gmsh import session
 from groundslab.meshing.grid import rectilinear
 from helpers.plans import ALL, FREE, GRIDS, MAKERS, OBLIQUE, SIDES, areas, boundary, holds, meshed, needs_gmsh
@@ -324,3 +326,16 @@ def test_places_that_limit_one_extent() -> None:
     at_edge = result.nodes[result.elements[:, 8], 1] < 0.1
     assert sides[at_edge, 1].max() < 0.14
     assert sides[:, 1].max() > 0.7
+
+
+@needs_gmsh
+def test_what_gmsh_yields_last_are_triangles() -> None:
+    """They can be used where quadrilaterals are turned inside out."""
+    *_, last = with_gmsh(Plan(OBLIQUE), 1.0, (np.zeros((0, 2)), np.zeros(0)), 5.0)
+    assert len(last.quadrilaterals) == 0
+    assert len(last.triangles) > 20
+
+    def alone(*_: Any) -> Iterator[Cells]:
+        yield last
+
+    assert unstructured(Plan(OBLIQUE), 1.0, maker=alone).quality.worst > 0.3
