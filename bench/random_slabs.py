@@ -25,11 +25,13 @@ import numpy as np
 
 from groundslab.accuracy.judgment import LIMITED, JudgedValue, judge, judged_values
 from groundslab.analysis import driver
+from groundslab.analysis.adaptivity import extents_of
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.errors import GroundslabError
 from groundslab.fem.mesh import Mesh, locate_nearest
-from groundslab.fem.shape_functions import areas, q9
+from groundslab.fem.shape_functions import q9
+from groundslab.meshing.sizing import LocalExtents
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
@@ -99,8 +101,8 @@ def random_slab(seed: int, accuracy: float) -> Model:
     })  # fmt: skip
 
 
-def solve_on(model: Model, sizes: tuple[Array, Array] | None) -> CombinationResult:
-    """Return the results on one mesh with elements of given sizes in places."""
+def solve_on(model: Model, sizes: LocalExtents | None) -> CombinationResult:
+    """Return the results on one mesh with elements of given extents in places."""
     combinations = list_combinations(model)
     outcomes = driver._outcomes(model, combinations, None, Meshes(local=sizes))
     return driver._combine(model, combinations, outcomes).only
@@ -151,7 +153,7 @@ def examine(seed: int, accuracy: float) -> dict[str, Any]:
     xy = found.plate.nodes[found.plate.elements]
     factor = 4 if 16 * found.unknowns <= MOST_UNKNOWNS else 2
     base = min(model.plate.sides) / 24
-    truth = solve_on(model, (xy[:, 8], np.sqrt(areas(xy)) / factor))
+    truth = solve_on(model, (xy[:, 8], extents_of(Mesh(found.plate.nodes, found.plate.elements)) / factor))
     of_truth = [*judged_values(truth)]
     errors = true_errors(found, truth, of_truth)
     told = {each.value: each.share for each in judge(found)}

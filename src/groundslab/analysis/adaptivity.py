@@ -78,12 +78,12 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: fl
                 break
             sizes = sizes * np.sqrt(unknowns / left)
         ratio = sizes / np.sqrt(area)
-        extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * _extents(mesh)
+        extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * extents_of(mesh)
         results = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))
     return results
 
 
-def _extents(mesh: Mesh) -> Array:
+def extents_of(mesh: Mesh) -> Array:
     """Return the elements' extents along x and y (m, 2) [m]: sides of rectangles, else those of squares as large."""
     sides, area = np.ptp(mesh.xy[:, :4], axis=1), areas(mesh.xy)
     rectangle = np.isclose(sides.prod(axis=1), area)
