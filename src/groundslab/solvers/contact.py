@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -79,9 +78,9 @@ def solve(
             wrong = after != state
             record(state, int(wrong.sum()))
             if not wrong.any():
-                return found.contact
+                return found
             # close to a cycle decisions must not rest on the residual of conjugate gradients
-            last, near = found.contact.u, found.contact.u if progress.update(state, wrong) else None
+            last, near = found.u, found.u if progress.update(state, wrong) else None
             state = after
             if inside is not None or not progress.stalled:
                 continue
@@ -103,27 +102,17 @@ def _is_balanced(A: Symmetric, f: Array, b: Bearings, found: Contact) -> bool:
     return bool(np.abs(residual).max(initial=0.0) <= INTERIOR_POINT_TOLERANCE * largest)
 
 
-@dataclass(frozen=True, slots=True)
-class _Iterate:
-    """The solution for given states of the bearings."""
-
-    system: ConstrainedSystem
-    load: Array  # (size,): the given load and that of the bearings which are not rigid
-    bearing_load: Array  # (size,): the latter
-    contact: Contact
-
-
 def _solve_states(
     A: Symmetric, f: Array, b: Bearings, state: Integers, factorization: CachedFactorization, near: Array | None
-) -> _Iterate | None:
+) -> Contact | None:
     """Return the solution for given states (c,), none if these do not hold the plate.
 
     near (size,) approximates the solution: the latest factor may then serve, if it preconditions the system well.
     """
     system, load = _constrain(A, f, b, state)
 
-    def iterate(u: Array, residual: Array) -> _Iterate:
-        return _Iterate(system, load, load - f, Contact(u, state, _bearing_forces(b, state, u, load - f - residual)))
+    def contact(u: Array, residual: Array) -> Contact:
+        return Contact(u, state, _bearing_forces(b, state, u, load - f - residual))
 
     exact = factorization.holds(system)
     if near is not None and not exact and factorization.preconditions(system):
@@ -132,7 +121,7 @@ def _solve_states(
         with suppress(SingularMatrix):  # then the factorization decides
             converged = factorization.iterate(system, load, u, residual, CG_STEPS)
             if converged and np.abs(u).max() <= DIVERGENCE_RATIO * np.abs(near).max():
-                return iterate(u, residual)
+                return contact(u, residual)
     if not exact:
         try:
             factorization.factorize(system)
@@ -141,7 +130,7 @@ def _solve_states(
     u = system.fixed_values.copy()
     residual = load - A @ u if u.any() else load.copy()
     factorization.iterate(system, load, u, residual, 1)
-    return iterate(u, residual)
+    return contact(u, residual)
 
 
 def refine(A: Symmetric, f: Array, factorization: CachedFactorization, b: Bearings, found: Contact) -> Contact:
@@ -172,9 +161,9 @@ def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> 
     return force
 
 
-def _next_states(A: Symmetric, b: Bearings, found: _Iterate) -> Integers:
+def _next_states(A: Symmetric, b: Bearings, found: Contact) -> Integers:
     """Return the state (c,) in which each bearing should be, judged by the solution for the present states."""
-    u, state, force = found.contact.u, found.contact.state, found.contact.force
+    u, state, force = found.u, found.state, found.force
     penetration, tolerance = b.penetration(u), STATE_TOLERANCE * np.abs(u).max()
     small = np.minimum(tolerance * A.diagonal[b.unknown], STATE_TOLERANCE * np.abs(force).max(initial=0))
     at_yield = np.zeros(len(b))  # penetration
