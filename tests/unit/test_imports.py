@@ -106,6 +106,30 @@ def test_front_imports_nothing() -> None:
     assert {name for name in loaded if name.startswith("groundslab")} == {"groundslab", "groundslab._version"}
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("command", "unused"),
+    [
+        ("check", {"scipy", "matplotlib", "meshio", "rich", "numpy.ma"}),
+        ("solve", {"scipy.linalg", "scipy.spatial", "scipy.optimize", "matplotlib", "pint"}),
+    ],
+)
+def test_commands_import_what_they_use(command: str, unused: set[str], tmp_path: Path) -> None:
+    """A plain slab is read, and solved, without the libraries that only other slabs need."""
+    case = tmp_path / "slab.toml"
+    slab = 'length_x = "6 m"\nlength_y = "4 m"\nthickness = "0.3 m"\nE = "30 GPa"\nnu = 0.2'
+    load = 'kind = "patch"\nq = "40 kPa"\nx = ["-1 m", "1 m"]\ny = ["-1 m", "1 m"]'
+    ground = 'kind = "winkler"\nk = "30 MPa/m"'
+    case.write_text(f'[plate]\n{slab}\n[ground]\n{ground}\n[[loads]]\n{load}\n[mesh]\nsize = "0.5 m"\n')
+    program = (
+        "import sys; from groundslab.cli.main import main; "
+        f"assert main([{command!r}, {str(case)!r}]) == 0; print(*sorted(sys.modules), file=sys.stderr)"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(PACKAGE.parent)}
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, env=environment)
+    assert not unused & set(run.stderr.split())
+
+
 def test_public_names_can_all_be_had() -> None:
     """Every name that the package promises loads, and no others are taken for its own."""
     for name in groundslab.__all__:

@@ -43,11 +43,11 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
     voids begin, and around where the plate has lifted off. There they are zero.
     """
-    from scipy.spatial import KDTree
-
     limits = _WITHOUT_CONTACT.get(nodes, model, lambda: _without_contact(model, nodes))
     if not model.ground_carries_shear or in_contact.all():
         return limits
+    from scipy.spatial import KDTree
+
     reach = AWAY * model.plate.thickness
     distance, _ = KDTree(nodes[~in_contact]).query(nodes, distance_upper_bound=1.001 * reach)
     return Limits(limits.shear_forces, (limits.pressures & (distance > reach)) | ~in_contact)

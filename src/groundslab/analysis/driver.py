@@ -204,13 +204,14 @@ def _solve_each(
 ) -> Iterator[CombinationResult | GroundslabError]:
     """Yield for each combination its results, or why it has none; several are solved in parallel."""
     name, solver = factorization.choose(model.analysis.solver)
+    factorization.warm_up(solver)
     keep = len(combinations) > 1 or reference is not None
     # the effect of the margin is judged on the next coarser mesh, where it costs little
     level = min(HALVINGS, coarsest(model))
     finest = MeshHierarchy(model, solver, 0, 1.0, keep, meshes, ground, reference)
     margins = [MeshHierarchy(model, solver, level, margin, keep, meshes, ground, reference) for margin in (1.0, 2.0)]
     hierarchies = [finest, *margins]
-    lanes = min(MAX_LANES, factorization.threads(solver), len(combinations))
+    lanes = 1 if len(combinations) == 1 else min(MAX_LANES, factorization.threads(solver), len(combinations))
     if lanes > 1 and finest.level(0).system.pattern.size > MAX_PARALLEL_UNKNOWNS:
         lanes = 1
     if lanes < 2:

@@ -16,6 +16,7 @@ from groundslab.fem.bearings import Bearings, make_bearings
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import sides_along
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
+from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.loads.load_types import SettlementLoad
@@ -143,7 +144,7 @@ def fixed_nodes(model: Model, plan: Layout) -> Integers:
                 found.append(np.array([node_at(plan, support.x, support.y)]))
             else:
                 found.append(nodes_along(plan, support)[0])
-    return np.unique(np.concatenate(found))
+    return unique_integers(np.concatenate(found))[0]
 
 
 def node_at(plan: Layout, x: float, y: float) -> int:

@@ -28,10 +28,10 @@ def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
 
 def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flags:
     """Return which nodes (n, 2) lie within a thickness (n,) [m] of one of some places."""
-    from scipy.spatial import KDTree
-
     if not places:
         return np.zeros(len(nodes), dtype=bool)
+    from scipy.spatial import KDTree
+
     reach = REACH * thickness
     found: Flags = KDTree(places).query(nodes, distance_upper_bound=1.001 * reach.max())[0] <= reach * (1 + 1e-9)
     return found

@@ -339,9 +339,6 @@ def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
     Elements round such a node belong together if one comes from one to the other without crossing a crease; elsewhere
     the number is 0. n is the number of nodes.
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     on_crease = np.zeros(n, dtype=bool)
     on_crease[creases] = True
     meets = on_crease[elements]
@@ -361,8 +358,12 @@ def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
             [number[owner[one], SIDES[which[one], here]], number[owner[other], SIDES[which[other], there]]]
         )
         pairs.append(pair[:, pair[0] >= 0])
-    row, column = np.concatenate(pairs, axis=1)
-    links = coo_array((np.ones(len(row)), (row, column)), shape=(count, count))
+    links = np.concatenate(pairs, axis=1)
+    least, before = np.arange(count), np.full(count, -1)
+    while (least != before).any():  # at most as often as elements meet at a node
+        before = least.copy()
+        for some, others in (links, links[::-1]):
+            np.minimum.at(least, some, before[others])
     result = np.zeros(elements.shape, dtype=np.int64)
-    result[meets] = connected_components(links, directed=False)[1]
+    result[meets] = unique_integers(least)[1]
     return result

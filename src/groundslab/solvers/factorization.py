@@ -13,7 +13,7 @@ from importlib.util import find_spec
 from groundslab.errors import InputError, Issue
 from groundslab.solvers.direct.cholmod import Cholmod
 from groundslab.solvers.direct.mumps import Mumps
-from groundslab.solvers.direct.pardiso import Pardiso, import_pardiso, pardiso_import_error
+from groundslab.solvers.direct.pardiso import Pardiso, import_pardiso, load_in_background, pardiso_import_error
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.direct.superlu import SuperLU
 
@@ -23,6 +23,12 @@ PACKAGES = {
     "cholmod": ("cvxopt", "pip install groundslab[cholmod]"),
     "mumps": ("petsc4py", "docs/large.md tells how to install it"),
 }
+
+
+def warm_up(solver: Solver) -> None:
+    """Have a solver's library loaded in the background, while meshes and matrices are made."""
+    if solver is Pardiso:
+        load_in_background()
 
 
 def threads(solver: Solver) -> int:

@@ -6,6 +6,7 @@ import ctypes
 import functools
 import os
 import sys
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -102,6 +103,16 @@ def import_pardiso() -> Any:
     from pypardiso import pardiso_wrapper
 
     return pardiso_wrapper
+
+
+@functools.cache
+def load_in_background() -> None:
+    """Have another thread load what MKL computes with, for which the first factorization would wait."""
+
+    def factor_one() -> None:
+        Pardiso(np.arange(2, dtype=np.int32), np.zeros(1, dtype=np.int32)).factor(np.ones(1))
+
+    threading.Thread(target=factor_one, name="MKL").start()
 
 
 def make_reproducible() -> None:
