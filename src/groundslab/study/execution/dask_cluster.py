@@ -1,8 +1,10 @@
 """Solves variants on Dask: on the cores of this machine, or on an existing cluster.
 
 The setup of a study is sent to each worker once, as a plugin that new and restarted workers get, too; tasks are small.
+A task is one variant, or as many as take a fraction of a second, since the scheduler needs milliseconds for each task.
 Only a few more tasks than there are threads are submitted at a time. Dask's scheduler gives the task of a worker that
-died to another one; a task that has killed several workers comes back as a WorkerFailure.
+died to another one; a variant that has killed several workers comes back as a WorkerFailure, those that were in a task
+with it are solved again.
 
 The processes of this machine talk to each other over TLS with keys that are made for the run and stay in their memory:
 no other process can have them run anything.
@@ -17,7 +19,8 @@ import logging
 import secrets
 import socket
 import time
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from collections import deque
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -34,6 +37,9 @@ if TYPE_CHECKING:
 #: Tasks submitted for each thread: one runs, the others wait at the scheduler so that no thread idles. More are
 #: submitted when half of them are done, as each submission costs the scheduler milliseconds, however many tasks it has.
 TASKS_PER_THREAD = 16
+#: Variants that are solved faster share a task up to this time [s], and while each thread has so many tasks to come.
+TASK_SECONDS = 0.2
+TASKS_TO_COME = 4
 #: Time limit of a connection [s].
 CONNECT_TIMEOUT = 10.0
 #: Time limit for the first worker of a cluster [s].
@@ -181,7 +187,7 @@ def connect(scheduler: str, setup: Setup) -> Iterator[Cluster]:
 
 
 def rows(
-    cluster: Cluster, name: str, setup: Setup, variants: Iterable[Variant], known_meshes: Callable[[], Sequence[str]]
+    cluster: Cluster, name: str, setup: Setup, variants: Sequence[Variant], known_meshes: Callable[[], Sequence[str]]
 ) -> Generator[list[Row | WorkerFailure]]:
     """Yield the rows of variants as they are solved, in any order, several at a time if they come together.
 
@@ -194,33 +200,31 @@ def rows(
     client = cluster.client
     packages = packages_of(setup)
     client.register_plugin(Plugin(name, setup, packages, versions.versions(packages), cluster.own), name=name)
-    run, left = secrets.token_hex(4), iter(variants)
-    pending: dict[Any, int] = {}
-    updated, limit = -UPDATE_INTERVAL, 0
+    run, tasks = secrets.token_hex(4), _Tasks(variants)
+    pending: dict[Any, Sequence[Variant]] = {}
+    updated, threads = -UPDATE_INTERVAL, 1
     pool = distributed.as_completed([])
     try:
         while True:
             if time.monotonic() - updated > UPDATE_INTERVAL:
-                updated, limit = time.monotonic(), TASKS_PER_THREAD * max(1, cluster.threads)
+                updated, threads = time.monotonic(), max(1, cluster.threads)
+            limit = TASKS_PER_THREAD * threads
             room = limit - len(pending) if len(pending) <= limit // 2 else 0
-            if more := list(itertools.islice(left, room)):
-                row_of = functools.partial(solve, name, known_meshes=known_meshes())
-                numbers = [variant.number for variant in more]
-                keys = [f"{name}-{run}-{number}" for number in numbers]
-                futures = client.map(row_of, more, key=keys, pure=False)
-                pending |= zip(futures, numbers, strict=True)
+            if more := tasks.next(room, threads):
+                rows_of = functools.partial(solve, name, known_meshes=known_meshes())
+                keys = [f"{name}-{run}-{each[0].number}-{len(each)}" for each in more]
+                futures = client.map(rows_of, more, key=keys, pure=False)
+                pending |= zip(futures, more, strict=True)
                 pool.update(futures)
             if not pending:
                 return
-            done = []
-            for future in next(pool.batches()):
-                # results of a worker that dies before they are fetched are lost; the scheduler has them solved again
-                if future.status in ("lost", "pending"):
-                    pool.add(future)
-                elif future in pending:
-                    done.append(_outcome(future, pending.pop(future)))
-            if done:
-                yield done
+            batch = next(pool.batches())
+            # results of a worker that dies before they are fetched are lost; the scheduler has them solved again
+            pool.update([future for future in batch if future.status in ("lost", "pending")])
+            ended = [future for future in batch if future in pending and future.status not in ("lost", "pending")]
+            done = [tasks.finish(pending.pop(future), found) for future, found in _outcomes(client, ended)]
+            if any(done):
+                yield list(itertools.chain(*done))
     finally:
         # a lost scheduler cannot cancel anything
         if client.status == "running":
@@ -229,20 +233,49 @@ def rows(
                 client.unregister_worker_plugin(name)
 
 
-def _outcome(future: Any, number: int) -> Row | WorkerFailure:
-    """Return the outcome of a finished task; raises LostScheduler."""
-    if future.status == "finished":
-        try:
-            row: Row = future.result()
-        except Exception as error:
-            raise _lost(error) from error
-        return row
-    if future.status == "error":
-        raised = future.exception()
-        if type(raised).__name__ == "KilledWorker":
-            return WorkerFailure(number, f"{raised.allowed_failures + 1} workers died of it, perhaps out of memory")
-        return WorkerFailure(number, f"{type(raised).__name__}: {raised}")
-    raise _lost(None)
+class _Tasks:
+    """The variants that are not submitted yet, and how many of them a task has."""
+
+    def __init__(self, variants: Sequence[Variant]) -> None:
+        self.left = deque(variants)
+        self.alone: list[Variant] = []  # of tasks that failed: by themselves they show which of them it was
+        self.seconds = TASK_SECONDS  # that the latest variants took, in the mean
+
+    def next(self, count: int, threads: int) -> list[list[Variant]]:
+        """Return the variants of so many further tasks, or fewer, for a number of threads."""
+        again, self.alone = self.alone[:count], self.alone[count:]
+        most = min(TASK_SECONDS / self.seconds, len(self.left) / (TASKS_TO_COME * threads))
+        found = [[each] for each in again]
+        while self.left and len(found) < count:
+            found.append([self.left.popleft() for _ in range(min(max(1, int(most)), len(self.left)))])
+        return found
+
+    def finish(self, variants: Sequence[Variant], outcome: list[Row] | str) -> Sequence[Row | WorkerFailure]:
+        """Return the rows of a task's variants, or why it failed; those of several are to be solved again."""
+        if not isinstance(outcome, str):
+            self.seconds += (max(1e-3, sum(row.seconds for row in outcome) / len(outcome)) - self.seconds) / 8
+            return outcome
+        if len(variants) == 1:
+            return [WorkerFailure(variants[0].number, outcome)]
+        self.alone += variants
+        return []
+
+
+def _outcomes(client: Any, ended: Sequence[Any]) -> Iterator[tuple[Any, list[Row] | str]]:
+    """Yield each task that has ended with its rows, fetched together, or why it failed; raises LostScheduler."""
+    finished = [future for future in ended if future.status == "finished"]
+    try:
+        yield from zip(finished, client.gather(finished), strict=True)
+    except Exception as error:
+        raise _lost(error) from error
+    for future in ended:
+        if future.status == "error":
+            raised = future.exception()
+            killed = type(raised).__name__ == "KilledWorker"
+            died = f"{raised.allowed_failures + 1} workers died of it, perhaps out of memory" if killed else ""
+            yield future, died or f"{type(raised).__name__}: {raised}"
+        elif future.status != "finished":
+            raise _lost(None)
 
 
 def _lost(error: Exception | None) -> LostScheduler:

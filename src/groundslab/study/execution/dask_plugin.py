@@ -56,7 +56,10 @@ class Plugin(WorkerPlugin):  # type: ignore[misc]
         return found
 
 
-def solve(name: str, variant: Variant, known_meshes: Sequence[str]) -> Row:
-    """Return the row of a variant, on a worker that has the plugin of that name."""
+def solve(name: str, variants: Sequence[Variant], known_meshes: Sequence[str]) -> list[Row]:
+    """Return the rows of variants, on a worker that has the plugin of that name."""
     plugin: Plugin = get_worker().plugins[name]
-    return plugin.row(variant, known_meshes)
+    found: list[Row] = []
+    for variant in variants:
+        found.append(plugin.row(variant, (*known_meshes, *(row.mesh for row in found))))
+    return found

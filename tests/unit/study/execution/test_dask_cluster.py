@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing, contextmanager, suppress
 from pathlib import Path
@@ -22,6 +23,8 @@ import groundslab
 from groundslab.errors import InputError
 from groundslab.study.evaluation.study import Study
 from groundslab.study.execution import dask_cluster, versions
+from groundslab.study.execution.variant import SOLVED, Row
+from groundslab.study.sampling.designs import Variant
 from helpers.studies import STUDY, write
 
 pytestmark = pytest.mark.slow
@@ -113,19 +116,23 @@ def test_killed_worker(tmp_path: Path, whole: Study) -> None:
     assert same(study, whole)
 
 
-def test_variant_that_kills_its_worker(tmp_path: Path) -> None:
-    """A variant that brings down every worker, as for want of memory, has no row; all others have one."""
+@pytest.mark.parametrize(("variant", "text", "of"), [(3, STUDY, 12), (200, MANY, COUNT)])
+def test_variant_that_kills_its_worker(tmp_path: Path, variant: int, text: str, of: int) -> None:
+    """A variant that brings down every worker, as for want of memory, has no row; all others have one.
+
+    Those, too, that were handed to a worker together with it.
+    """
     (tmp_path / "sitecustomize.py").write_text(
         "import os\nfrom groundslab.study.execution.variant import Worker\nrow = Worker.row\n"
-        "Worker.row = lambda self, one, known=(): os._exit(9) if one.number == 3 else row(self, one, known)\n"
+        f"Worker.row = lambda self, one, known=(): os._exit(9) if one.number == {variant} else row(self, one, known)\n"
     )
     places = os.pathsep.join([str(tmp_path), *sys.path])
-    command = ("groundslab", "study", str(write(tmp_path)), "--workers", "2", "--quiet")
+    command = ("groundslab", "study", str(write(tmp_path, text)), "--workers", "2", "--quiet")
     with ended(started(*command, PYTHONPATH=places)) as process:
         stdout, stderr = process.communicate(timeout=2 * PATIENCE)
     assert process.returncode == 1
-    assert "11 of 12 variants have a row" in stdout
-    assert "variant 3 has none: 4 workers died of it" in stdout
+    assert f"{of - 1} of {of} variants have a row" in stdout
+    assert f"variant {variant} has none: 4 workers died of it" in stdout
     assert "--resume" in stderr
 
 
@@ -230,6 +237,27 @@ def test_no_scheduler(tmp_path: Path) -> None:
     """An address where no scheduler answers is an error of the input."""
     with pytest.raises(InputError, match="Dask scheduler such as"):
         groundslab.study(write(tmp_path), scheduler="nothing at all", quiet=True)
+
+
+def test_fast_variants_share_a_task() -> None:
+    """A task lasts a fraction of a second, and none is so large that threads idle in the end."""
+    variants = [Variant(number, (), ()) for number in range(1, 1001)]
+    tasks = dask_cluster._Tasks(variants)
+    first = tasks.next(32, 2)
+    assert [len(each) for each in first] == [1] * 32
+    for (variant,) in first:
+        row = Row(variant.number, SOLVED, "", "", 0.01, (), ())
+        assert list(tasks.finish([variant], [row])) == [row]
+    (some,) = tasks.next(1, 2)
+    assert 10 <= len(some) <= 0.2 / 0.01
+    # which of several it was that failed shows when each is a task of its own
+    assert list(tasks.finish(some, "4 workers died of it")) == []
+    assert tasks.next(len(some), 2) == [[each] for each in some]
+    (failure,) = tasks.finish(some[:1], "4 workers died of it")
+    assert failure == dask_cluster.WorkerFailure(some[0].number, "4 workers died of it")
+    tasks.left = deque(variants[-48:])
+    assert [len(each) for each in tasks.next(32, 2)] == [6] * 8
+    assert tasks.next(32, 2) == []
 
 
 def test_differences() -> None:
