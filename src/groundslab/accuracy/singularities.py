@@ -41,7 +41,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     Shear forces around footprints and where they are singular, at the plate's corners too if ground with shear goes on
     beyond them, have no meaning in design, where punching is checked instead. Pressures on ground without shear follow
     the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
-    voids begin, and around where the plate has lifted off. There they are zero.
+    voids begin, and around where the plate has lifted off. There they are zero, but may not be so on a coarser mesh.
     """
     limits = _WITHOUT_CONTACT.get(nodes, model, lambda: _without_contact(model, nodes))
     if not model.ground_carries_shear or in_contact.all():
@@ -50,7 +50,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
 
     reach = AWAY * model.plate.thickness
     distance, _ = KDTree(nodes[~in_contact]).query(nodes, distance_upper_bound=1.001 * reach)
-    return Limits(limits.shear_forces, (limits.pressures & (distance > reach)) | ~in_contact)
+    return Limits(limits.shear_forces, limits.pressures & ((distance > reach) | ~in_contact))
 
 
 def _without_contact(model: Model, nodes: Array) -> Limits:

@@ -179,6 +179,8 @@ def test_pressures_of_ground_with_shear_jump_where_loads_begin() -> None:
     # around a node that has lifted off the pressure jumps, too; there it is zero
     found = find_limits(model, places, np.array([True, False, True, True]))
     assert found.pressures.tolist() == [False, True, False, False]
+    found = find_limits(model, places, np.array([False, False, False, True]))
+    assert found.pressures.tolist() == [False, True, False, False], "touching elsewhere on another mesh"
 
 
 def test_a_mesh_is_adaptive_unless_it_is_described() -> None:
