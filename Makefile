@@ -16,7 +16,7 @@ PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate
 
-.PHONY: demo test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
+.PHONY: demo docs test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -84,9 +84,12 @@ dist-test: dist         ## install both without the repository, one after the ot
 	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
 	done
 
+docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; every warning is an error
+	OMP_NUM_THREADS=$(JOBS) $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going --builder html docs out/docs
+
 lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 	$(COMPILE) pyproject.toml -o lock/run.txt
-	$(COMPILE) pyproject.toml --all-extras --group dev -o lock/dev.txt
+	$(COMPILE) pyproject.toml --all-extras --group dev --group docs -o lock/dev.txt
 	$(COMPILE) --group build --constraint lock/dev.txt -o lock/build.txt
 	$(COMPILE) --group node -o lock/node.txt
 

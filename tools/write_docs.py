@@ -1,12 +1,14 @@
-"""Writes the parts of docs/ that follow from the code: tables of keys, JSON schemas, the diagram of imports."""
+"""Writes the parts of docs/ that follow from the code: keys, commands, JSON schemas, the diagram of imports."""
 
 from __future__ import annotations
 
+import argparse
 import json
 from pathlib import Path
 
 from draw_imports import diagram
 
+from groundslab.cli import main
 from groundslab.model.model import docs_table, json_schema
 from groundslab.study.definition import schema
 
@@ -17,11 +19,37 @@ def contents() -> dict[Path, str]:
     """Return what each of the files should hold."""
     return {
         DOCS / "architecture.md": _page("architecture.md", imports=diagram()),
+        DOCS / "commands.md": _page("commands.md", commands=commands_text()),
         DOCS / "input.md": _page("input.md", keys=docs_table()),
         DOCS / "groundslab.schema.json": json.dumps(json_schema(), indent=2) + "\n",
         DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.outputs_table()),
         DOCS / "study.schema.json": json.dumps(schema.json_schema(), indent=2) + "\n",
     }
+
+
+def commands_text() -> str:
+    """Return what each command of the command line understands."""
+    (commands,) = (each for each in main._parser()._actions if isinstance(each, argparse._SubParsersAction))
+    parts = []
+    for name, command in commands.choices.items():
+        rows = [
+            (_words(action), (action.help or "").replace("<", "&lt;"))
+            for action in command._actions
+            if action.dest != "help"
+        ]
+        usage = " ".join(["groundslab", name, *(_words(each, short=True) for each in command._actions[1:])])
+        table = ["| argument | meaning |", "|---|---|", *(f"| `{words}` | {text} |" for words, text in rows)]
+        parts.append("\n".join([f"## {name}", "", command.description or "", "", "```", usage, "```", ""]))
+        parts[-1] += "\n".join(["", *table, ""] if rows else []) + (f"\n{command.epilog}\n" if command.epilog else "")
+    return "\n".join(parts)
+
+
+def _words(action: argparse.Action, short: bool = False) -> str:
+    """Return an argument as one writes it; `short` as part of a command's usage."""
+    value = "" if action.nargs == 0 else str(action.metavar or action.dest.upper())
+    words = f"{action.option_strings[0]} {value}".rstrip() if action.option_strings else value
+    repeated = "..." if short and action.nargs in ("*", "+") else ""
+    return f"[{words}{repeated}]" if short and not action.required else words + repeated
 
 
 def _page(name: str, **parts: str) -> str:

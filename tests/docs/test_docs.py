@@ -57,7 +57,7 @@ def printed_equations() -> set[str]:
 
 def entries() -> set[str]:
     """Return the bibliography's keys, such as "Hughes and Cohen 1978"."""
-    return set(re.findall(rf"^### ({NAME}.* \d{{4}})$", BIBLIOGRAPHY, re.MULTILINE))
+    return set(re.findall(rf"^## ({NAME}.* \d{{4}})$", BIBLIOGRAPHY, re.MULTILINE))
 
 
 def prose(module: Path) -> str:
