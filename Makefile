@@ -85,7 +85,7 @@ dist-test: dist         ## install both without the repository, one after the ot
 	done
 
 docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; every warning is an error
-	OMP_NUM_THREADS=$(JOBS) $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going --builder html docs out/docs
+	$(WITH_NODE) $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going --builder html docs out/docs
 
 lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 	$(COMPILE) pyproject.toml -o lock/run.txt

@@ -26,6 +26,7 @@ extensions = [
     "sphinx.ext.autosummary",
     "numpydoc",
     "sphinx_copybutton",
+    "sphinx_design",  # tabs
 ]
 exclude_patterns = ["_templates"]
 templates_path = ["_templates"]
@@ -47,6 +48,7 @@ copybutton_prompt_is_regexp = True
 nb_execution_mode = "cache"
 nb_execution_cache_path = "../out/docs-cache"
 nb_execution_timeout = 300
+nb_execution_in_temp = True
 nb_execution_raise_on_error = True
 nb_execution_show_tb = True
 
