@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from groundslab.verification.analytic_beams import beam_on_springs, disk_on_infinite_plate
+from groundslab.verification.analytic_plates import clamped_plate, rings
 from groundslab.verification.analytic_springs import curling_strip, lifting_circular_plate, rigid_plate_on_springs
 
 
@@ -228,6 +230,10 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     plate_on_a_column: ("settlement", "force"),
     curling_strip: ("settlement", "moment across", "moment along"),
     strip_on_two_springs: ("settlement", "moment"),
+    beam_on_springs: ("settlement", "moment"),
+    clamped_plate: ("settlement", "moment"),
+    rings: ("settlement", "moment"),
+    disk_on_infinite_plate: ("settlement", "moment"),
 }
 _SINGLE = (point_load_on_infinite_plate, rigid_plate_on_springs, rigid_strip, confined_compression, wedge)
 

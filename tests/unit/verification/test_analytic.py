@@ -7,12 +7,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import quad, solve_bvp
+from scipy.integrate import quad, simpson, solve_bvp
 from scipy.optimize import fsolve
 from scipy.sparse import diags_array, eye_array, kron
 from scipy.sparse.linalg import splu
+from scipy.special import jv
 
+from groundslab.verification import analytic_plates
 from groundslab.verification.analytic import circular_plate, navier, partly_loaded_circular_plate, plate_on_a_column
+from groundslab.verification.analytic_beams import beam_on_springs, disk_on_infinite_plate
+from groundslab.verification.analytic_plates import clamped_plate, rings
 from groundslab.verification.analytic_springs import (
     OnSprings,
     curling_strip,
@@ -360,3 +364,53 @@ def test_rigid_plate_within_the_middle_third() -> None:
     assert sides[0] == pytest.approx(sides[1], rel=1e-7)
     with pytest.raises(ValueError, match="arm"):
         rigid_plate_on_springs(0.0, b, force, 2.0, k)
+
+
+@pytest.mark.slow
+def test_disk_on_pasternak_ground_is_hankels_integral() -> None:
+    """Settlement and moment under a disk are the integrals over all wave numbers, at its middle, inside and outside."""
+    a, q, D, nu, k0, k1 = 0.3, 1e6, 2.5e6, 0.2, 4e7, 1e7
+    s = np.linspace(1e-9, 2000.0, 1_000_001)
+    f = q * a * jv(1, a * s) / (D * s**4 + k1 * s**2 + k0)
+    for r in (0.0, 0.1, 0.7):
+        slope_over_r = -(s**2) * (jv(1, r * s) / (r * s) if r else 0.5)
+        w, turned, bent = (
+            simpson(f * each, x=s) for each in (jv(0, r * s), slope_over_r, -(s**2) * jv(0, r * s) - slope_over_r)
+        )
+        found = disk_on_infinite_plate(r, a, q, D, nu, k0, k1)
+        assert found["settlement"] == pytest.approx(w, rel=1e-9)
+        assert found["moment"] == pytest.approx(-D * (bent + nu * turned), rel=1e-6)
+
+
+def test_beam_on_springs_is_in_equilibrium() -> None:
+    """The springs carry the force, also about the beam's end; at its ends there is no moment."""
+    length, P, at, EI, k = 5.0, 1e6, 1.7, 5.76e8, 5e7
+
+    def pressure(x: float) -> float:
+        return k * beam_on_springs(x, length, P, at, EI, k)["settlement"]
+
+    assert quad(pressure, 0, length, points=[at])[0] == pytest.approx(P, rel=1e-9)
+    assert quad(lambda x: pressure(x) * x, 0, length, points=[at])[0] == pytest.approx(P * at, rel=1e-9)
+    for end in (0.0, length):
+        assert beam_on_springs(end, length, P, at, EI, k)["moment"] == pytest.approx(0, abs=1e-6 * P)
+
+
+def test_rings_of_one_stiffness_are_a_plate() -> None:
+    """W = (5 + nu) / (64 (1 + nu)) q a^4 / D and m = (3 + nu) / 16 q a^2 in the middle, however it is divided."""
+    for radii in ([0.0, 2.0], [0.0, 0.5, 2.0], [0.0, 1.0, 1.5, 2.0]):
+        found = rings(0.0, radii, [3.0] * (len(radii) - 1), 0.3, 1.0)
+        assert found["settlement"] == pytest.approx(5.3 / (64 * 1.3) * 2**4 / 3)
+        assert found["moment"] == pytest.approx(3.3 / 16 * 2**2)
+    hole = rings(0.5, [0.5, 2.0], [3.0], 0.3, 1.0)
+    assert hole["moment"] == pytest.approx(0, abs=1e-12)
+
+
+def test_clamped_plate_converges(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With two terms less no digit changes that a case is held against; a long plate is a clamped beam."""
+    given = {"y": 0.0, "a": 10.0, "q": 100.0, "D": 1e6, "nu": 0.3}
+    square, beam = (clamped_plate(x=0.0, b=b, **given) for b in (10.0, 60.0))
+    assert beam["settlement"] == pytest.approx(100 * 10**4 / (384 * 1e6), rel=2e-3)
+    assert beam["moment"] == pytest.approx(100 * 10**2 / 24, rel=2e-3)
+    monkeypatch.setattr(analytic_plates, "TERMS", analytic_plates.TERMS - 2)
+    fewer = clamped_plate(x=0.0, b=10.0, **given)
+    assert [fewer[name] for name in square] == pytest.approx(list(square.values()), rel=1e-5)
