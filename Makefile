@@ -85,6 +85,7 @@ dist-test: dist         ## install both without the repository, one after the ot
 	done
 
 docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; every warning is an error
+	$(BIN)/python tools/verification_manual.py docs/verification
 	$(WITH_NODE) $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going --builder html docs out/docs
 
 lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml

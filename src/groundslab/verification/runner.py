@@ -74,11 +74,12 @@ class Case:
 
 def names() -> list[str]:
     """Return the names of all cases, and of the groups that they form."""
-    cases = [load(name) for name in _files()]
+    cases = [load(name) for name in case_names()]
     return [*dict.fromkeys(case.group for case in cases), *(case.name for case in cases)]
 
 
-def _files() -> list[str]:
+def case_names() -> list[str]:
+    """Return the names of all cases."""
     folder = files("groundslab.verification") / "cases"
     return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
 
@@ -96,7 +97,7 @@ def run(wanted: Sequence[str], console: Console) -> bool:
     """Run cases or groups of them, print each row, and return whether all rows passed."""
     if not console.is_terminal:
         console.width = WIDTH
-    chosen = [case for case in map(load, _files()) if case.name in wanted or case.group in wanted]
+    chosen = [case for case in map(load, case_names()) if case.name in wanted or case.group in wanted]
     failed = 0
     for case in [case for case in chosen if not can_run(case)]:
         how = r"pip install 'groundslab\[mesh]' or 'groundslab\[netgen]'"
@@ -123,9 +124,14 @@ def _can_be_imported(name: str) -> bool:
         return False
 
 
-def outcomes_of(case: Case) -> Iterator[Outcome]:
-    """Yield the outcome of each row of a case; a model is solved once however many rows ask for it."""
-    solved: dict[tuple[str, tuple[int, ...]], CombinationResult] = {}
+def outcomes_of(
+    case: Case, solved: dict[tuple[str, tuple[int, ...]], CombinationResult] | None = None
+) -> Iterator[Outcome]:
+    """Yield the outcome of each row of a case; a model is solved once however many rows ask for it.
+
+    Its results are kept in `solved`, by the model's name and the counts of its mesh, where a row gives them.
+    """
+    solved = {} if solved is None else solved
 
     def results_of(name: str, counts: Sequence[int] = ()) -> CombinationResult:
         key = name, tuple(counts)
