@@ -25,6 +25,8 @@ GROUPS = {
     "analytic": "Closed forms and series",
     "programs": "Other programs",
 }
+#: Sources that have no author and year.
+NAMED = ("CNR-DT 211/2014", "Code_Aster", "OpenSees", "OOFEM", "XC,")
 #: What slabs have in the matrix, and how one sees it in a model.
 CAPABILITIES = {
     "springs": lambda m: m.ground.kind == "winkler",
@@ -72,7 +74,7 @@ def write(folder: Path) -> bool:
 def sources_of(cases: Sequence[Case]) -> set[str]:
     """Return the entries of the bibliography, and the programs, that cases are held against."""
     bibliography = (ROOT / "docs" / "bibliography.md").read_text(encoding="utf-8")
-    known = [*re.findall(r"^## (.+ \d{4})$", bibliography, re.MULTILINE), "Code_Aster", "OpenSees", "OOFEM", "XC,"]
+    known = [*re.findall(r"^## (.+ \d{4})$", bibliography, re.MULTILINE), *NAMED]
     texts = " ".join(f"{case.source} {case.note}" for case in cases)
     return {name for name in known if name in texts}
 

@@ -177,6 +177,13 @@ CONSTANTS = ("k0", "k1", "gamma")
 
 Quantity = Callable[[CombinationResult, Mapping[str, Any]], float]
 
+
+def _principal(results: CombinationResult, row: Mapping[str, Any], sign: float) -> float:
+    """Return a principal moment at a row's place [N m/m]."""
+    x, y, xy = (results.plate.value_at(f"moment_{name}", *row["at"]) for name in ("x", "y", "xy"))
+    return float((x + y) / 2 + sign * math.hypot((x - y) / 2, xy))
+
+
 #: What a row may ask for: the dimension of its unit, and how to take it from the results.
 QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "settlement": ("length", lambda r, row: r.plate.value_at("settlement", *row["at"])),
@@ -184,6 +191,8 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "largest uplift": ("length", lambda r, _: float(-r.plate.settlement.min())),
     "ground settlement": ("length", lambda r, row: r.ground.value_at(*row["at"])),
     "moment_x": ("force", lambda r, row: r.plate.value_at("moment_x", *row["at"])),
+    "moment_1": ("force", lambda r, row: _principal(r, row, 1.0)),
+    "moment_2": ("force", lambda r, row: _principal(r, row, -1.0)),
     "force of a support": ("force", lambda r, row: next(s.total for s in r.supports if s.name == row["support"])),
     "k0": ("pressure per length", lambda r, row: r.constants.k0[row.get("layer", 1) - 1]),
     "k1": ("pressure times length", lambda r, row: r.constants.k1[row.get("layer", 1) - 1]),
