@@ -16,7 +16,7 @@ PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate
 
-.PHONY: demo docs test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
+.PHONY: demo verify docs test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -83,6 +83,9 @@ dist-test: dist         ## install both without the repository, one after the ot
 	  $(TRIAL)/$(SCRIPTS)/groundslab solve examples/table1.toml --quiet --out out/dist; \
 	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
 	done
+
+verify: $(VENV)/dev.stamp ## solve every case with a known answer and compare
+	$(BIN)/groundslab verify
 
 docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; every warning is an error
 	$(BIN)/python tools/verification_manual.py docs/verification

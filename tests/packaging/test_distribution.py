@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
@@ -54,9 +55,14 @@ def test_sdist_and_wheel_contain_the_pages(distributions: list[set[str]]) -> Non
 
 
 def test_citation_has_the_version() -> None:
-    """CITATION.cff names the version of the package."""
+    """CITATION.cff, codemeta.json and the page on citing name the version of the package."""
     text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     assert re.findall(r"^version: (.+)$", text, re.MULTILINE) == [groundslab.__version__]
+    about = json.loads((ROOT / "codemeta.json").read_text(encoding="utf-8"))
+    keywords = re.findall(r"^  - ([^:\n]+)$", text, re.MULTILINE)
+    assert (about["version"], about["keywords"]) == (groundslab.__version__, keywords)
+    page = (ROOT / "docs" / "cite.md").read_text(encoding="utf-8")
+    assert re.findall(r"version = \{(.+)\}", page) == [groundslab.__version__]
 
 
 @pytest.fixture
