@@ -49,6 +49,7 @@ nb_execution_mode = "cache"
 nb_execution_cache_path = "../out/docs-cache"
 nb_execution_timeout = 300
 nb_execution_in_temp = True
+nb_merge_streams = True
 nb_execution_raise_on_error = True
 nb_execution_show_tb = True
 
