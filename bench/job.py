@@ -30,7 +30,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -45,6 +45,9 @@ from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.direct import pardiso
+
+if TYPE_CHECKING:
+    from groundslab.study.definition.files import StudyInput
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "table1.toml"
 KINDS: dict[str, dict[str, Any]] = {
@@ -356,17 +359,11 @@ def variants(unknowns: int, times: int) -> dict[str, Any]:
     }
 
 
-def study(unknowns: int, times: int) -> dict[str, Any]:
-    """Return how much of twice one worker's pace two workers reach; the pace is that from the first rows to the last.
-
-    The efficiency has in it whatever these processes, the one that keeps the rows and the rest of the machine take from
-    each other.
-    """
+def scattering(case: Model, count: int) -> StudyInput:
+    """Return a study of so many variants of a case, whose k0 and k1 scatter, and one result of each."""
     from groundslab.study.definition import files
     from groundslab.study.definition.schema import StudyFile
-    from groundslab.study.execution import runner
 
-    case, count = model_of("pasternak", unknowns), STUDY * 6734 // unknowns
     cov = {"kind": "lognormal", "cov": SCATTER}
     described = StudyFile(
         title="Ground that scatters",
@@ -379,7 +376,19 @@ def study(unknowns: int, times: int) -> dict[str, Any]:
         ],
         keep=[{"of": "settlement", "take": "largest"}],
     )
-    read = files.resolve(described, case)
+    return files.resolve(described, case)
+
+
+def study(unknowns: int, times: int) -> dict[str, Any]:
+    """Return how much of twice one worker's pace two workers reach; the pace is that from the first rows to the last.
+
+    The efficiency has in it whatever these processes, the one that keeps the rows and the rest of the machine take from
+    each other.
+    """
+    from groundslab.study.execution import runner
+
+    case, count = model_of("pasternak", unknowns), STUDY * 6734 // unknowns
+    read = scattering(case, count)
     found: dict[int, list[float]] = {1: [], 2: []}
     for _ in range(times):
         for workers, paces in found.items():

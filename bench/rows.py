@@ -18,10 +18,8 @@ from pathlib import Path
 
 import dask
 import distributed
-from job import SCATTER, model_of
+from job import model_of, scattering
 
-from groundslab.study.definition import files
-from groundslab.study.definition.schema import StudyFile
 from groundslab.study.execution import dask_plugin, runner
 from groundslab.study.execution.dask_cluster import SETTINGS
 from groundslab.study.execution.variant import SOLVED, Row
@@ -32,23 +30,6 @@ PROCESSES = 5
 SCHEDULING = {name: value for name, value in SETTINGS.items() if not name.endswith(("routes", "preload"))}
 #: Seconds that variants sleep, and about how long each pace is measured [s].
 SLEEPS, DURATION = (0.005, 0.02, 0.1, 0.3), 10
-
-
-def study_of(count: int) -> files.StudyInput:
-    """Return a study of so many variants of the first plate's ground, and one result of each."""
-    cov = {"kind": "lognormal", "cov": SCATTER}
-    described = StudyFile(
-        title="Variants that sleep",
-        case="",
-        seed=1,
-        sampling={"kind": "monte carlo", "count": count},
-        vary=[
-            {"path": "ground.k0", "distribution": {**cov, "mean": 32.7862e6}},
-            {"path": "ground.k1", "distribution": {**cov, "mean": 20.660e6}},
-        ],
-        keep=[{"of": "settlement", "take": "largest"}],
-    )
-    return files.resolve(described, model_of("pasternak", 6734))
 
 
 def sleeping(seconds: float) -> type[dask_plugin.Plugin]:
@@ -74,8 +55,10 @@ def pace(workers: int, seconds: float, count: int) -> str:
         ) as cluster,
         tempfile.TemporaryDirectory() as folder,
     ):
+        study = scattering(model_of("pasternak", 6734), count)
+        where = runner.Resources(scheduler=cluster.scheduler_address)
         runner.run(
-            study_of(count), Path(folder) / "study", runner.Resources(scheduler=cluster.scheduler_address), False,
+            study, Path(folder) / "study", where, False,
             lambda progress: seen.append((time.perf_counter(), progress.rows)),
         )  # fmt: skip
         size = (Path(folder) / "study" / "rows.sqlite").stat().st_size / count

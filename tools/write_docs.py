@@ -32,12 +32,9 @@ def commands_text() -> str:
     (commands,) = (each for each in main._parser()._actions if isinstance(each, argparse._SubParsersAction))
     parts = []
     for name, command in commands.choices.items():
-        rows = [
-            (_words(action), (action.help or "").replace("<", "&lt;"))
-            for action in command._actions
-            if action.dest != "help"
-        ]
-        usage = " ".join(["groundslab", name, *(_words(each, short=True) for each in command._actions[1:])])
+        own = [action for action in command._actions if action.dest != "help"]
+        rows = [(_words(action), (action.help or "").replace("<", "&lt;")) for action in own]
+        usage = " ".join(["groundslab", name, *(_words(each, short=True) for each in own)])
         table = ["| argument | meaning |", "|---|---|", *(f"| `{words}` | {text} |" for words, text in rows)]
         parts.append("\n".join([f"## {name}", "", command.description or "", "", "```", usage, "```", ""]))
         parts[-1] += "\n".join(["", *table, ""] if rows else []) + (f"\n{command.epilog}\n" if command.epilog else "")

@@ -211,6 +211,7 @@ def _solve_each(
     finest = MeshHierarchy(model, solver, 0, 1.0, keep, meshes, ground, reference)
     margins = [MeshHierarchy(model, solver, level, margin, keep, meshes, ground, reference) for margin in (1.0, 2.0)]
     hierarchies = [finest, *margins]
+    # one combination does not wait for the number of threads, which a solver tells when it is loaded
     lanes = 1 if len(combinations) == 1 else min(MAX_LANES, factorization.threads(solver), len(combinations))
     if lanes > 1 and finest.level(0).system.pattern.size > MAX_PARALLEL_UNKNOWNS:
         lanes = 1
