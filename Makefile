@@ -84,7 +84,7 @@ dist-test: dist         ## install both without the repository, one after the ot
 	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
 	done
 
-verify: $(VENV)/dev.stamp ## solve every case with a known answer and compare
+verify-light: $(VENV)/dev.stamp ## solve every case with a known answer and compare
 	$(BIN)/groundslab verify
 
 docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; every warning is an error

@@ -238,6 +238,7 @@ def tables(results: CombinationResult, accuracies: CombinationResult | None = No
         "targets": targets(results),
         "picture": picture(results),
         "own": own_rows(results),
+        "phases": phase_rows(results),
         "small": small_rows(results),
         "peers": peer_rows(results),
         "reference": reference_rows(results),
@@ -290,6 +291,28 @@ def own_rows(results: CombinationResult) -> str:
             rows.append([name, f"{row['unknowns']:,}", *(figure(row.get(key)) for key in keys), *errors, others])
     head = ["job", "unknowns", "total [s]", "bare [s]", "total / bare", "iterations", "peak [MiB]"]
     return table([*head, "error, centre", "error, corner", "further ratios"], rows)
+
+
+#: Parts of an analysis and the phases of job.py that make them up; the last is what is left.
+PARTS = {
+    "factorizations": ("of which analysis and factorisations",),
+    "solutions": ("of which solutions with the factor",),
+    "mesh, loads, supports": ("mesh, loads, supports",),
+    "assembly": ("assembly",),
+    "certificate": ("certificate",),
+}
+
+
+def phase_rows(results: CombinationResult) -> str:
+    """Return the shares [%] of the parts of an analysis, from the mesh to results with their errors."""
+    rows = []
+    for kind, size in itertools.product(TENSIONLESS, ("100k", "1M")):
+        row = results["own"].get(kind, {}).get(size, {})
+        if "phases [s]" in row:
+            spent = [sum(row["phases [s]"].get(phase, 0.0) for phase in phases) for phases in PARTS.values()]
+            shares = [*spent, row["total [s]"] - sum(spent)]
+            rows.append([NAMES[kind], f"{row['unknowns']:,}", *(f"{100 * s / row['total [s]']:.0f}" for s in shares)])
+    return table(["job", "unknowns", *PARTS, "all else"], rows)
 
 
 def small_rows(results: CombinationResult) -> str:

@@ -1,6 +1,12 @@
-"""Draws which folder of the package imports which, as a Mermaid diagram for docs/architecture.md."""
+"""Draws which folder of the package imports which, as a Mermaid diagram for docs/architecture.md or as a picture.
+
+python tools/draw_imports.py                     # Mermaid
+python tools/draw_imports.py docs/imports.svg    # a picture, for the site
+"""
 
 from __future__ import annotations
+
+import sys
 
 import grimp
 
@@ -35,24 +41,54 @@ def levels(below: dict[str, set[str]]) -> dict[str, int]:
     return found
 
 
-def diagram() -> str:
-    """Return the diagram: an arrow from each folder to those that it imports, unless a longer way leads there."""
+def direct_imports() -> tuple[dict[str, int], dict[str, set[str]]]:
+    """Return the level of each folder, and what it imports less what a longer way leads to."""
     below = imports()
     below[UP[0]].discard(UP[1])
-    reached: dict[str, set[str]] = {}
-    for top, _ in sorted(levels(below).items(), key=lambda each: each[1]):
+    level, reached = levels(below), dict[str, set[str]]()
+    for top in sorted(level, key=level.__getitem__):
         reached[top] = below[top].union(*(reached[each] for each in below[top]))
+    shown = sorted(below.keys() - set(COMMON), key=lambda top: (-level[top], top))
+    direct = {top: below[top] - set().union(*(reached[each] for each in below[top])) - set(COMMON) for top in shown}
+    return level, direct
+
+
+def diagram() -> str:
+    """Return the diagram: an arrow from each folder to those that it imports, unless a longer way leads there."""
     lines = ["```mermaid", "graph TD"]
-    for top, _ in sorted(levels(below).items(), key=lambda each: (-each[1], each[0])):
-        if top in COMMON:
-            continue
-        direct = below[top] - set().union(*(reached[each] for each in below[top])) - set(COMMON)
-        lines += [f"    {top} --> {each}" for each in sorted(direct)] or [f"    {top}"]
+    for top, imported in direct_imports()[1].items():
+        lines += [f"    {top} --> {each}" for each in sorted(imported)] or [f"    {top}"]
     lines += [f"    {UP[0]} -. Results.plot .-> {UP[1]}", "```"]
     return "\n".join(lines) + "\n"
 
 
-if __name__ == "__main__":
+def draw(path: str) -> None:
+    """Draw the same as a picture, higher levels further up."""
+    from matplotlib.figure import Figure
+
+    level, direct = direct_imports()
+    rows: dict[int, list[str]] = {}
+    for top in direct:
+        rows.setdefault(level[top], []).append(top)
+    at = {top: (i - (len(row) - 1) / 2, height) for height, row in rows.items() for i, top in enumerate(row)}
+    figure = Figure(figsize=(7, 0.55 * max(rows)), layout="constrained")
+    axes = figure.add_subplot()
+    axes.set(xlim=(-2, 2), ylim=(min(rows) - 0.5, max(rows) + 0.5))
+    axes.axis("off")
+    upwards = [(*UP, "dashed")]
+    for start, end, line in [(top, each, "solid") for top, found in direct.items() for each in found] + upwards:
+        bend = 0.25 if abs(at[start][1] - at[end][1]) > 1 else 0.0
+        style = {"arrowstyle": "-|>", "color": "#777777", "linestyle": line, "shrinkA": 9, "shrinkB": 9}
+        axes.annotate("", at[end], at[start], arrowprops={**style, "connectionstyle": f"arc3,rad={bend}"})
+    for top, (x, y) in at.items():
+        box = {"boxstyle": "round,pad=0.35", "facecolor": "#eef2f7", "edgecolor": "#456"}
+        axes.text(x, y, top, ha="center", va="center", family="monospace", fontsize=9, bbox=box)
+    figure.savefig(path, metadata={"Date": None})
+
+
+if __name__ == "__main__" and len(sys.argv) > 1:
+    draw(sys.argv[1])
+elif __name__ == "__main__":
     found = imports()
     found[UP[0]].discard(UP[1])
     arrows = sum(map(len, found.values()))

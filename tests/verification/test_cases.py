@@ -66,16 +66,31 @@ def test_a_tolerance_wider_than_the_value_is_an_error():
         next(runner.outcomes_of(case))
 
 
-@pytest.mark.slow
-def test_a_refuted_number_leaves_a_regression_value():
-    """A row whose published number cannot be right pins our own number, and fails if that changes by 0.01 %."""
-    case = runner.load("table1")
-    number = next(i for i, row in enumerate(case.rows) if "proof" in row)
-    assert next(runner.outcomes_of(_with_row("table1", number))).ok
-    ours = float(case.rows[number]["ours"])
-    changed = next(runner.outcomes_of(_with_row("table1", number, ours=f"{ours * 1.0001:.7g}")))
-    assert not changed.ok
-    assert changed.reason.startswith("regression: our own number was")
+@pytest.mark.parametrize(("drift", "ok"), [(0.9e-5, True), (1.1e-5, False)])
+def test_a_value_that_has_changed_fails_within_its_tolerance_too(monkeypatch, drift, ok):
+    """A row that agrees with its source fails where our own number is not the pinned one."""
+    case = _with_row("compression", 0)
+    label, value = case.rows[0]["label"], next(runner.outcomes_of(case)).computed
+    monkeypatch.setattr(runner, "pinned", lambda: {"compression": {label: value * (1 + drift)}})
+    outcome = next(runner.outcomes_of(case))
+    assert outcome.ok is ok
+    assert outcome.reason.startswith("our own number was") is not ok
+
+
+def test_a_row_without_a_pinned_value_fails(monkeypatch):
+    """A new row needs its value pinned."""
+    monkeypatch.setattr(runner, "pinned", dict)
+    outcome = next(runner.outcomes_of(_with_row("compression", 0)))
+    assert not outcome.ok
+    assert outcome.reason.startswith("no value is pinned")
+
+
+def test_pinned_values_are_those_of_rows():
+    """No case or row is pinned that is not there, and all labels of a case differ."""
+    for name, values in runner.pinned().items():
+        labels = [row["label"] for row in runner.load(name).rows]
+        assert len(set(labels)) == len(labels)
+        assert list(values) == labels
 
 
 @pytest.mark.slow

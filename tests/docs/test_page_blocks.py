@@ -1,0 +1,105 @@
+"""Blocks of code and commands on pages that are no notebooks run as they stand there."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import groundslab
+from groundslab.case import casefile
+from groundslab.cli import main
+from helpers.paths import DOCS, EXAMPLES
+
+
+def blocks(page: str, language: str) -> list[str]:
+    """Return the fenced blocks of a page."""
+    return re.findall(
+        rf"^```{language}\n(.*?)^```$", (DOCS / page).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )
+
+
+@pytest.fixture(scope="module")
+def raft(tmp_path_factory: pytest.TempPathFactory) -> tuple[groundslab.Results, Path]:
+    """Return the raft of the examples on elements of 2 m, and the folder in which its results are written."""
+    model = groundslab.load(EXAMPLES / "l_raft.toml").replace(mesh={"size": 2.0})
+    folder = tmp_path_factory.mktemp("pages")
+    results = groundslab.solve(model)
+    groundslab.save_results(results, folder / "raft-results")
+    return results, folder
+
+
+def run(text: str, **names: object) -> dict[str, object]:
+    """Run a block of Python with some names known."""
+    exec(compile(text, "page", "exec"), names)
+    return names
+
+
+def test_cases_of_the_page_on_input_load() -> None:
+    """The smallest case loads, and with each of the other blocks put behind it."""
+    smallest, *others = blocks("input.md", "toml")
+    assert len(others) == 2
+    shapes, combinations = others
+    assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 4
+    named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
+    assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1
+
+
+def test_python_of_the_page_on_input_is_its_case() -> None:
+    """The model in Python is that of the case, and the stiffer one is thicker."""
+    names = run(blocks("input.md", "python")[0])
+    assert names["model"] == casefile.loads(blocks("input.md", "toml")[0])
+    stiffer = names["stiffer"]
+    assert isinstance(stiffer, groundslab.Model)
+    assert stiffer.plate.thickness == 0.3
+
+
+@pytest.mark.slow
+def test_values_of_the_page_on_notation() -> None:
+    """Values are taken at points, lines and rasters, with the shapes that the page states."""
+    layer = groundslab.Layered(
+        coupling="interface",
+        layers=[groundslab.InterfaceLayer(k0=2e7, k1=1e7), groundslab.InterfaceLayer(k0=4e7, k1=2e7)],
+    )
+    results = groundslab.solve(
+        groundslab.Model(
+            plate={"length_x": 6, "length_y": 4, "thickness": 0.25, "E": 30e9, "nu": 0.2},
+            ground=layer,
+            loads=[{"kind": "uniform", "q": 1e4}],
+            mesh={"counts": (6, 4)},
+        )
+    ).only
+    (text,) = blocks("notation.md", "python")
+    lines = [line for line in text.splitlines() if "value_at" in line]
+    assert len(lines) == 4
+    names: dict[str, object] = {"results": results, "np": np, "x": np.linspace(-3, 3, 61)}
+    for line in lines:
+        stated = re.search(r": \(([\d, ]+)\)$", line)
+        value = np.asarray(eval(line.split("#")[0], names))
+        assert stated is None or value.shape == tuple(int(n) for n in stated[1].split(",") if n.strip())
+
+
+@pytest.mark.slow
+def test_commands_of_the_page_on_plots(raft: tuple[groundslab.Results, Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each command draws."""
+    monkeypatch.chdir(raft[1])
+    commands = [shlex.split(line, comments=True) for line in blocks("plots.md", "sh")[0].splitlines() if line]
+    assert len(commands) == 9
+    for command in commands:
+        assert command[:2] == ["groundslab", "plot"]
+        assert main.main(command[1:]) == 0, command
+    assert (raft[1] / "bottom.svg").exists()
+
+
+@pytest.mark.slow
+def test_python_of_the_page_on_plots(raft: tuple[groundslab.Results, Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each line draws."""
+    combined, folder = raft
+    monkeypatch.chdir(folder)
+    run(
+        blocks("plots.md", "python")[0], results=next(iter(combined.values())), combined=combined, groundslab=groundslab
+    )
+    assert (folder / "a.png").exists()
