@@ -4,7 +4,7 @@ from ._version import __version__ as __version__
 from .analysis.check import check as check
 from .analysis.driver import solve as solve
 from .case.casefile import load as load
-from .design.tables import tables_of as tables_of
+from .design.result_tables import tables_of as tables_of
 from .errors import GroundslabError as GroundslabError
 from .errors import IllConditioned as IllConditioned
 from .errors import InputError as InputError
@@ -21,6 +21,7 @@ from .model.ground import Selvadurai as Selvadurai
 from .model.ground import SoilLayer as SoilLayer
 from .model.ground import Vlasov as Vlasov
 from .model.ground import Winkler as Winkler
+from .model.limits import Limits as Limits
 from .model.loads.load_cases import Combination as Combination
 from .model.loads.load_cases import Combine as Combine
 from .model.loads.load_cases import LoadCase as LoadCase
@@ -33,6 +34,7 @@ from .model.loads.load_types import SettlementLoad as SettlementLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
 from .model.model import Model as Model
+from .model.outputs import Bars as Bars
 from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine
 from .model.outputs import OutputPoint as OutputPoint

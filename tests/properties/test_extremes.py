@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from groundslab.analysis.check import check
 from groundslab.analysis.driver import solve_combinations
 from groundslab.case.casefile import from_table, loads, starter
-from groundslab.design.tables import tables_of
+from groundslab.design.result_tables import tables_of
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.geometry.plan import MOST_CHORDS
 from groundslab.model.consistency import estimate_elements

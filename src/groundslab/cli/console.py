@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from groundslab.errors import InputError
 
-EXIT_OK, EXIT_NO_RESULT, EXIT_WRONG_INPUT, EXIT_INTERRUPTED = 0, 1, 2, 130
+EXIT_OK, EXIT_NO_RESULT, EXIT_WRONG_INPUT, EXIT_DESIGN_FAILS, EXIT_INTERRUPTED = 0, 1, 2, 3, 130
 
 
 def print_stderr(text: str) -> None:

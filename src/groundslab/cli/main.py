@@ -1,7 +1,7 @@
 """The command line: groundslab solve, study, evaluate, plot, report, app, check, new, dxf, verify, schema.
 
-Exit codes: 0 fine, whatever the checks of the design say in words; 1 no certified result (of one combination of loads
-at least), or a verification case that fails; 2 wrong input or usage; 130 interrupted.
+Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
+2 wrong input or usage; 3 certified results of a design that fails a check; 130 interrupted.
 What a command returns goes to standard output, everything else to standard error.
 """
 

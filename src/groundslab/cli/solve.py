@@ -8,7 +8,7 @@ from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab.cli.console import EXIT_NO_RESULT, EXIT_OK, print_stderr, print_stdout
+from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_NO_RESULT, EXIT_OK, print_stderr, print_stdout
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
 
 if TYPE_CHECKING:
@@ -25,7 +25,8 @@ def describe(solve: argparse.ArgumentParser) -> None:
     solve.epilog = (
         "Every combination of loads is solved: those that the case lists, those that it has made by EN 1990, or, with "
         "neither, each load case by itself. If one of them, listed or not, has no certified result, the reason is "
-        "printed, the results of the others are kept, and the exit code is 1."
+        "printed, the results of the others are kept, and the exit code is 1. If all have one and a check of the "
+        "design fails, it is 3."
     )
     solve.add_argument("case", help="case file (TOML)")
     solve.add_argument("--out", metavar="DIR", help="folder for the results (default: <case>-results beside the case)")
@@ -57,9 +58,7 @@ def run(options: argparse.Namespace) -> int:
     if results.refused:
         _print_refused(results)
         return EXIT_NO_RESULT
-    if not options.quiet:
-        _print_design(results)
-    return EXIT_OK
+    return _judge_design(results, options.quiet)
 
 
 def _solve(model: Model, quiet: bool) -> Results:
@@ -123,13 +122,15 @@ def _print_summary(results: Results, options: argparse.Namespace) -> None:
         print_stdout(captured.get().rstrip("\n"))
 
 
-def _print_design(results: Results) -> None:
-    """Print what fails in the design of certified results: the exit code is that of the analysis."""
-    from groundslab.design.tables.design_checks import design_of
+def _judge_design(results: Results, quiet: bool) -> int:
+    """Print what fails in the design of certified results, and return the exit code."""
+    from groundslab.design.checks import design_of
 
     design = design_of(results)
-    if design.open:
-        print_stderr(f"{design.headline} The analysis itself is certified (exit code 0).")
+    code = EXIT_DESIGN_FAILS if design.status == "fails" else EXIT_OK
+    if design.open and not quiet:
+        print_stderr(f"{design.headline} The analysis itself is certified (exit code {code}).")
+    return code
 
 
 def _print_refused(results: Results) -> None:

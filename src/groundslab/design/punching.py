@@ -1,7 +1,7 @@
 """What punching of a foundation slab is checked with: the control perimeter and the shear force on it.
 
-EN 1992-1-1 6.4.2 (perimeters), 6.4.3 (v_Ed; the factor beta for eccentric forces is not in it) and 6.4.4 (foundations:
-the pressure inside the perimeter carries its part of the column's force). Resistances are in `punching_resistance`.
+EN 1992-1-1 6.4.2 (perimeters), 6.4.3 (v_Ed, beta) and 6.4.4 (foundations: the pressure inside the perimeter carries its
+part of the column's force). Resistances are in `en1992/punching`.
 """
 
 from __future__ import annotations
@@ -165,6 +165,21 @@ def perimeter(
     if not u > near:
         raise InputError([Issue("column", where, f"some plate at {distance:g} m from it", "take a smaller distance")])
     return Perimeter(legs, inside, u)
+
+
+def centroid(legs: Array) -> Array:
+    """Return the centroid (2,) [m] of straight pieces (l, 2, 2) of a perimeter."""
+    length = np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1)
+    return np.asarray(length @ legs.mean(axis=1) / length.sum())
+
+
+def moduli(legs: Array, axes: Array) -> Array:
+    """Return W_1 = int |e| dl (2,) [m2] of a perimeter, e along x and along y from axes (2,) [m] (6.40)."""
+    length = np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1)[:, None]
+    start, end = legs[:, 0] - axes, legs[:, 1] - axes
+    size = np.abs(start) + np.abs(end)
+    crossing = np.divide(start**2 + end**2, 2 * size, out=np.zeros_like(size), where=size > 0)
+    return np.asarray((length * np.where(start * end >= 0, size / 2, crossing)).sum(axis=0))
 
 
 def face_length(plate: PlateResult, column: RectangularColumn | RoundColumn, d: float) -> float:

@@ -13,6 +13,7 @@ from pydantic import Field
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
 from groundslab.model.ground import Ground
+from groundslab.model.limits import Limits
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
@@ -81,6 +82,7 @@ class Model(Section):
         Reinforcement | None,
         Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
     ] = None
+    limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 

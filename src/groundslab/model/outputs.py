@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
@@ -11,7 +11,7 @@ from groundslab.model.plate import Plate, PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Integer, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Choice, Integer, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 #: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
+BAR, CRACK = Range(at_least=4e-3, at_most=0.05), Range(at_least=5e-5, at_most=1e-3)
 
 
 class OutputPoint(Section):
@@ -88,11 +89,70 @@ class Output(Section):
     strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
 
 
+#: Strength classes of EN 1992-1-1 Table 3.1, and of steel by its yield strength and class of ductility (Annex C).
+ConcreteClass = Literal[
+    "C12/15", "C16/20", "C20/25", "C25/30", "C30/37", "C35/45", "C40/50", "C45/55", "C50/60", "C55/67", "C60/75",
+    "C70/85", "C80/95", "C90/105",
+]  # fmt: skip
+SteelClass = Literal["B450C", "B500A", "B500B", "B500C", "B550A", "B550B"]
+
+
+class Bars(Section):
+    """Bars of one layer, all over the slab."""
+
+    diameter: Annotated[float, Quantity("length", "phi", "diameter of the bars", BAR)]
+    spacing: Annotated[float, Quantity("length", "s", "from axis to axis", POSITIVE)]
+
+
+def _check_all_layers(
+    bottom_x: Bars | None, bottom_y: Bars | None, top_x: Bars | None, top_y: Bars | None, w_max: float | None
+) -> Iterator[RelativeIssue]:
+    layers = {"bottom_x": bottom_x, "bottom_y": bottom_y, "top_x": top_x, "top_y": top_y}
+    missing = [name for name, bars in layers.items() if bars is None]
+    if missing and (len(missing) < len(layers) or w_max is not None):
+        yield RelativeIssue((missing[0],), "no bars", "bars in all four layers", "or in none, and no w_max")
+
+
+def _check_cover(
+    bottom: tuple[float, float],
+    top: tuple[float, float],
+    bottom_x: Bars | None,
+    bottom_y: Bars | None,
+    top_x: Bars | None,
+    top_y: Bars | None,
+) -> Iterator[RelativeIssue]:
+    layers = {"bottom_x": bottom_x, "bottom_y": bottom_y, "top_x": top_x, "top_y": top_y}
+    for (name, bars), axis in zip(layers.items(), (*bottom, *top), strict=True):
+        if bars is not None and bars.diameter / 2 >= axis:
+            expected = f"bars thinner than {2 * axis!r} m, whose axes lie {axis!r} m from the face"
+            yield RelativeIssue((name, "diameter"), f"{bars.diameter!r} m", expected)
+
+
+def _check_concrete(concrete: str | None, f_ck: float | None) -> Iterator[RelativeIssue]:
+    if (concrete is None) == (f_ck is None):
+        found = "neither concrete nor f_ck" if concrete is None else "both concrete and f_ck"
+        yield RelativeIssue(("concrete",), found, "one of them", 'such as concrete = "C30/37"')
+
+
+def _check_steel(steel: str | None, f_yk: float | None) -> Iterator[RelativeIssue]:
+    if (steel is None) == (f_yk is None):
+        found = "neither steel nor f_yk" if steel is None else "both steel and f_yk"
+        yield RelativeIssue(("steel",), found, "one of them", 'such as steel = "B500B"')
+
+
 class Reinforcement(Section):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1."""
 
-    f_ck: Annotated[float, Quantity("pressure", "f_ck", "characteristic strength of the concrete", CONCRETE)]
-    f_yk: Annotated[float, Quantity("pressure", "f_yk", "characteristic yield strength of the steel", STEEL)]
+    checks: ClassVar[tuple[Check, ...]] = (_check_concrete, _check_steel, _check_all_layers, _check_cover)
+
+    concrete: Annotated[ConcreteClass | None, Choice(ConcreteClass, "strength class of the concrete")] = None
+    steel: Annotated[SteelClass | None, Choice(SteelClass, "class of the steel")] = None
+    f_ck: Annotated[
+        float | None, Quantity("pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE)
+    ] = None
+    f_yk: Annotated[
+        float | None, Quantity("pressure", "f_yk", "characteristic yield strength of the steel, if no class", STEEL)
+    ] = None
     gamma_c: Annotated[float, Number("gamma_C", "partial factor of concrete", PARTIAL)] = 1.5
     gamma_s: Annotated[float, Number("gamma_S", "partial factor of steel", PARTIAL)] = 1.15
     alpha_cc: Annotated[
@@ -106,6 +166,14 @@ class Reinforcement(Section):
         tuple[float, float],
         list_quantities("length", "d_1", "top face to the axis of bars along x, along y", 2, POSITIVE),
     ]
+    bottom_x: Annotated[Bars | None, Table("bars that are laid at the bottom along x, to be checked")] = None
+    bottom_y: Annotated[Bars | None, Table("bars that are laid at the bottom along y")] = None
+    top_x: Annotated[Bars | None, Table("bars that are laid at the top along x")] = None
+    top_y: Annotated[Bars | None, Table("bars that are laid at the top along y")] = None
+    w_max: Annotated[
+        float | None,
+        Quantity("length", "w_max", "largest crack width in quasi-permanent combinations, with bars laid", CRACK),
+    ] = None
 
 
 def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:

@@ -28,6 +28,7 @@ from groundslab.model.ground import SoilLayer
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult
 from groundslab.verification.analytic import FORMULAS
+from groundslab.verification.design_values import VALUES
 from groundslab.verification.proofs import PROOFS
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def load(name: str) -> Case:
     text = (files("groundslab.verification") / "cases" / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
     about = {key: table.get(key, "") for key in ("group", "title", "source", "note", "needs")}
-    return Case(name=name, models=table["models"], rows=table["rows"], **about)
+    return Case(name=name, models=table.get("models", {}), rows=table["rows"], **about)
 
 
 @cache
@@ -244,7 +245,7 @@ def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Combi
 
 def _error(row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> float | None:
     """Return the discretization error of a row's quantity in the row's unit, None if none is known."""
-    if row["quantity"] in CONSTANTS:
+    if "value" in row or row["quantity"] in CONSTANTS:
         return None
     take, results = QUANTITIES[row["quantity"]][1], results_of(row["model"], row.get("counts", ()))
     if results.coarser is None or results.comparison is None:
@@ -254,7 +255,9 @@ def _error(row: Mapping[str, Any], results_of: Callable[..., CombinationResult])
 
 
 def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> float:
-    """Return the row's quantity in SI units; k0 and k1 for a given gamma need no solution."""
+    """Return the row's quantity in SI units; values of design codes and k0 and k1 for a given gamma need no solution."""
+    if "value" in row:
+        return float(VALUES[row["value"]][1](**row["of"]))
     if row["quantity"] in ("k0", "k1"):
         model = model_of(case, row["model"])
         ground = ground_of(model)
@@ -267,7 +270,7 @@ def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., Comb
 
 def _unit(row: Mapping[str, Any]) -> float:
     """Return the size of the row's unit in SI units."""
-    dimension = QUANTITIES[row["quantity"]][0]
+    dimension = VALUES[row["value"]][0] if "value" in row else QUANTITIES[row["quantity"]][0]
     return 1.0 if dimension is None else units.parse(f"1 {row['unit']}", dimension)
 
 

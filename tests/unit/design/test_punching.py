@@ -5,7 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from groundslab.design.punching import RectangularColumn, RoundColumn, demand, face_length, outline, perimeter
+from groundslab.design.en1992.punching import beta
+from groundslab.design.punching import (
+    RectangularColumn,
+    RoundColumn,
+    centroid,
+    demand,
+    face_length,
+    moduli,
+    outline,
+    perimeter,
+)
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh
 from helpers.plates import crooked, parted, plate_of, straight, without
@@ -158,3 +168,28 @@ def test_length_at_the_face_by_hand() -> None:
     corner = RectangularColumn(0.2, 0.3, 0.4, 0.6)
     assert face_length(SLAB, corner, 0.2) == pytest.approx(0.6)
     assert face_length(SLAB, corner, 0.5) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("c_1", "c_2", "d"), [(0.4, 0.4, 0.3), (0.3, 0.6, 0.25), (0.8, 0.3, 0.2)])
+def test_modulus_of_a_rectangle(c_1: float, c_2: float, d: float) -> None:
+    """W_1 of an inner column is c_1^2 / 2 + c_1 c_2 + 4 c_2 d + 16 d^2 + 2 pi d c_1 (EN 1992-1-1 (6.41))."""
+    legs = perimeter(SLAB, RectangularColumn(4, 3, c_1, c_2), 2 * d, 0.0).legs
+    center = centroid(legs)
+    assert center == pytest.approx([4, 3], abs=1e-9)
+    for along, first, second in ((0, c_1, c_2), (1, c_2, c_1)):
+        wanted = first**2 / 2 + first * second + 4 * second * d + 16 * d**2 + 2 * np.pi * d * first
+        assert moduli(legs, center)[along] == pytest.approx(wanted, rel=2e-4)
+
+
+def test_beta_of_a_round_column() -> None:
+    """Beta = 1 + 0.6 pi e / (D + 4 d) (EN 1992-1-1 (6.42)) of an inner round column, whatever the force."""
+    D, d, e, V = 0.5, 0.3, 0.1, 7e5
+    line = perimeter(SLAB, RoundColumn(4, 3, D), 2 * d, 0.0)
+    W = moduli(line.legs, centroid(line.legs))
+    assert beta((V * e, 0.0), (0.6, 0.6), V, line.u, W) == pytest.approx(1 + 0.6 * np.pi * e / (D + 4 * d), rel=2e-4)
+
+
+def test_center_of_an_edge_column() -> None:
+    """Of three sides a by b the centroid lies at b^2 / (2 b + a) from the side that is alone."""
+    legs = perimeter(SLAB, RectangularColumn(0.3, 3, 0.6, 0.8), 0.0, 0.0).legs
+    assert centroid(legs) == pytest.approx([0.6 - 0.6**2 / (2 * 0.6 + 0.8), 3])

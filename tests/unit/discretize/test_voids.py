@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab import CombinationResult, InputError, Model, solve
-from groundslab.design.tables import tables_of
+from groundslab.design.result_tables import tables_of
 from groundslab.fem.shape_functions import areas
 from groundslab.results.results import results_of
 from groundslab.results.soil_profile import crossed_borders

@@ -31,6 +31,16 @@ def sum_of_column(model: Model, name: str) -> dict[str, float]:
     return force
 
 
+def moments_of_column(model: Model, name: str) -> tuple[dict[str, float], dict[str, float]]:
+    """Return the sums of the moments M_x and M_y of the point loads that name a column [N m], by load case."""
+    sums: tuple[dict[str, float], dict[str, float]] = defaultdict(float), defaultdict(float)
+    for load in model.loads:
+        if isinstance(load, load_types.PointLoad) and load.column == name:
+            sums[0][load.case] += load.M_x
+            sums[1][load.case] += load.M_y
+    return sums
+
+
 def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
     model, plate = results.model, results.plate

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from groundslab.design.punching_resistance import max_resistance
+from groundslab.design.en1992.punching import max_resistance
 from groundslab.design.tables import column_loads
 from groundslab.design.tables.punching import Demand, demands
 from groundslab.design.tables.quantities import solved_results
@@ -23,7 +23,7 @@ _NEIGHBOURS = (
     ("angular distortion without tilt", "mm/m"),
 )  # fmt: skip
 _PUNCHING = (
-    ("d", "mm"), ("V_Ed", "kN"), ("u", "m"), ("v_Ed", "MPa"), ("pressure inside", "kN"),
+    ("d", "mm"), ("V_Ed", "kN"), ("u", "m"), ("beta", ""), ("v_Ed", "MPa"), ("pressure inside", "kN"),
     ("other loads inside", "kN"), ("u_0", "m"), ("v_Ed at the face", "MPa"), ("v_Rd,max", "MPa"),
 )  # fmt: skip
 
@@ -61,10 +61,10 @@ def _notes(steel: Reinforcement | None) -> list[str]:
     if steel is not None:
         notes += [
             "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = load + other loads inside - pressure "
-            "inside, on the perimeter at 2 d; foundations need nearer perimeters checked too. beta for eccentric "
-            "forces is not in v_Ed. Supports inside are not counted.",
-            "At the face v_Ed is that of 6.4.5(3) on u_0, less the pressure under the column. Above v_Rd,max = 0.4 nu "
-            "f_cd no reinforcement helps; below it punching is not yet checked.",
+            "inside, on the perimeter at 2 d; nearer perimeters are checked, too. v_Ed = beta V_Ed / (u d), beta by "
+            "the moments of all forces inside about the perimeter's center (6.51). Supports inside are not counted.",
+            "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta, less the pressure under the column. "
+            "Above v_Rd,max = 0.4 nu f_cd no reinforcement helps.",
             "d is the least thickness under the column less the mean distance of the bottom bars' axes. Where the "
             "plate gets thinner within 2 d or a little farther out, that place needs a check of its own.",
         ]
@@ -75,9 +75,9 @@ def _demand(demand: Demand | None, v_Rd_max: float) -> list[Cell]:
     """Return the figures of punching of a column, in the order of the table; nothing where nothing punches."""
     if demand is None:
         return [None] * len(_PUNCHING)
-    cells: list[Cell] = [demand.d * 1e3, *[None] * 5]
+    cells: list[Cell] = [demand.d * 1e3, *[None] * 6]
     if (far := demand.at_2d) is not None:
-        cells[1:] = [far.V_Ed / 1e3, far.u, far.v_Ed / 1e6, far.pressure / 1e3, far.others / 1e3]
+        cells[1:] = [far.V_Ed / 1e3, far.u, far.beta, far.v_Ed / 1e6, far.pressure / 1e3, far.others / 1e3]
     face: list[Cell] = [None, None] if demand.face is None else [demand.face.u, demand.face.v_Ed / 1e6]
     return [*cells, *face, v_Rd_max / 1e6]
 

@@ -1,14 +1,17 @@
-"""What punches at each column in each ultimate combination, at its face and at 2 d (EN 1992-1-1 6.4.3 to 6.4.5)."""
+"""What punches at each column in each ultimate combination, at its face and around it (EN 1992-1-1 6.4.3 to 6.4.5).
+
+Foundations are checked on all perimeters within 2 d (6.4.4(2)): on those of DISTANCES here.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from groundslab.arrays import Array, Memo
 from groundslab.design import punching
-from groundslab.design.punching import OPENING_REACH, RectangularColumn, RoundColumn
+from groundslab.design.en1992 import punching as en1992
+from groundslab.design.punching import OPENING_REACH, Perimeter, RectangularColumn, RoundColumn
 from groundslab.design.tables import column_loads
 from groundslab.design.tables.quantities import solved_results
 from groundslab.errors import InputError
@@ -20,26 +23,32 @@ from groundslab.model.outputs import Reinforcement
 from groundslab.model.supports import LineSupport
 from groundslab.results.results import CombinationResult, Results
 
-if TYPE_CHECKING:
-    from shapely import Polygon
+#: Where perimeters run, from the column's face, over the effective depth.
+DISTANCES = (0.5, 1.0, 1.5, 2.0)
 
 
 @dataclass(frozen=True, slots=True)
 class Around:
     """A perimeter around a column, and what is the same inside it in every combination."""
 
+    distance: float  # from the column's face [m]
     u: float  # its length that counts [m]
     area: Array  # (n,): each node's share of the area inside it [m2]
     others: Mapping[str, float]  # other loads inside [N], by load case
     supported: bool  # whether a support stands inside, which is not counted
+    center: tuple[float, float]  # of the perimeter [m]
+    moduli: tuple[float, float]  # W along x and along y, about the center [m2]
+    middle: tuple[float, float]  # of the area inside [m]
 
 
 @dataclass(frozen=True, slots=True)
 class Stress:
-    """The demand on a perimeter: beta for eccentric forces is not in it."""
+    """The demand on a perimeter."""
 
+    distance: float  # from the column's face [m]
     V_Ed: float  # load + others - pressure [N]
-    v_Ed: float  # V_Ed / (u d) [Pa]
+    beta: float  # by the moments about the perimeter's center (6.51)
+    v_Ed: float  # beta V_Ed / (u d) [Pa]
     u: float  # [m]
     pressure: float  # contact pressure inside [N]
     others: float  # other loads inside [N]
@@ -54,7 +63,12 @@ class Demand:
     combination: str
     d: float  # effective depth [m]
     face: Stress | None
-    at_2d: Stress | None  # None, as at the face, where there is no such perimeter on the plate
+    around: tuple[Stress, ...]  # at DISTANCES; fewer, as at the face, where there is no such perimeter on the plate
+
+    @property
+    def at_2d(self) -> Stress | None:
+        """Return the demand at 2 d."""
+        return self.around[-1] if len(self.around) == len(DISTANCES) else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +77,7 @@ class Demands:
 
     found: Mapping[tuple[str, str], Demand]
     missing: Mapping[str, str]
+    places: Mapping[str, tuple[float, float]]  # of all columns [m]
 
 
 def demands(combined: Results) -> Demands:
@@ -85,10 +100,11 @@ def demands(combined: Results) -> Demands:
         if place.why:
             missing[column.name] = place.why
         for each, force in pushing:
-            around = place.face, place.at_2d
-            stresses = [None if part is None else _stress(each, part, force, place.d) for part in around]
-            found[each.combination, column.name] = Demand(column.name, each.combination, place.d, *stresses)
-    return Demands(found, missing)
+            stresses = [_stress(each, part, column, force, place.d) for part in place.around]
+            # the beta of the perimeter at 2 d holds at the face, too
+            face = None if place.face is None else _stress(each, place.face, column, force, place.d, stresses[-1:])
+            found[each.combination, column.name] = Demand(column.name, each.combination, place.d, face, tuple(stresses))
+    return Demands(found, missing, {column.name: (column.x, column.y) for column in model.columns})
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +113,7 @@ class _Place:
 
     d: float  # effective depth [m]
     face: Around | None
-    at_2d: Around | None
+    around: tuple[Around, ...]
     why: str  # one of them is missing; else empty
 
 
@@ -108,17 +124,16 @@ _PLACES: Memo[dict[str, _Place]] = Memo()
 def _place(results: CombinationResult, column: Column, steel: Reinforcement) -> _Place:
     """Return the perimeters around a column, or why there are none."""
     plate, shape, around = results.plate, _shape(column), list[Around]()
-    d = _depth(results, shape, steel)
-    why = ""
+    d, face, why = _depth(results, shape, steel), None, ""
     try:
         u = punching.face_length(plate, shape, d)
-        around.append(_around(results, column, shape.footprint(), u))
-        line = punching.perimeter(plate, shape, 2 * d, OPENING_REACH * d)
-        around.append(_around(results, column, line.inside, line.u))
+        face = _around(results, column, punching.perimeter(plate, shape, 0.0, 0.0), 0.0, u)
+        for ratio in DISTANCES:
+            line = punching.perimeter(plate, shape, ratio * d, OPENING_REACH * d)
+            around.append(_around(results, column, line, ratio * d, line.u))
     except InputError as error:
         why = str(error)
-    face, at_2d, *_ = [*around, None, None]
-    return _Place(d, face, at_2d, why)
+    return _Place(d, face, tuple(around), why)
 
 
 def _shape(column: Column) -> RectangularColumn | RoundColumn:
@@ -139,23 +154,50 @@ def _depth(results: CombinationResult, shape: RectangularColumn | RoundColumn, s
     return float(results.elements.thickness[under].min()) - sum(steel.bottom) / 2
 
 
-def _around(results: CombinationResult, column: Column, part: Polygon, u: float) -> Around:
-    """Return a perimeter around a part of the plate with what is inside it."""
+def _around(results: CombinationResult, column: Column, line: Perimeter, distance: float, u: float) -> Around:
+    """Return a perimeter around a column with what is inside it."""
     from shapely import LineString, Point
 
-    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    part, mesh = line.inside, Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.find_elements_near(mesh, part)
     area = scatter(mesh.elements[elements], load_vectors.integrate_over_polygon(mesh, elements, part), len(mesh.nodes))
     supports = (
         LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
         for each in results.model.supports
     )
-    return Around(u, area, column_loads.sum_of_others(results, part, column.name), any(map(part.intersects, supports)))
+    center = punching.centroid(line.legs)
+    W_x, W_y = punching.moduli(line.legs, center)
+    others = column_loads.sum_of_others(results, part, column.name)
+    supported = any(map(part.intersects, supports))
+    middle = part.centroid.x, part.centroid.y
+    return Around(distance, u, area, others, supported, (center[0], center[1]), (W_x, W_y), middle)
 
 
-def _stress(results: CombinationResult, around: Around, force: float, d: float) -> Stress:
-    """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand)."""
+def _stress(
+    results: CombinationResult, around: Around, column: Column, force: float, d: float, like: Sequence[Stress] = ()
+) -> Stress:
+    """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand).
+
+    The moments are those of all forces inside about the perimeter's center, of loads and pressure; other loads act in
+    the middle of the area inside. `like` holds a demand whose beta is taken instead, if any.
+    """
     others = column_loads.factored_sum(results, around.others)
-    pressure = float(around.area @ (results.plate.contact_force / results.plate.area))
+    carried = around.area * (results.plate.contact_force / results.plate.area)
+    pressure = float(carried.sum())
     V_Ed = force + others - pressure
-    return Stress(V_Ed, V_Ed / (around.u * d), around.u, pressure, others, around.supported)
+    own = column_loads.moments_of_column(results.model, column.name)
+    moments = [
+        column_loads.factored_sum(results, own[axis])
+        + force * (place - around.center[axis])
+        + others * (around.middle[axis] - around.center[axis])
+        - float(carried @ (results.plate.nodes[:, axis] - around.center[axis]))
+        for axis, place in enumerate((column.x, column.y))
+    ]
+    c_x, c_y = (column.width_x, column.width_y) if column.diameter is None else (1.0, 1.0)
+    assert c_x is not None
+    assert c_y is not None
+    shares = en1992.transfer_share(c_x / c_y), en1992.transfer_share(c_y / c_x)
+    beta = en1992.beta(moments, shares, V_Ed, around.u, around.moduli) if V_Ed > 0 else 1.0
+    beta = like[0].beta if like else beta
+    v_Ed = beta * V_Ed / (around.u * d)
+    return Stress(around.distance, V_Ed, beta, v_Ed, around.u, pressure, others, around.supported)

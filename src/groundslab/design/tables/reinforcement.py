@@ -8,8 +8,9 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.design_moments import DesignMoments, wood_armer
+from groundslab.design.en1992.bending import Axes, SlabReinforcement, minimum, required, slab
+from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete, Steel
 from groundslab.design.envelope import Envelope, envelope
-from groundslab.design.reinforcement import Axes, Concrete, SlabReinforcement, Steel, minimum, required, slab
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.outputs import Reinforcement
@@ -19,6 +20,7 @@ from groundslab.results.results import CombinationResult, Results
 
 #: From m2/m to cm2/m.
 CM2 = 1e4
+MPA = 1e6
 
 
 def ultimate_results(combined: Results) -> list[CombinationResult]:
@@ -33,12 +35,16 @@ def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> di
     t, _ = results[0].elements.at_nodes(results[0].plate)
     axes = Axes(*steel.bottom, *steel.top)
     concrete, bars = materials(steel)
-    return {each.combination: slab(_design(each.plate), t, axes, concrete, bars) for each in results}
+    return {each.combination: slab(design_moments(each.plate), t, axes, concrete, bars) for each in results}
 
 
 def materials(steel: Reinforcement) -> tuple[Concrete, Steel]:
     """Return concrete and steel; InputError where EN 1992-1-1 is not made for them."""
-    return Concrete(steel.f_ck, steel.gamma_c, steel.alpha_cc), Steel(steel.f_yk, steel.gamma_s)
+    f_ck = steel.f_ck if steel.concrete is None else CONCRETE_CLASSES[steel.concrete] * MPA
+    f_yk = steel.f_yk if steel.steel is None else STEEL_CLASSES[steel.steel] * MPA
+    assert f_ck is not None
+    assert f_yk is not None
+    return Concrete(f_ck, steel.gamma_c, steel.alpha_cc), Steel(f_yk, steel.gamma_s)
 
 
 def largest_areas(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
@@ -98,7 +104,7 @@ def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
         return []
     plate, linked = results[0].plate, needs_links(found)
     thickness, section = results[0].elements.at_nodes(plate)
-    designs = {each.combination: _design(each.plate) for each in results}
+    designs = {each.combination: design_moments(each.plate) for each in results}
     largest = {layer: _largest(designs, layer) for layer in LAYERS}
     rows = []
     for layer in LAYERS:
@@ -218,7 +224,7 @@ def _row(need: Need) -> list[Cell]:
     ]  # fmt: skip
 
 
-def _design(plate: PlateResult) -> DesignMoments:
+def design_moments(plate: PlateResult) -> DesignMoments:
     """Return Wood's design moments at the plate's nodes."""
     return wood_armer(plate.moment_x, plate.moment_y, plate.moment_xy)
 

@@ -17,19 +17,19 @@ from groundslab.results.results import CombinationResult, Results
 def combinations(combined: Results) -> Table:
     """Return what each combination is made of, and its first figures, or why it has none."""
     heads = [
-        ("combination", ""), ("limit state", ""), ("loads", ""), ("outcome", ""),
+        ("combination", ""), ("limit state", ""), ("rule", ""), ("loads", ""), ("outcome", ""),
         ("sum of loads", "kN"), ("reaction", "kN"), ("largest settlement", "mm"), ("largest uplift", "mm"),
         ("area in contact", "%"), ("largest pressure", "kPa"), ("largest edge line force", "kN/m"),
         ("worst figure of the certificate", ""), ("which figure", ""),
     ]  # fmt: skip
     rows = []
     for each in combined.combinations:
-        words: list[Cell] = [each.name, each.limit_state, factors(combined, each)]
+        words: list[Cell] = [each.name, each.limit_state, each.rule or None, factors(combined, each)]
         if each.name in combined.results:
             rows.append([*words, "solved", *_figures(combined.results[each.name])])
         else:
             why = " ".join(str(combined.refused[each.name]).split())
-            rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 4)])
+            rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 5)])
     notes = [
         "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
         "0.01."

@@ -1,6 +1,8 @@
 """Combinations of actions by EN 1990, each as factors of the load cases.
 
     ultimate           sum gamma_G G + gamma_Q,1 Q_1 + sum gamma_Q,i psi_0,i Q_i     expression 6.10,  6.4.3.2(3)
+      or the two of    sum gamma_G G + gamma_Q,1 psi_0,1 Q_1 + sum gamma_Q,i psi_0,i Q_i         6.10a
+                       sum xi gamma_G G + gamma_Q,1 Q_1 + sum gamma_Q,i psi_0,i Q_i              6.10b
     characteristic     sum G + Q_1 + sum psi_0,i Q_i                                 expression 6.14b, 6.5.3(2)a
     frequent           sum G + psi_1,1 Q_1 + sum psi_2,i Q_i                         expression 6.15b, 6.5.3(2)b
     quasi-permanent    sum G + sum psi_2,i Q_i                                       expression 6.16b, 6.5.3(2)c
@@ -9,9 +11,9 @@ On ground without tension effects do not add up, and less load can be worse than
 action is once present and once absent, and every combination is analyzed by itself.
 
 All permanent actions of an ultimate combination are unfavourable together or favourable together, as if they came from
-one source (EN 1990, Table A1.2(B), note 3). That is not enough where the result is very sensitive to permanent actions
-that differ from place to place, as in static equilibrium: 6.4.3.1(4) then requires their parts as separate actions,
-and the combinations have to be written by hand.
+one source (EN 1990, Table A1.2(B), note 3), unless they are wanted separately. Where the result is very sensitive to
+permanent actions that differ from place to place, as in static equilibrium, 6.4.3.1(4) requires their parts as separate
+actions. xi multiplies unfavourable permanent actions only (Table A1.2(B), note 2).
 """
 
 from __future__ import annotations
@@ -36,6 +38,13 @@ _TITLES: dict[LimitState, str] = {
 }
 
 
+#: The expressions of limit states that are not ultimate (EN 1990 6.5.3(2)).
+_RULES: dict[LimitState, str] = {"characteristic": "6.14b", "frequent": "6.15b", "quasi-permanent": "6.16b"}
+
+#: Factors of the cases that take part.
+Terms = tuple[tuple[str, float], ...]
+
+
 def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Combination, ...]:
     """Return the combinations of the limit states in ``combine``, in their order, none twice within a limit state.
 
@@ -45,13 +54,13 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
     """
     found: list[Combination] = []
     for limit_state in combine.sets:
-        seen: set[tuple[tuple[str, float], ...]] = set()
-        for terms in _terms(combine, cases, limit_state):
+        seen: set[Terms] = set()
+        for rule, terms in _all_terms(combine, cases, limit_state):
             if not terms or terms in seen:
                 continue
             seen.add(terms)
             name = f"{_TITLES[limit_state]} {len(seen)}"
-            found.append(Combination(name=name, limit_state=limit_state, factors=terms))
+            found.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=f"EN 1990 {rule}"))
             if len(found) > MOST_COMBINATIONS:
                 variable = sum(case.action == "variable" for case in cases)
                 expected = f"at most {MOST_COMBINATIONS} combinations"
@@ -60,27 +69,50 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
     return tuple(found)
 
 
+def _all_terms(combine: Combine, cases: Sequence[LoadCase], limit_state: LimitState) -> Iterator[tuple[str, Terms]]:
+    """Yield the factors of each combination of a limit state with its expression; some of them may come twice."""
+    permanent = [case.name for case in cases if case.action == "permanent"]
+    if limit_state != "ultimate":
+        for terms in _terms(cases, limit_state, dict.fromkeys(permanent, 1.0), 1.0, leads=True):
+            yield _RULES[limit_state], terms
+        return
+    most, least = combine.permanent
+    reduced = {"6.10": (("6.10", 1.0),), "6.10a and 6.10b": (("6.10a", 1.0), ("6.10b", combine.xi))}
+    for rule, xi in reduced[combine.expression]:
+        for gammas in _partial_factors(len(permanent), (xi * most, least), combine.separate):
+            factors = dict(zip(permanent, gammas, strict=True))
+            for terms in _terms(cases, limit_state, factors, combine.variable[0], leads=rule != "6.10a"):
+                yield rule, terms
+
+
+def _partial_factors(count: int, gammas: tuple[float, float], separate: bool) -> Iterator[tuple[float, ...]]:
+    """Yield the partial factors of so many permanent actions: all alike, or each with either."""
+    if separate:
+        yield from product(gammas, repeat=count)
+    else:
+        yield from ((gamma,) * count for gamma in gammas)
+
+
 def _terms(
-    combine: Combine, actions: Sequence[LoadCase], limit_state: LimitState
-) -> Iterator[tuple[tuple[str, float], ...]]:
-    """Yield the factors of each combination of a limit state that are not zero; some of them may come twice."""
+    actions: Sequence[LoadCase], limit_state: LimitState, permanent: dict[str, float], gamma_q: float, leads: bool
+) -> Iterator[Terms]:
+    """Yield the factors of each combination that are not zero, with those of the permanent actions.
+
+    Without a leader, as in 6.10a and quasi-permanent combinations, all variable actions accompany.
+    """
     variable = [case for case in actions if case.action == "variable"]
-    ultimate = limit_state == "ultimate"
-    gamma_q = combine.variable[0] if ultimate else 1.0
-    leaders = [None] if limit_state == "quasi-permanent" else [*variable, None]
-    for gamma_g in combine.permanent if ultimate else (1.0,):
-        for leader in leaders:
-            # without a leading action nothing accompanies it, but quasi-permanent values need no leader
-            follow = limit_state == "quasi-permanent" or leader is not None
-            others = [action for action in variable if follow and _may_join(action, leader)]
-            for company in _subsets([action for action in others if _accompanying(action, limit_state) > 0]):
-                chosen = {action.name: gamma_q * _accompanying(action, limit_state) for action in company}
-                if leader is not None:
-                    chosen[leader.name] = gamma_q * _leading(leader, limit_state)
-                chosen |= {action.name: gamma_g for action in actions if action.action == "permanent"}
-                # ten digits, so that 1.5 * 0.6 is 0.9 and not 0.8999999999999999
-                rounded = ((action.name, float(f"{chosen.get(action.name, 0.0):.10g}")) for action in actions)
-                yield tuple((name, factor) for name, factor in rounded if factor)
+    leaders = [*variable, None] if leads and limit_state != "quasi-permanent" else [None]
+    for leader in leaders:
+        # where one action leads in turn, nothing accompanies none
+        follow = len(leaders) == 1 or leader is not None
+        others = [action for action in variable if follow and _may_join(action, leader)]
+        for company in _subsets([action for action in others if _accompanying(action, limit_state) > 0]):
+            chosen = permanent | {action.name: gamma_q * _accompanying(action, limit_state) for action in company}
+            if leader is not None:
+                chosen[leader.name] = gamma_q * _leading(leader, limit_state)
+            # ten digits, so that 1.5 * 0.6 is 0.9 and not 0.8999999999999999
+            rounded = ((action.name, float(f"{chosen.get(action.name, 0.0):.10g}")) for action in actions)
+            yield tuple((name, factor) for name, factor in rounded if factor)
 
 
 def _leading(action: LoadCase, limit_state: LimitState) -> float:

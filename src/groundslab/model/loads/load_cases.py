@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Choice, Factors, ListOf, Number, Text
+from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, suggestion
 
 Kind = Literal["permanent", "variable"]
 LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
+Expression = Literal["6.10", "6.10a and 6.10b"]
 
 SHARE = Range(at_least=0, at_most=1)
 PARTIAL = Range(at_least=0, at_most=100)
@@ -54,6 +55,7 @@ class Combination(Section):
     factors: Annotated[
         tuple[tuple[str, float], ...], Factors("", "factor of each case that takes part, by the case's name")
     ]
+    rule: Annotated[str, Text("rule that it follows, for people, such as EN 1990 6.10")] = ""
 
 
 def _check_partial_factors(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[RelativeIssue]:
@@ -79,6 +81,13 @@ class Combine(Section):
         tuple[LimitState, ...],
         ListOf(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
     ]
+    expression: Annotated[
+        Expression, Choice(Expression, "expressions of EN 1990 6.4.3.2(3) that ultimate combinations follow")
+    ] = "6.10"
+    xi: Annotated[float, Number("xi", "reduction of unfavourable permanent actions in 6.10b", SHARE)] = 0.85
+    separate: Annotated[
+        bool, Boolean("each permanent action is unfavourable or favourable by itself; otherwise all are together")
+    ] = False
     permanent: Annotated[tuple[float, float], _partial_factors("gamma_G", "permanent")] = (1.35, 1.0)
     variable: Annotated[tuple[float, float], _partial_factors("gamma_Q", "variable")] = (1.5, 0.0)
 

@@ -273,7 +273,7 @@ def _derive(results: CombinationResult, name: str, fields: dict[str, Array], thi
 
 def _required_bars(results: CombinationResult, name: str, design: Any, thickness: Array) -> Array:
     """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
-    from groundslab.design.reinforcement import Axes, slab
+    from groundslab.design.en1992.bending import Axes, slab
     from groundslab.design.tables.reinforcement import materials
 
     steel = results.model.reinforcement

@@ -104,7 +104,7 @@ def files_of(combined: Results, plot: bool) -> tuple[dict[str, Writer], dict[str
 
 def of_all(combined: Results) -> dict[str, Writer]:
     """Return what writes the files of all combinations together: tables, and envelopes if there is more than one."""
-    from groundslab.design.tables import tables_of
+    from groundslab.design.result_tables import tables_of
     from groundslab.views.files import vtk
 
     writers: dict[str, Writer] = {

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.case import casefile
-from groundslab.design.tables import tables_of
-from groundslab.design.tables.design_checks import design_of
+from groundslab.design.checks import design_of
+from groundslab.design.result_tables import tables_of
 from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
 from groundslab.views.report import drawings, table_layout

@@ -46,6 +46,7 @@ SECTIONS = {
     "combinations": "Combinations",
     "combine": "Automatic combinations",
     "reinforcement": "Reinforcement",
+    "limits": "Limits",
     "output": "Points, lines and strips",
     "mesh": "Mesh",
     "analysis": "Analysis",

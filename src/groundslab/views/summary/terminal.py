@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.text import Text
 
-    from groundslab.design.tables.design_checks import Design, Status
+    from groundslab.design.checks import Design, Status
     from groundslab.results.record import Step
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
@@ -39,7 +39,7 @@ def print_summary(combined: Results, console: Console) -> None:
     Of an only combination all its figures and the convergence history; of several what they have in common, each on its
     lines, and the extremes over all.
     """
-    from groundslab.design.tables.design_checks import design_of
+    from groundslab.design.checks import design_of
 
     combinations.require_finite(combined)
     found, design = combinations.entries(combined), design_of(combined)
@@ -101,7 +101,8 @@ def _entry(entry: Entry) -> Iterator[Text]:
     from rich.text import Text
 
     about, factors = entry.combination, combinations.factors_text(entry.combination)
-    name, *more = textwrap.wrap(f"{about.name} ({about.limit_state}): {factors}", 74)
+    rule = f", {about.rule}" if about.rule else ""
+    name, *more = textwrap.wrap(f"{about.name} ({about.limit_state}{rule}): {factors}", 74)
     yield Text(f"{entry.number:>3} {name}", style="bold")
     yield from (Text(f"    {line}", style="bold") for line in more)
     if entry.results is not None:
@@ -127,13 +128,14 @@ def _extreme(extreme: Extreme) -> Text:
 
 
 def _head(title: str, design: Design, console: Console) -> None:
-    """Print the title, the version, and what fails in the design."""
+    """Print the title, the version, and the checks of the design, utilisation before each; what fails comes first."""
     _print_lines([title or "(no title)"], "bold", console)
     _print_lines([f"groundslab {__version__}"], "dim", console)
     _print_lines(textwrap.wrap(design.headline, 78), _STYLES[design.status], console)
-    for check in design.open:
-        lines = textwrap.wrap(f"- {check.name}: {check.words}", 76, subsequent_indent="  ")
-        _print_lines([f"  {line}" for line in lines], _STYLES[check.status], console)
+    for check in design.checks:
+        used = "" if check.utilisation is None else f"{check.utilisation:.2f}"
+        lines = textwrap.wrap(f"{used:>6} {check.name}: {check.words}", 78, subsequent_indent=" " * 7)
+        _print_lines(lines, _STYLES[check.status], console)
 
 
 _STYLES: dict[Status, str] = {

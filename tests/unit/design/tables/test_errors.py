@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 import groundslab
-from groundslab.design.tables import Table, tables_of
+from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.errors import EXTREMES, VALUES
+from groundslab.design.tables.table import Table
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Comparison, Results
 from groundslab.views.report.html import render_report

@@ -60,6 +60,44 @@ def test_ultimate_by_hand() -> None:
     ]
 
 
+def test_two_expressions_by_hand() -> None:
+    """6.10a: all variable actions accompany; 6.10b: one leads, unfavourable G times xi = 0.85, favourable G as it is."""
+    given = Combine(sets=("ultimate",), expression="6.10a and 6.10b")
+    made = make_combinations(given, [G, Q, W])
+    assert [(each.rule, description(each)) for each in made] == [
+        ("EN 1990 6.10a", "1.35 G + 1.05 Q + 0.9 W"),
+        ("EN 1990 6.10a", "1.35 G + 1.05 Q"),
+        ("EN 1990 6.10a", "1.35 G + 0.9 W"),
+        ("EN 1990 6.10a", "1.35 G"),
+        ("EN 1990 6.10a", "1 G + 1.05 Q + 0.9 W"),
+        ("EN 1990 6.10a", "1 G + 1.05 Q"),
+        ("EN 1990 6.10a", "1 G + 0.9 W"),
+        ("EN 1990 6.10a", "1 G"),
+        ("EN 1990 6.10b", "1.1475 G + 1.5 Q + 0.9 W"),
+        ("EN 1990 6.10b", "1.1475 G + 1.5 Q"),
+        ("EN 1990 6.10b", "1.1475 G + 1.05 Q + 1.5 W"),
+        ("EN 1990 6.10b", "1.1475 G + 1.5 W"),
+        ("EN 1990 6.10b", "1.1475 G"),
+        ("EN 1990 6.10b", "1 G + 1.5 Q + 0.9 W"),
+        ("EN 1990 6.10b", "1 G + 1.5 Q"),
+        ("EN 1990 6.10b", "1 G + 1.05 Q + 1.5 W"),
+        ("EN 1990 6.10b", "1 G + 1.5 W"),
+    ]
+
+
+def test_permanent_actions_one_by_one() -> None:
+    """Each of two is unfavourable or favourable by itself: four sums, and none of them twice."""
+    given = Combine(sets=("ultimate", "characteristic"), separate=True)
+    found = [description(each) for each in make_combinations(given, [G, action("B", "permanent")])]
+    assert found == ["1.35 G + 1.35 B", "1.35 G + 1 B", "1 G + 1.35 B", "1 G + 1 B", "1 G + 1 B"]
+
+
+def test_rules_are_told() -> None:
+    """Each combination names its expression."""
+    rules = [each.rule for each in combinations([G], SETS)]
+    assert rules == ["EN 1990 6.10", "EN 1990 6.10", "EN 1990 6.14b", "EN 1990 6.15b", "EN 1990 6.16b"]
+
+
 def test_serviceability_by_hand() -> None:
     """Expressions 6.14b, 6.15b and 6.16b for G, Q and W; W has psi_2 = 0 and so vanishes where it accompanies."""
     assert sums([G, Q, W], "characteristic") == [

@@ -17,7 +17,7 @@ import pytest
 import groundslab
 from groundslab.case import casefile
 from groundslab.cli import main as cli
-from groundslab.design.tables import tables_of
+from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.model.model import Model
@@ -304,7 +304,7 @@ class TestNumbers:
         """Each table has its section, its title, its rows and its notes; a wide one in parts of few columns."""
         section = root.one("section", id="tables")
         tables = tables_of(plain)
-        assert len(tables) == 10
+        assert len(tables) == 11
         for table in tables:
             part = section.one("section", id=f"table-{table.name}")
             assert part.one("h3").text == table.title

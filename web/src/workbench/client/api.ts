@@ -63,6 +63,7 @@ export interface DesignCheck {
   name: string;
   status: "fails" | "attention" | "no failure found" | "not checked";
   words: string;
+  utilisation: number | null;
 }
 
 export interface Summary {

@@ -27,7 +27,7 @@ const DEFAULTS: Record<string, Table> = {
   LoadCase: { action: "permanent" },
   Combination: { limit_state: "ultimate" },
   Combine: { sets: ["ultimate", "characteristic"] },
-  Reinforcement: { f_ck: "30 MPa", f_yk: "500 MPa", bottom: ["40 mm", "50 mm"], top: ["40 mm", "50 mm"] },
+  Reinforcement: { concrete: "C30/37", steel: "B500B", bottom: ["40 mm", "50 mm"], top: ["40 mm", "50 mm"] },
   Void: { depth: "10 mm" },
 };
 

@@ -6,15 +6,23 @@ import { symbolElement } from "../../viewer/shared/symbols";
 import type { CombinationSummary, Summary, SummaryRow } from "../client/api";
 import type { Json } from "../model/paths";
 
-/** What can be judged of the design: what fails or needs attention comes in words. */
+/** The checks of the design, each with its utilisation: what fails or needs attention comes first. */
 function designOf(summary: Summary | null): HTMLElement[] {
   const design = summary?.design;
   if (!design) return [];
-  const open = design.checks.filter((check) => check.status === "fails" || check.status === "attention");
-  if (open.length === 0) return [h("p", { class: "quiet" }, design.headline)];
+  const open = design.checks.some((check) => check.status === "fails" || check.status === "attention");
+  const rows = design.checks.map((check) =>
+    h(
+      "tr",
+      { class: check.status === "fails" ? "bad" : "" },
+      h("th", { scope: "row" }, check.name),
+      h("td", {}, check.utilisation === null ? "" : check.utilisation.toFixed(2)),
+      h("td", { class: "note" }, check.words),
+    ),
+  );
   return [
-    h("p", { class: "verdict bad" }, design.headline),
-    h("ul", {}, ...open.map((check) => h("li", {}, `${check.name}: ${check.words}`))),
+    h("p", { class: open ? "verdict bad" : "quiet" }, design.headline),
+    ...(rows.length ? [h("table", { class: "figures" }, h("tbody", {}, ...rows))] : []),
   ];
 }
 

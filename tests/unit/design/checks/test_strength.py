@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from groundslab.design.punching_resistance import K_MAX, max_resistance, resistance_without_links
-from groundslab.design.reinforcement import Concrete
-from groundslab.design.tables.design_checks import Design, design_of
+from groundslab.design.checks import Design, design_of
+from groundslab.design.en1992.materials import Concrete
+from groundslab.design.en1992.punching import K_MAX, max_resistance, resistance_without_links
 from groundslab.design.tables.punching import demands
 from groundslab.errors import NoEquilibrium
 from groundslab.model.model import Model
@@ -97,9 +97,12 @@ def test_punching_at_the_face_by_hand() -> None:
     design = design_of(of)
     assert design.status == "fails"
     said = words(design, "punching at the column's face")
-    assert said.startswith('fails: 1 column; worst C1 in "ULS": v_Ed 4.74 MPa without beta, above 4.22 MPa, v_Rd,max')
+    wanted = (
+        'fails: 1 column; worst C1 in "ULS": v_Ed 4.74 MPa, with beta 1.00, is 1.12 times 4.22 MPa, v_Rd,max (6.4.5(3))'
+    )
+    assert said == wanted
     half = words(design_of(solved(described(0.75e6))), "punching at the column's face")
-    assert half == "no failure found: v_Ed without beta is at most 56 % of v_Rd,max"
+    assert half == "no failure found: v_Ed is at most 56 % of v_Rd,max, C1"
 
 
 def test_punching_at_2d_by_hand() -> None:
@@ -110,7 +113,7 @@ def test_punching_at_2d_by_hand() -> None:
     assert resistance_without_links(Concrete(30e6), d) == pytest.approx(v_Rd_c)
     for share, status in ((0.98, "no failure found"), (1.02, "attention"), (1.48, "attention"), (1.52, "fails")):
         P = (share * v_Rd_c * u * d + 50e3 * area) / 1.35
-        said = words(design_of(solved(described(P))), "punching at 2 d")
+        said = words(design_of(solved(described(P))), "punching within 2 d")
         assert said.startswith(status), said
         assert ("punching reinforcement is needed" in said) == (status == "attention")
     assert K_MAX == 1.5
@@ -119,7 +122,7 @@ def test_punching_at_2d_by_hand() -> None:
 def test_a_support_below_leaves_punching_open() -> None:
     """A pile under the column takes an unknown part of its force: nothing is called a failure, nor fine."""
     model = described(5e6, supports=[{"kind": "point", "x": 0, "y": 0, "stiffness": "10 MN/m"}])
-    for name in ("punching at the column's face", "punching at 2 d"):
+    for name in ("punching at the column's face", "punching within 2 d"):
         said = words(design_of(solved(model)), name)
         assert said == "attention: not judged, for a support inside or no perimeter on the plate: columns C1"
 
@@ -135,13 +138,13 @@ def test_bending_that_no_reinforcement_carries() -> None:
     assert design.status == "attention"
     assert words(design, "bending").startswith("no failure found")
     assert words(design, "compression reinforcement").startswith("attention: bars in compression, held by links")
-    assert design.headline == "DESIGN NEEDS ATTENTION: 1 of 4 checks by EN 1992-1-1 needs it."
+    assert design.headline == "DESIGN NEEDS ATTENTION: 1 of 5 checks needs it."
 
 
 def test_nothing_that_fails_is_no_approval() -> None:
     """Where nothing fails the headline says what was not checked; without bars, that nothing was."""
     design = design_of(solved(described()))
-    assert design.headline.startswith("No failure found in 4 checks by EN 1992-1-1; shear, crack widths")
+    assert design.headline.startswith("No failure found in 5 checks; anchorage is not checked")
     assert not design.open
     assert design_of(solved(described(reinforcement=None))).headline.startswith("Strength was not checked")
     assert "This is no approval" in printed(solved(described()))
@@ -169,9 +172,10 @@ ALONE = solved(described(5e6, combinations=[ULS]))
 def test_failure_comes_first_on_the_terminal(of: Results) -> None:
     """The headline stands below the title, the reasons follow, and the last line repeats it; 80 columns, no tags."""
     lines = printed(of).splitlines()
-    assert lines[2].startswith("DESIGN FAILS: 2 of 4 checks by EN 1992-1-1 fail.")
-    assert lines[3].startswith("  - punching at the column's face: 1 column; worst C1")
-    assert lines[-1].startswith("DESIGN FAILS: 2 of 4 checks")
+    assert lines[2].startswith("DESIGN FAILS: punching at the column's face, 3.75 times its limit; 2 of 5")
+    assert lines[3] == "checks fail."
+    assert lines[4].startswith("  3.75 punching at the column's face: 1 column; worst C1")
+    assert any(line.startswith("DESIGN FAILS") for line in lines[-3:])
     assert max(map(len, lines)) <= 80
     assert "certified: equilibrium and contact conditions are satisfied on this mesh" in " ".join(lines)
     assert not any("fulfil" in line for line in lines)
@@ -198,3 +202,17 @@ def test_failure_comes_first_in_report_and_workbench() -> None:
     reported = build_summary(FAILING)["design"]
     assert reported["headline"].startswith("DESIGN FAILS")
     assert reported["checks"][0]["status"] == "fails"
+
+
+def test_two_meganewtons_on_a_thin_slab() -> None:
+    """250 mm, a column of 300 mm with 2000 kN: d = 205 mm, 8.1 MPa at its face; the first line says so."""
+    plate = {"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": 0.25, "E": 30e9, "nu": 0.2}
+    of = solved(described(2e6, plate=plate, combinations=[{"name": "ULS", "factors": {"G": 1.0}}]))
+    thin = {name: replace(each, elements=replace(each.elements, thickness=np.full_like(each.elements.thickness, 0.25)))
+            for name, each in of.results.items()}  # fmt: skip
+    design = design_of(replace(of, results=thin))
+    (face,) = [each for each in design.checks if each.name == "punching at the column's face"]
+    assert face.demand == pytest.approx((2e6 - 50e3 * 0.09) / (1.2 * 0.205) / 1e6)
+    assert face.utilisation == pytest.approx(1.92, abs=0.01)
+    assert design.headline.startswith("DESIGN FAILS: punching")
+    assert design.checks[0].utilisation == max(each.utilisation or 0.0 for each in design.checks)

@@ -15,82 +15,18 @@ must hold them (9.2.1.2(3)).
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.design.design_moments import DesignMoments
+from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.errors import InputError, Issue
 
 _MPA = 1e6
 #: A_s / A_c that no slab may exceed outside laps (EN 1992-1-1 9.2.1.1(3), by 9.3.1.1(1)).
 _MOST = 0.04
-
-
-@dataclass(frozen=True, slots=True)
-class Concrete:
-    """Concrete: f_ck [Pa] from 12 to 90 MPa, gamma_c and alpha_cc (EN 1992-1-1 Table 3.1, 2.4.2.4, 3.1.6(1))."""
-
-    f_ck: float
-    gamma_c: float = 1.5
-    alpha_cc: float = 1.0
-
-    def __post_init__(self) -> None:
-        """Refuse what the rules are not made for."""
-        issues = _outside("concrete.f_ck", self.f_ck, 12 * _MPA, 90 * _MPA)
-        issues += _not_positive(**{"concrete.gamma_c": self.gamma_c, "concrete.alpha_cc": self.alpha_cc})
-        if issues:
-            raise InputError(issues)
-
-    @property
-    def f_cd(self) -> float:
-        """Return the design strength [Pa], 3.1.6(1)."""
-        return self.alpha_cc * self.f_ck / self.gamma_c
-
-    @property
-    def eta(self) -> float:
-        """Return the stress of the block over f_cd, 3.1.7(3)."""
-        return 1.0 - max(self.f_ck / _MPA - 50, 0.0) / 200
-
-    @property
-    def lam(self) -> float:
-        """Return the depth lambda of the block over x, 3.1.7(3)."""
-        return 0.8 - max(self.f_ck / _MPA - 50, 0.0) / 400
-
-    @property
-    def eps_cu3(self) -> float:
-        """Return the strain at which the compressed face fails, Table 3.1."""
-        f = self.f_ck / _MPA
-        return 3.5e-3 if f <= 50 else (2.6 + 35 * ((90 - f) / 100) ** 4) * 1e-3
-
-    @property
-    def f_ctm(self) -> float:
-        """Return the mean tensile strength [Pa], Table 3.1, with f_cm = f_ck + 8 MPa."""
-        f = self.f_ck / _MPA
-        return (0.30 * f ** (2 / 3) if f <= 50 else 2.12 * math.log(1 + (f + 8) / 10)) * _MPA
-
-
-@dataclass(frozen=True, slots=True)
-class Steel:
-    """Reinforcing steel: f_yk [Pa] from 400 to 600 MPa, gamma_s, E_s [Pa] (EN 1992-1-1 3.2.2(3), 2.4.2.4, 3.2.7(4))."""
-
-    f_yk: float
-    gamma_s: float = 1.15
-    E_s: float = 200e9
-
-    def __post_init__(self) -> None:
-        """Refuse what the rules are not made for."""
-        issues = _outside("steel.f_yk", self.f_yk, 400 * _MPA, 600 * _MPA)
-        issues += _not_positive(**{"steel.gamma_s": self.gamma_s, "steel.E_s": self.E_s})
-        if issues:
-            raise InputError(issues)
-
-    @property
-    def f_yd(self) -> float:
-        """Return the design yield strength [Pa], 3.2.7(2)."""
-        return self.f_yk / self.gamma_s
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,15 +184,3 @@ def _check(m: Array, d: Array, d_2: Array | float | None, xi_lim: float | None) 
         issues.append(Issue("xi_lim", f"{xi_lim:g}", "a limit of x / d between 0 and 1"))
     if issues:
         raise InputError(issues)
-
-
-def _outside(where: str, value: float, least: float, most: float) -> list[Issue]:
-    """Return the issue of a strength that does not lie within its limits."""
-    if least <= value <= most:
-        return []
-    return [Issue(where, f"{value:g} Pa", f"a strength from {least / _MPA:g} to {most / _MPA:g} MPa, in Pa")]
-
-
-def _not_positive(**values: float) -> list[Issue]:
-    """Return the issues of values that are not positive."""
-    return [Issue(where, f"{value:g}", "a positive number") for where, value in values.items() if not value > 0]

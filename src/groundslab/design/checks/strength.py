@@ -1,82 +1,44 @@
-"""What can be judged of the design by EN 1992-1-1 from the given data, in words: what fails comes first.
+"""What can be judged of the strength by EN 1992-1-1 from the given data.
 
 Only what fails whatever is built is called a failure. That nothing fails here is no approval: provided bars are not
-known, and shear, crack widths, anchorage and the rest of punching are not looked at.
+known, and anchorage is not looked at.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from typing import Literal
+from dataclasses import replace
+from typing import Any
 
-from groundslab.design import punching_resistance
+from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.en1992 import punching as punching_resistance
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import Demand, Demands, Stress, demands
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import Results
 
-Status = Literal["fails", "attention", "no failure found", "not checked"]
-
-NOT_CHECKED = "shear, crack widths, anchorage and provided bars are not checked"
-
-
-@dataclass(frozen=True, slots=True)
-class DesignCheck:
-    """One check: its name, how it ended, and the worst of it in words."""
-
-    name: str
-    status: Status
-    words: str
+#: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
+LINK_SPACING = 0.75
 
 
-@dataclass(frozen=True, slots=True)
-class Design:
-    """All checks of a model's design, the failures first; none where nothing could be checked."""
-
-    status: Status
-    headline: str
-    checks: tuple[DesignCheck, ...] = ()
-
-    @property
-    def open(self) -> tuple[DesignCheck, ...]:
-        """Return the checks that fail or need attention."""
-        return tuple(each for each in self.checks if each.status in ("fails", "attention"))
-
-
-def design_of(combined: Results) -> Design:
-    """Return what can be judged of the design of a model, over the certified results of its ultimate combinations."""
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of strength in the ultimate combinations."""
     steel = combined.model.reinforcement
     if steel is None:
-        return Design("not checked", "Strength was not checked: the case has no [reinforcement].")
+        yield DesignCheck("strength", "not checked", "strength was not checked: the case has no [reinforcement]")
+        return
     if not reinforcement.ultimate_results(combined):
-        return Design("not checked", "DESIGN NOT CHECKED: no ultimate combination has a certified result.")
-    order = ("fails", "attention", "no failure found")
-    found = tuple(sorted(_checks(combined, steel), key=lambda each: order.index(each.status)))
-    failing, doubtful = (sum(each.status == status for each in found) for status in order[:2])
-    total = f"{len(found)} checks by EN 1992-1-1"
-    if failing:
-        return Design("fails", f"DESIGN FAILS: {failing} of {total} {_verb('fail', failing)}.", found)
-    if doubtful:
-        words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it."
-        return Design("attention", words, found)
-    return Design("no failure found", f"No failure found in {total}; {NOT_CHECKED}.", found)
-
-
-def _verb(verb: str, count: int) -> str:
-    """Return a verb that goes with a number of things."""
-    return f"{verb}s" if count == 1 else verb
-
-
-def _checks(combined: Results, steel: Reinforcement) -> Iterator[DesignCheck]:
-    """Yield all checks."""
+        words = "DESIGN NOT CHECKED: no ultimate combination has a certified result"
+        yield DesignCheck("strength", "not checked", words)
+        return
     needs = reinforcement.governing_needs(combined, steel)
     yield _bending(needs)
     yield _compression(needs)
     if combined.model.columns:
         punched = demands(combined)
         yield _face(steel, punched)
-        yield _at_2d(steel, punched)
+        yield _within_2d(steel, punched)
     missing = [
         each for each in combined.combinations if each.limit_state == "ultimate" and each.name in combined.refused
     ]
@@ -128,19 +90,47 @@ def _face(steel: Reinforcement, punched: Demands) -> DesignCheck:
     return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
 
 
-def _at_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
-    """Return whether punching at 2 d needs links, or exceeds what they can carry, whatever the other bars."""
-    concrete, name = reinforcement.materials(steel)[0], "punching at 2 d"
-    there = [(each, each.at_2d, punching_resistance.resistance_without_links(concrete, each.d))
-             for each in punched.found.values() if each.at_2d is not None]  # fmt: skip
-    most = [(each, stress, punching_resistance.K_MAX * v_Rd_c) for each, stress, v_Rd_c in there]
-    with_links = _punching(name, "1.5 v_Rd,c with the most bars that count", most, punched, "fails", "6.4.5(1)")
+def _within_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
+    """Return whether punching within 2 d needs links, or exceeds what they can carry at 2 d.
+
+    With the bars that are laid at the bottom, or with the most that count, whatever will be laid.
+    """
+    concrete, bars = reinforcement.materials(steel)
+    name, which = "punching within 2 d", "the bars that are laid" if steel.bottom_x else "the most bars that count"
+    most, there = [], []
+    for each in punched.found.values():
+        v_Rd_c = punching_resistance.resistance_without_links(concrete, each.d, _ratio(steel, each.d))
+        there += [(each, stress, v_Rd_c * 2 * each.d / stress.distance) for stress in each.around]
+        if each.at_2d is not None:
+            most.append((each, each.at_2d, punching_resistance.K_MAX * v_Rd_c))
+    with_links = _punching(name, f"1.5 v_Rd,c with {which}", most, punched, "fails", "6.4.5(1)")
     if with_links.status == "fails":
         return with_links
-    limit = "v_Rd,c with the most bars that count"
-    without = _punching(name, limit, there, punched, "attention", "6.4.4")
-    needed = any(stress.v_Ed > v_Rd_c for _, stress, v_Rd_c in there if not stress.supported)
-    return replace(without, words=f"punching reinforcement is needed at {without.words}") if needed else without
+    without = _punching(name, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
+    needing = [each for each in there if each[1].v_Ed > each[2] and not each[1].supported]
+    if not needing:
+        return without
+    demand, stress, resistance = max(needing, key=lambda each: each[1].v_Ed / each[2])
+    s_r = LINK_SPACING * demand.d
+    A_sw = punching_resistance.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
+    words = (
+        f"punching reinforcement is needed at {without.words}; there {A_sw * 1e4:.3g} cm2 of vertical links on each "
+        f"perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
+    )
+    return replace(without, words=words)
+
+
+def _ratio(steel: Reinforcement, d: float) -> float:
+    """Return rho_l of the bars that are laid at the bottom (6.4.4(1)), or the most that counts."""
+    if steel.bottom_x is None or steel.bottom_y is None:
+        return punching_resistance.MOST_BARS
+    areas = [math.pi * bars.diameter**2 / 4 / bars.spacing for bars in (steel.bottom_x, steel.bottom_y)]
+    return math.sqrt(areas[0] * areas[1]) / d
+
+
+def _at(stress: Stress, d: float) -> str:
+    """Return where a perimeter runs."""
+    return f" at {stress.distance / d:.2g} d" if stress.distance else ""
 
 
 def _punching(
@@ -149,22 +139,33 @@ def _punching(
     """Return whether any stress exceeds its limit, with the worst; a support inside leaves it open."""
     judged = [each for each in stresses if not each[1].supported]
     beyond = [each for each in judged if each[1].v_Ed > each[2]]
+    numbers: dict[str, Any] = {}
+    if judged:
+        demand, stress, most = max(judged, key=lambda each: each[1].v_Ed / each[2])
+        numbers = {
+            "of": demand.column,
+            "demand": max(stress.v_Ed, 0.0) / 1e6,
+            "resistance": most / 1e6,
+            "unit": "MPa",
+            "clause": f"EN 1992-1-1 {clause}",
+            "combination": demand.combination,
+            "place": punched.places[demand.column],
+        }
     if beyond:
-        demand, stress, most = max(beyond, key=lambda each: each[1].v_Ed / each[2])
         columns = len({each[0].column for each in beyond})
         words = (
             f'{columns} column{"s" if columns > 1 else ""}; worst {demand.column} in "{demand.combination}": v_Ed '
-            f"{stress.v_Ed / 1e6:.3g} MPa without beta, above {most / 1e6:.3g} MPa, {limit} ({clause})"
+            f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
+            f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
         )
-        return DesignCheck(name, status, words)
+        return DesignCheck(name, status, words, **numbers)
     unjudged = sorted({each[0].column for each in stresses if each[1].supported} | punched.missing.keys())
     if unjudged:
         names = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
         words = f"not judged, for a support inside or no perimeter on the plate: columns {names}"
-        return DesignCheck(name, "attention", words)
+        return DesignCheck(name, "attention", words, **numbers)
     if not judged:
         return DesignCheck(name, "no failure found", "no column pushes down")
     used = max(stress.v_Ed / most for _, stress, most in judged)
-    return DesignCheck(
-        name, "no failure found", f"v_Ed without beta is at most {100 * max(used, 0.0):.3g} % of {limit}"
-    )
+    words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.column}{_at(stress, demand.d)}"
+    return DesignCheck(name, "no failure found", words, **numbers)

@@ -1,0 +1,70 @@
+"""Checks of a design: each is a function from results to checks; what fails comes first in every view.
+
+Another check is a function of CHECKS; its file names the clause of each check.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from groundslab.design.checks import limits, provided, shear, strength
+from groundslab.design.checks.check import ORDER, DesignCheck, Status
+from groundslab.results.results import Results
+
+__all__ = ["CHECKS", "Design", "DesignCheck", "Status", "design_of"]
+
+#: All checks, in the order in which those of one status are told.
+CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
+    strength.checks,
+    shear.checks,
+    provided.checks,
+    limits.checks,
+)
+
+#: What no check looks at.
+NOT_CHECKED = "anchorage is not checked"
+
+
+@dataclass(frozen=True, slots=True)
+class Design:
+    """All checks of a model's design, the failures first; none where nothing could be checked."""
+
+    status: Status
+    headline: str
+    checks: tuple[DesignCheck, ...] = ()
+
+    @property
+    def open(self) -> tuple[DesignCheck, ...]:
+        """Return the checks that fail or need attention."""
+        return tuple(each for each in self.checks if each.status in ("fails", "attention"))
+
+
+def design_of(combined: Results) -> Design:
+    """Return what can be judged of the design of a model, over its certified results."""
+    made = [check for find in CHECKS for check in find(combined)]
+    found = tuple(sorted((each for each in made if each.status != "not checked"), key=_order))
+    left = "; ".join(each.words for each in made if each.status == "not checked")
+    failing, doubtful = (sum(each.status == status for each in found) for status in ("fails", "attention"))
+    total = f"{len(found)} check{'s' if len(found) > 1 else ''}"
+    if failing:
+        used = found[0].utilisation
+        worst = f"{found[0].name}, {used:.3g} times its limit; " if used is not None and not found[0].least else ""
+        return Design("fails", f"DESIGN FAILS: {worst}{failing} of {total} {_verb('fail', failing)}.", found)
+    if doubtful:
+        words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it."
+        return Design("attention", words, found)
+    if found:
+        return Design("no failure found", f"No failure found in {total}; {left or NOT_CHECKED}.", found)
+    return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
+
+
+def _order(check: DesignCheck) -> tuple[int, float]:
+    """Return where a check stands: by its status, then the most used first, a failure without a number before."""
+    used = check.utilisation
+    return ORDER.index(check.status), -(float("inf") if used is None and check.status == "fails" else used or 0.0)
+
+
+def _verb(verb: str, count: int) -> str:
+    """Return a verb that goes with a number of things."""
+    return f"{verb}s" if count == 1 else verb

@@ -1,0 +1,130 @@
+"""Settlements, tilt and pressures against the limits of a case, over all combinations of serviceability.
+
+Tilt and angular distortion are those of `design/tilt`; the limits are the engineer's, such as those of EN 1997-1
+Annex H: an angular distortion (relative rotation) of 1/500 is acceptable for many structures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.design.checks.check import DesignCheck
+from groundslab.design.tables.quantities import solved_results
+from groundslab.design.tilt import settlement_differences, tilt
+from groundslab.results.fields import extreme
+from groundslab.results.results import CombinationResult, Results
+
+#: What a combination demands: the value in SI units, what it is about, and its place [m].
+Demand = tuple[float, str, tuple[float, float] | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """How a limit of the case is checked: its name, unit and scale of display, and the demand of a combination."""
+
+    name: str
+    unit: str
+    scale: float
+    demand: Callable[[CombinationResult], Demand | None]
+    least: bool = False
+
+
+def _extreme(field: str, sign: int) -> Callable[[CombinationResult], Demand]:
+    """Return what finds the largest value of a nodal field, or of its negative."""
+
+    def find(results: CombinationResult) -> Demand:
+        value, place = extreme(results.plate.nodes, getattr(results.plate, field), sign)
+        return max(sign * value, 0.0), "", place
+
+    return find
+
+
+def _difference(results: CombinationResult) -> Demand:
+    """Return the largest less the smallest settlement."""
+    w = results.plate.settlement
+    return float(w.max() - w.min()), "", None
+
+
+def _tilt(results: CombinationResult) -> Demand:
+    """Return the slope of the plane that fits the settlements best."""
+    return tilt(results.plate).tilt, "", None
+
+
+def _distortion(results: CombinationResult) -> Demand | None:
+    """Return the largest angular distortion without tilt between two columns, None of fewer."""
+    # columns at one place are one point
+    names = {(column.x, column.y): column.name for column in results.model.columns}
+    if len(names) < 2:
+        return None
+    columns = {name: place for place, name in names.items()}
+    found = settlement_differences(results.plate, columns)
+    worst = int(np.argmax(found.relative))
+    first, second = found.names[found.first[worst]], found.names[found.second[worst]]
+    return float(found.relative[worst]), f"{first} - {second}", columns[second]
+
+
+def _mean_pressure(results: CombinationResult) -> Demand:
+    """Return the ground's force over the area in contact."""
+    plate = results.plate
+    area = plate.contact_share * plate.area.sum()
+    return float(plate.contact_force.sum() / area) if area else 0.0, "", None
+
+
+def _contact(results: CombinationResult) -> Demand:
+    """Return the share of the plate's area that is in contact."""
+    return results.plate.contact_share, "", None
+
+
+#: By the keys of [limits].
+LIMITS = {
+    "settlement": Limit("settlement", "mm", 1e3, _extreme("settlement", 1)),
+    "uplift": Limit("uplift", "mm", 1e3, _extreme("settlement", -1)),
+    "differential_settlement": Limit("differential settlement", "mm", 1e3, _difference),
+    "tilt": Limit("tilt", "mm/m", 1e3, _tilt),
+    "angular_distortion": Limit("angular distortion", "mm/m", 1e3, _distortion),
+    "pressure": Limit("pressure", "kPa", 1e-3, _extreme("pressure", 1)),
+    "mean_pressure": Limit("mean pressure", "kPa", 1e-3, _mean_pressure),
+    "contact_share": Limit("area in contact", "%", 1e2, _contact, least=True),
+}
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the check of each limit of the case, with the combination that governs it."""
+    limits = combined.model.limits
+    if limits is None:
+        return
+    results = [each for each in solved_results(combined) if each.limit_state != "ultimate"]
+    for key, limit in LIMITS.items():
+        allowed: float | None = getattr(limits, key)
+        if allowed is not None:
+            yield _check(limit, allowed * limit.scale, results)
+
+
+def _check(limit: Limit, allowed: float, results: list[CombinationResult]) -> DesignCheck:
+    """Return the check of one limit in its unit of display."""
+    found = [(demand, each.combination) for each in results if (demand := limit.demand(each)) is not None]
+    if not found:
+        what = "no combination of serviceability has a certified result" if not results else "there are no two columns"
+        return DesignCheck(limit.name, "attention", f"not checked: {what}", resistance=allowed, unit=limit.unit)
+    (value, of, place), combination = (min if limit.least else max)(found, key=lambda each: each[0][0])
+    value *= limit.scale
+    holds = value >= allowed if limit.least else value <= allowed
+    sign = (">=" if holds else "<") if limit.least else ("<=" if holds else ">")
+    where = f" at ({place[0]:.3f}, {place[1]:.3f}) m" if place is not None else ""
+    about = f"{of}: " if of else ""
+    return DesignCheck(
+        limit.name,
+        "no failure found" if holds else "fails",
+        f'{about}{value:.4g} {sign} {allowed:.4g} {limit.unit}{where} in "{combination}"',
+        of=of,
+        demand=value,
+        resistance=allowed,
+        unit=limit.unit,
+        least=limit.least,
+        clause="limits of the case",
+        combination=combination,
+        place=place,
+    )

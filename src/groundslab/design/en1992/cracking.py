@@ -1,0 +1,104 @@
+"""Crack widths of slabs in bending by EN 1992-1-1 7.3.4, and the least bars that control cracks, 7.3.2.
+
+    w_k = s_r,max (eps_sm - eps_cm)                                                                (7.8)
+    eps_sm - eps_cm = (sigma_s - k_t f_ct,eff / rho_p,eff (1 + alpha_e rho_p,eff)) / E_s
+                      >= 0.6 sigma_s / E_s                                                         (7.9)
+    s_r,max = 3.4 c + 0.425 k_1 k_2 phi / rho_p,eff, bars no farther apart than 5 (c + phi / 2)    (7.11)
+            = 1.3 (h - x) beyond                                                                   (7.14)
+
+The section is cracked and elastic, without bars in compression: k_1 = 0.8 of ribbed bars, k_2 = 0.5 of bending.
+Recommended parameters k_3 = 3.4 and k_4 = 0.425 (7.3.4(3)).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.en1992.materials import Concrete, Steel
+
+_MPA = 1e6
+#: Bond of ribbed bars, bending, and the recommended parameters of (7.11).
+K_1, K_2, K_3, K_4 = 0.8, 0.5, 3.4, 0.425
+#: k_t of loads that last, and of others (7.3.4(2)).
+LONG_TERM, SHORT_TERM = 0.4, 0.6
+
+
+@dataclass(frozen=True, slots=True)
+class Bars:
+    """Bars of one layer in one direction: diameter and distance from axis to axis [m], cover of the bars [m]."""
+
+    diameter: float
+    spacing: float
+    cover: float
+
+    @property
+    def area(self) -> float:
+        """Return the area [m2/m]."""
+        return np.pi * self.diameter**2 / 4 / self.spacing
+
+
+def neutral_axis(d: Array, area: Array, modular_ratio: float) -> Array:
+    """Return the depth x (n,) [m] that is compressed of a cracked, elastic section: x^2 / 2 = alpha_e A_s (d - x)."""
+    steel = modular_ratio * np.asarray(area, dtype=float)
+    return np.asarray(np.sqrt(steel**2 + 2 * steel * d) - steel)
+
+
+def steel_stress(m: Array, d: Array, area: Array, modular_ratio: float) -> Array:
+    """Return the stress sigma_s (n,) [Pa] of the bars of a cracked section under moments m (n,) [N m/m]."""
+    return np.asarray(m / (area * (d - neutral_axis(d, area, modular_ratio) / 3)))
+
+
+def effective_ratio(h: Array, d: Array, x: Array, area: Array) -> Array:
+    """Return rho_p,eff (n,): bars over the effective area of concrete in tension, 7.3.2(3)."""
+    depth = np.minimum(np.minimum(2.5 * (h - d), (h - x) / 3), h / 2)
+    return np.asarray(area / depth)
+
+
+def mean_strain(sigma_s: Array, rho: Array, concrete: Concrete, steel: Steel, k_t: float = LONG_TERM) -> Array:
+    """Return eps_sm - eps_cm (n,) by (7.9), with f_ct,eff = f_ctm."""
+    stiffened = sigma_s - k_t * concrete.f_ctm / rho * (1 + steel.E_s / concrete.E_cm * rho)
+    return np.asarray(np.maximum(stiffened, 0.6 * sigma_s) / steel.E_s)
+
+
+def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array) -> Array:
+    """Return s_r,max (n,) [m] by (7.11), or by (7.14) where bars lie too far apart for it."""
+    if bars.spacing > 5 * (bars.cover + bars.diameter / 2):
+        return np.asarray(1.3 * (h - x))
+    return np.asarray(K_3 * bars.cover + K_1 * K_2 * K_4 * bars.diameter / rho)
+
+
+def crack_width(
+    m: Array,
+    h: Array,
+    bars: Bars,
+    concrete: Concrete,
+    steel: Steel,
+    *,
+    E_c: float | None = None,
+    k_t: float = LONG_TERM,
+) -> Array:
+    """Return w_k (n,) [m] on the face in tension under moments m >= 0 (n,) [N m/m] of a slab of thickness h (n,) [m].
+
+    E_c [Pa] is the modulus of concrete under these loads, with creep; E_cm without it. A section whose concrete is
+    stressed below f_ctm is not taken as uncracked: the moment may have been larger before.
+    """
+    h = np.asarray(h, dtype=float)
+    d = h - bars.cover - bars.diameter / 2
+    modular_ratio = steel.E_s / (E_c or concrete.E_cm)
+    x = neutral_axis(d, np.asarray(bars.area), modular_ratio)
+    rho = effective_ratio(h, d, x, np.asarray(bars.area))
+    sigma_s = steel_stress(np.asarray(m), d, np.asarray(bars.area), modular_ratio)
+    return largest_spacing(bars, h, x, rho) * mean_strain(sigma_s, rho, concrete, steel, k_t)
+
+
+def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:
+    """Return the least area of bars (n,) [m2/m] that controls cracks from bending, 7.3.2(2): (7.1) with k_c = 0.4.
+
+    sigma_s [Pa] is the stress that is allowed right after a crack has formed, f_yk or less.
+    """
+    h = np.asarray(h, dtype=float)
+    k = np.interp(h, [0.3, 0.8], [1.0, 0.65])
+    return np.asarray(0.4 * k * concrete.f_ctm * h / 2 / sigma_s)

@@ -1,0 +1,110 @@
+"""Concrete and reinforcing steel by EN 1992-1-1 3.1 and 3.2: by class or by strength.
+
+Strength classes are those of Table 3.1, C12/15 to C90/105, the second number being that of cubes; steel is called by
+its yield strength and, as in Annex C, by its class of ductility A, B or C: B500B.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from groundslab.errors import InputError, Issue
+
+_MPA = 1e6
+#: Strength classes of Table 3.1: f_ck [MPa] by name.
+CONCRETE_CLASSES = {
+    f"C{f_ck}/{cube}": float(f_ck)
+    for f_ck, cube in (
+        (12, 15), (16, 20), (20, 25), (25, 30), (30, 37), (35, 45), (40, 50), (45, 55), (50, 60), (55, 67), (60, 75),
+        (70, 85), (80, 95), (90, 105),
+    )
+}  # fmt: skip
+#: f_yk [MPa] by name; the letter is the class of ductility of Annex C.
+STEEL_CLASSES = {name: float(name[1:4]) for name in ("B450C", "B500A", "B500B", "B500C", "B550A", "B550B")}
+
+
+@dataclass(frozen=True, slots=True)
+class Concrete:
+    """Concrete: f_ck [Pa] from 12 to 90 MPa, gamma_c and alpha_cc (EN 1992-1-1 Table 3.1, 2.4.2.4, 3.1.6(1))."""
+
+    f_ck: float
+    gamma_c: float = 1.5
+    alpha_cc: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Refuse what the rules are not made for."""
+        issues = _outside("concrete.f_ck", self.f_ck, 12 * _MPA, 90 * _MPA)
+        issues += _not_positive(**{"concrete.gamma_c": self.gamma_c, "concrete.alpha_cc": self.alpha_cc})
+        if issues:
+            raise InputError(issues)
+
+    @property
+    def f_cd(self) -> float:
+        """Return the design strength [Pa], 3.1.6(1)."""
+        return self.alpha_cc * self.f_ck / self.gamma_c
+
+    @property
+    def eta(self) -> float:
+        """Return the stress of the block over f_cd, 3.1.7(3)."""
+        return 1.0 - max(self.f_ck / _MPA - 50, 0.0) / 200
+
+    @property
+    def lam(self) -> float:
+        """Return the depth lambda of the block over x, 3.1.7(3)."""
+        return 0.8 - max(self.f_ck / _MPA - 50, 0.0) / 400
+
+    @property
+    def eps_cu3(self) -> float:
+        """Return the strain at which the compressed face fails, Table 3.1."""
+        f = self.f_ck / _MPA
+        return 3.5e-3 if f <= 50 else (2.6 + 35 * ((90 - f) / 100) ** 4) * 1e-3
+
+    @property
+    def f_cm(self) -> float:
+        """Return the mean compressive strength [Pa], Table 3.1."""
+        return self.f_ck + 8 * _MPA
+
+    @property
+    def E_cm(self) -> float:
+        """Return the secant modulus [Pa] of concrete with quartzite aggregates, Table 3.1."""
+        return 22e9 * math.pow(self.f_cm / (10 * _MPA), 0.3)
+
+    @property
+    def f_ctm(self) -> float:
+        """Return the mean tensile strength [Pa], Table 3.1."""
+        f = self.f_ck / _MPA
+        return (0.30 * f ** (2 / 3) if f <= 50 else 2.12 * math.log(1 + self.f_cm / (10 * _MPA))) * _MPA
+
+
+@dataclass(frozen=True, slots=True)
+class Steel:
+    """Reinforcing steel: f_yk [Pa] from 400 to 600 MPa, gamma_s, E_s [Pa] (EN 1992-1-1 3.2.2(3), 2.4.2.4, 3.2.7(4))."""
+
+    f_yk: float
+    gamma_s: float = 1.15
+    E_s: float = 200e9
+
+    def __post_init__(self) -> None:
+        """Refuse what the rules are not made for."""
+        issues = _outside("steel.f_yk", self.f_yk, 400 * _MPA, 600 * _MPA)
+        issues += _not_positive(**{"steel.gamma_s": self.gamma_s, "steel.E_s": self.E_s})
+        if issues:
+            raise InputError(issues)
+
+    @property
+    def f_yd(self) -> float:
+        """Return the design yield strength [Pa], 3.2.7(2)."""
+        return self.f_yk / self.gamma_s
+
+
+def _outside(where: str, value: float, least: float, most: float) -> list[Issue]:
+    """Return the issue of a strength that does not lie within its limits."""
+    if least <= value <= most:
+        return []
+    return [Issue(where, f"{value:g} Pa", f"a strength from {least / _MPA:g} to {most / _MPA:g} MPa, in Pa")]
+
+
+def _not_positive(**values: float) -> list[Issue]:
+    """Return the issues of values that are not positive."""
+    return [Issue(where, f"{value:g}", "a positive number") for where, value in values.items() if not value > 0]

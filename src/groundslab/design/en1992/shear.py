@@ -1,0 +1,83 @@
+"""One-way shear of slabs by EN 1992-1-1 6.2, per meter of width: what needs no links, and the links of the rest.
+
+    v_Rd,c = max(C_Rd,c k (100 rho_l f_ck)^(1/3), 0.035 k^(3/2) f_ck^(1/2)) d            6.2.2(1), (6.2), (6.3N)
+    v_Rd,max = z nu f_cd / (cot theta + tan theta)                                       6.2.3(3), (6.9)
+    a_sw = v_Ed / (z f_ywd cot theta)                                                    6.2.3(3), (6.8)
+
+C_Rd,c = 0.18 / gamma_C and k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm; nu = 0.6 (1 - f_ck / 250) (6.6N);
+z = 0.9 d (6.2.3(1)) and 1 <= cot theta <= 2.5 (6.2.3(2)). National parameters are the recommended ones.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags
+from groundslab.design.en1992.materials import Concrete, Steel
+
+_MPA = 1e6
+#: The largest ratio of bars that counts (6.2.2(1)).
+MOST_BARS = 0.02
+#: The flattest strut that may be chosen, cot theta (6.2.3(2)).
+FLATTEST = 2.5
+#: Lever arm over effective depth (6.2.3(1)).
+LEVER = 0.9
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """Links per area of the plan (n,) [m2/m2], with the struts cot theta; inf where the concrete is too weak."""
+
+    area: Array
+    cot_theta: Array
+
+    @property
+    def fails(self) -> Flags:
+        """Return where no links help (n,)."""
+        return np.isinf(self.area)
+
+
+def principal_shear(q_x: Array, q_y: Array) -> tuple[Array, Array]:
+    """Return the largest shear force of any direction (n,) [N/m], and the share cos^2 of its direction along x (n,).
+
+    q_n = q_x cos + q_y sin is largest for the direction of the vector (q_x, q_y) itself.
+    """
+    size = np.hypot(q_x, q_y)
+    return size, np.divide(q_x, size, out=np.full_like(size, np.sqrt(0.5)), where=size > 0) ** 2
+
+
+def ratio_along(share: Array, rho_x: Array, rho_y: Array) -> Array:
+    """Return the ratio of bars (n,) that counts in a direction with cos^2 = share between bars along x and y.
+
+    rho_l = rho_x cos^4 + rho_y sin^4 (EN 1992-2 Annex LL (LL.123)), the stiffness of a net of bars in a direction.
+    """
+    return np.asarray(rho_x * share**2 + rho_y * (1 - share) ** 2)
+
+
+def resistance_without_links(concrete: Concrete, d: Array, rho: Array) -> Array:
+    """Return v_Rd,c (n,) [N/m] for effective depths d (n,) [m] and ratios of bars in tension rho (n,)."""
+    f_ck, d = concrete.f_ck / _MPA, np.asarray(d, dtype=float)
+    k = np.minimum(2.0, 1 + np.sqrt(0.2 / d))
+    of_bars = 0.18 / concrete.gamma_c * k * np.cbrt(100 * np.minimum(rho, MOST_BARS) * f_ck)
+    return np.asarray(np.maximum(of_bars, 0.035 * k**1.5 * np.sqrt(f_ck)) * _MPA * d)
+
+
+def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel) -> Links:
+    """Return vertical links for shear forces v (n,) [N/m], with the flattest struts that the concrete bears.
+
+    Where no struts bear, cot theta is 1 and the area inf.
+    """
+    z = LEVER * np.asarray(d, dtype=float)
+    nu = 0.6 * (1 - concrete.f_ck / (250 * _MPA))
+    # v = z nu f_cd sin(2 theta) / 2
+    sine = np.asarray(2 * v / (z * nu * concrete.f_cd))
+    steepest = np.minimum(sine, 1.0)
+    cot = np.clip((1 + np.sqrt(1 - steepest**2)) / np.maximum(steepest, 1e-12), 1.0, FLATTEST)
+    return Links(np.where(sine > 1, np.inf, v / (z * steel.f_yd * cot)), cot)
+
+
+def minimum_links(concrete: Concrete, steel: Steel) -> float:
+    """Return the least links per area of the plan [m2/m2], 9.2.2(5) by 9.3.2(2)."""
+    return float(0.08 * np.sqrt(concrete.f_ck / _MPA) / (steel.f_yk / _MPA))

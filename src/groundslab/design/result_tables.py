@@ -1,0 +1,72 @@
+"""Tables of results for calculations: all combinations, and envelopes at the plate's nodes."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from groundslab.design.checks.table import checks_table
+from groundslab.design.tables import errors
+from groundslab.design.tables.columns import column_table
+from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
+from groundslab.design.tables.locations import lines, points, strips
+from groundslab.design.tables.reinforcement import reinforcement
+from groundslab.design.tables.summary import combinations, extremes, tilts
+from groundslab.design.tables.supports import support_table
+from groundslab.design.tables.table import Column, Table
+from groundslab.results.results import Results
+
+__all__ = ["Column", "Table", "fields_of_envelope", "tables_of"]
+
+
+def tables_of(combined: Results) -> tuple[Table, ...]:
+    """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
+
+    Points, section lines, design strips, supports, columns and reinforcement have a table each if the model names any.
+    Discretization errors stand in columns at the right. docs/results.md explains every column.
+
+    Parameters
+    ----------
+    combined : Results
+        The results of all combinations.
+
+    Returns
+    -------
+    tuple of Table
+        The tables. `Table.csv` returns one as text, `Table.frame` as a pandas.DataFrame.
+
+    Raises
+    ------
+    InputError
+        If EN 1992-1-1 does not cover the concrete or the steel.
+
+    References
+    ----------
+    EN 1992-1-1, Design of concrete structures: 6.1, 6.4 and 9.2.1; Wood 1968 and Armer 1968 (docs/bibliography.md).
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> tables = {table.name: table for table in groundslab.tables_of(results)}
+    >>> tables["combinations"]["outcome"]
+    ('solved',)
+    >>> tables["extremes"].columns[3].header
+    'least'
+    """
+    model = combined.model
+    each = errors.with_errors_of_extremes(extremes(combined), combined)
+    first = errors.with_errors_of_figures(errors.with_errors(combinations, combined), each)
+    tables = [first, each, errors.with_errors_of_envelope(envelopes(combined), each)]
+    tables.append(errors.with_errors(tilts, combined))
+    if model.reinforcement is not None or model.limits is not None:
+        tables.append(checks_table(combined))
+    wanted = (
+        (model.output.points, points),
+        (model.output.lines, lines),
+        (model.output.strips, strips),
+        (model.supports, support_table),
+        (model.columns, column_table),
+    )
+    tables += [errors.with_errors(make, combined) for requested, make in wanted if requested]
+    if model.reinforcement is not None:
+        tables.append(errors.with_errors_of_governing(partial(reinforcement, steel=model.reinforcement), combined))
+    return tuple(tables)

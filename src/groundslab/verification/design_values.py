@@ -1,0 +1,75 @@
+"""What rows of cases on design codes may ask for: a value by name, from the numbers that the row gives, all SI."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from groundslab.design.en1992 import bending, cracking, punching, shear
+from groundslab.design.en1992.materials import Concrete, Steel
+
+_D = 0.4  # m: of ratios that do not depend on it
+
+
+def _lever_arm(K: float, f_ck: float, f_yk: float, alpha_cc: float) -> float:
+    """Return z / d for m = K d^2 f_ck, from the area of bars that the moment needs."""
+    steel, m = Steel(f_yk), K * f_ck * _D**2
+    area = bending.required(np.array([m]), _D, Concrete(f_ck, alpha_cc=alpha_cc), steel, xi_lim=0.6).tension[0]
+    return float(m / (area * steel.f_yd) / _D)
+
+
+def _least_ratio(f_ck: float, f_yk: float) -> float:
+    """Return the least ratio of bars in tension [%]."""
+    return float(bending.minimum(np.array(_D), Concrete(f_ck), Steel(f_yk)) / _D * 100)
+
+
+def _without_links(f_ck: float, d: float, rho: float) -> float:
+    """Return v_Rd,c / d of one-way shear."""
+    return float(shear.resistance_without_links(Concrete(f_ck), np.array([d]), np.array([rho]))[0] / d)
+
+
+def _links(v: float, z: float, f_ck: float, f_yk: float) -> float:
+    """Return links per area of the plan [%] for a shear force per width v with the lever arm z."""
+    links = shear.required_links(np.array([v]), np.array([z / shear.LEVER]), Concrete(f_ck), Steel(f_yk))
+    return float(links.area[0]) * 100
+
+
+def _crack(what: str) -> Callable[..., float]:
+    """Return what finds a figure of a crack, of bars with an effective depth of concrete in tension."""
+
+    def find(
+        diameter: float, spacing: float, cover: float, area: float, depth: float, sigma_s: float, f_ck: float
+    ) -> float:
+        rho, concrete, steel = np.array([area / depth]), Concrete(f_ck), Steel(500e6)
+        bars = cracking.Bars(diameter, spacing, cover)
+        s_r = float(cracking.largest_spacing(bars, np.array([1.0]), np.array([0.0]), rho)[0])
+        strain = float(cracking.mean_strain(np.array([sigma_s]), rho, concrete, steel)[0])
+        return {"spacing": s_r, "strain": strain, "width": s_r * strain}[what]
+
+    return find
+
+
+def _punching_used(v_Ed: float, f_ck: float, d: float, rho: float) -> float:
+    """Return v_Ed over v_Rd,c [%]."""
+    return 100 * v_Ed / punching.resistance_without_links(Concrete(f_ck), d, rho)
+
+
+#: By name: the dimension of the value's unit, and how it is found.
+VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
+    "f_ctm": ("pressure", lambda f_ck: Concrete(f_ck).f_ctm),
+    "E_cm": ("pressure", lambda f_ck: Concrete(f_ck).E_cm),
+    "eps_cu3": (None, lambda f_ck: Concrete(f_ck).eps_cu3 * 1e3),
+    "z / d": (None, _lever_arm),
+    "least bars": (None, _least_ratio),
+    "v_Rd,c / d": ("pressure", _without_links),
+    "links": (None, _links),
+    "s_r,max": ("length", _crack("spacing")),
+    "eps_sm - eps_cm": (None, _crack("strain")),
+    "w_k": ("length", _crack("width")),
+    "v_Ed / v_Rd,c": (None, _punching_used),
+    "v_Ed / v_Rd,max": (None, lambda v_Ed, f_ck: 100 * v_Ed / punching.max_resistance(Concrete(f_ck))),
+    "k of Table 6.1": (None, punching.transfer_share),
+    "f_ywd,ef": ("pressure", lambda d: punching.effective_strength(d, math.inf)),
+}

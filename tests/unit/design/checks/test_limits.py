@@ -1,0 +1,115 @@
+"""Limits of settlements, tilt and pressures: each by a made-up field with a known answer, and what governs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from groundslab.design.checks import DesignCheck, design_of
+from groundslab.errors import InputError
+from groundslab.model.model import Model
+from groundslab.results.results import Results
+from helpers import synthetic
+from helpers.synthetic import LENGTH_X, LENGTH_Y
+
+STATES = {"ULS": "ultimate", "SLS 1": "characteristic", "SLS 2": "quasi-permanent"}
+
+
+def model_with(**limits: float) -> Model:
+    """Return a slab with two columns along x, one ultimate and two other combinations, and limits."""
+    half = LENGTH_X / 4
+    return Model(
+        plate={"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": 0.4, "E": 30e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 20e6},
+        columns=[{"name": "A", "x": -half, "y": 0, "diameter": 0.3}, {"name": "B", "x": half, "y": 0, "diameter": 0.3}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "uniform", "q": 1e4, "case": "G"}],
+        combinations=[{"name": name, "limit_state": state, "factors": {"G": 1.0}} for name, state in STATES.items()],
+        limits=limits,
+    )
+
+
+def solved(model: Model, **fields: dict[str, Any]) -> Results:
+    """Return made-up results: of each combination, by its name with _ for a blank, a field by its name over x."""
+    made = {}
+    for each in model.combinations:
+        one = synthetic.results(6, model=model, combination=each.name, limit_state=each.limit_state,
+                                factors=each.factors)  # fmt: skip
+        x = one.plate.nodes[:, 0]
+        own = {name: make(x) for name, make in fields.get(each.name.replace(" ", "_"), {}).items()}
+        flat = {"settlement": np.zeros(len(x)), "pressure": np.zeros(len(x))}
+        made[each.name] = replace(one, plate=replace(one.plate, **flat | own))
+    return Results(model, model.combinations, made, {})
+
+
+def only(combined: Results) -> DesignCheck:
+    """Return the one check there is."""
+    (check,) = design_of(combined).checks
+    return check
+
+
+def test_settlement_of_the_worst_combination_counts_but_no_ultimate_one() -> None:
+    """30 mm in an ultimate combination are no matter; of 12 and 20 mm the larger is, in its own combination."""
+    fields = {
+        "ULS": {"settlement": lambda x: 0.030 + 0 * x},
+        "SLS_1": {"settlement": lambda x: 0.012 + 0 * x},
+        "SLS_2": {"settlement": lambda x: 0.020 + 0 * x},
+    }
+    check = only(solved(model_with(settlement=0.025), **fields))
+    assert (check.status, check.combination) == ("no failure found", "SLS 2")
+    assert (check.demand, check.resistance, check.unit) == pytest.approx((20.0, 25.0, "mm"))
+    assert check.utilisation == pytest.approx(0.8)
+    failing = only(solved(model_with(settlement=0.016), **fields))
+    assert failing.status == "fails"
+    assert failing.words.startswith("20 > 16 mm at (")
+
+
+def test_tilt_and_differences_of_an_inclined_plate() -> None:
+    """A slope of 1/500 along x: the tilt; its difference over the length; no distortion without it."""
+    fields = {"SLS_1": {"settlement": lambda x: 0.02 + 0.002 * x}}
+    found = {each.name: each for each in design_of(solved(
+        model_with(tilt=0.003, differential_settlement=0.1, angular_distortion=0.002), **fields)).checks}  # fmt: skip
+    assert found["tilt"].demand == pytest.approx(2.0)
+    assert found["differential settlement"].demand == pytest.approx(2.0 * LENGTH_X)
+    assert found["angular distortion"].demand == pytest.approx(0.0, abs=1e-9)
+
+
+def test_pressure_and_uplift() -> None:
+    """The largest pressure at its place, the largest uplift as a positive length."""
+    fields = {
+        "SLS_1": {"settlement": lambda x: -0.001 - 0 * x, "pressure": lambda x: 1e5 * (x == x.max())},
+    }
+    found = {each.name: each for each in design_of(solved(model_with(pressure=9e4, uplift=2e-3), **fields)).checks}
+    assert found["pressure"].status == "fails"
+    assert found["pressure"].demand == pytest.approx(100.0)
+    assert found["pressure"].place is not None
+    assert found["pressure"].place[0] == pytest.approx(LENGTH_X / 2)
+    assert found["uplift"].demand == pytest.approx(1.0)
+
+
+def test_what_must_not_be_less() -> None:
+    """An area in contact below its limit fails, and is used by more than 1."""
+    combined = solved(model_with(contact_share=0.5))
+    share = min(each.plate.contact_share for each in combined.values() if each.limit_state != "ultimate")
+    check = only(combined)
+    assert check.least
+    assert check.demand == pytest.approx(100 * share)
+    assert check.utilisation == pytest.approx(0.5 / share)
+    assert check.status == ("no failure found" if share >= 0.5 else "fails")
+
+
+def test_limits_without_results_need_attention() -> None:
+    """Where no combination of serviceability is solved, nothing is said to hold."""
+    combined = solved(model_with(settlement=0.01))
+    alone = replace(combined, results={"ULS": combined.results["ULS"]}, refused={
+        name: InputError([]) for name in ("SLS 1", "SLS 2")})  # fmt: skip
+    assert only(alone).status == "attention"
+
+
+def test_no_limit_is_an_error() -> None:
+    """An empty section says nothing."""
+    with pytest.raises(InputError, match="at least one"):
+        model_with()

@@ -1,0 +1,50 @@
+"""Punching by EN 1992-1-1: a calculation of another program, Table 6.1, links that carry what they are made for."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from groundslab.design.en1992.materials import Concrete
+from groundslab.design.en1992.punching import (
+    links_per_perimeter,
+    max_resistance,
+    outer_perimeter,
+    resistance_without_links,
+    transfer_share,
+)
+
+
+def test_a_calculation_of_another_program() -> None:
+    """eurocodeapplied.com as kept by the program XC: C30, d = 345 mm, 7.54 cm2/m both ways.
+
+    409 kPa use 91.2667 % of v_Rd,c, and 1623 kPa 38.423 % of v_Rd,max.
+    """
+    rho = math.sqrt(7.54e-4 / 0.35 * 7.54e-4 / 0.34)
+    v_Rd_c = resistance_without_links(Concrete(30e6), 0.345, rho)
+    assert 0.409e6 / v_Rd_c == pytest.approx(0.9126672, rel=1e-4)
+    assert 1.623e6 / max_resistance(Concrete(30e6)) == pytest.approx(0.3842330, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "k"), [(0.2, 0.45), (0.5, 0.45), (1, 0.6), (1.5, 0.65), (2, 0.7), (3, 0.8), (9, 0.8)]
+)
+def test_table_6_1(ratio: float, k: float) -> None:
+    """The table's four values, straight lines between, no more beyond."""
+    assert transfer_share(ratio) == pytest.approx(k)
+
+
+def test_links_carry_what_is_missing() -> None:
+    """With the links of (6.52) the resistance is the demand; where 3/4 of the concrete's is enough, none are needed."""
+    v_Ed, v_Rd_c, u, d, s_r = 0.9e6, 0.6e6, 4.0, 0.3, 0.225
+    A_sw = links_per_perimeter(v_Ed, v_Rd_c, u, d, s_r, 435e6)
+    f_ywd_ef = (250 + 0.25 * 300) * 1e6
+    assert 0.75 * v_Rd_c + 1.5 * d / s_r * A_sw * f_ywd_ef / (u * d) == pytest.approx(v_Ed)
+    assert links_per_perimeter(0.4e6, v_Rd_c, u, d, s_r, 435e6) == 0.0
+    assert links_per_perimeter(v_Ed, v_Rd_c, u, d, s_r, 300e6) == pytest.approx(A_sw * 325 / 300)
+
+
+def test_outer_perimeter() -> None:
+    """There v_Rd,c is enough: v_Ed u = v_Rd,c u_out."""
+    assert outer_perimeter(0.9e6, 0.6e6, 4.0) == pytest.approx(6.0)
