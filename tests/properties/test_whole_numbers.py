@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 import groundslab as g
 from groundslab.analysis.driver import Variants
-from groundslab.design import design_moments, punching, reinforcement, section_cuts, tilt
+from groundslab.design import design_moments, punching, section_cuts, tilt
+from groundslab.design.en1992 import bending, materials
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult
 from groundslab.verification import analytic
@@ -104,9 +105,9 @@ def _punching(x: float, y: float, width: float, d: float, force: float) -> punch
     return punching.demand(solved().plate, column, d, force, 1000, 1)
 
 
-def _required(m: Any, d: Any, d_2: Any, t: Any) -> reinforcement.Reinforcement:
-    concrete, steel = reinforcement.Concrete(30_000_000, 1, 1), reinforcement.Steel(500_000_000, 1)
-    return reinforcement.required(m, d, concrete, steel, d_2=d_2, thickness=t)
+def _required(m: Any, d: Any, d_2: Any, t: Any) -> bending.Reinforcement:
+    concrete, steel = materials.Concrete(30_000_000, 1, 1), materials.Steel(500_000_000, 1)
+    return bending.required(m, d, concrete, steel, d_2=d_2, thickness=t)
 
 
 CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {

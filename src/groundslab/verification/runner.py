@@ -255,7 +255,7 @@ def _error(row: Mapping[str, Any], results_of: Callable[..., CombinationResult])
 
 
 def _computed(case: Case, row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> float:
-    """Return the row's quantity in SI units; values of design codes and k0 and k1 for a given gamma need no solution."""
+    """Return the row's quantity in SI units; design codes, and k0 and k1 of a given gamma, need no solution."""
     if "value" in row:
         return float(VALUES[row["value"]][1](**row["of"]))
     if row["quantity"] in ("k0", "k1"):

@@ -101,7 +101,7 @@ class TestSolve:
     def test_a_design_that_fails_has_the_last_word(
         self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """A certified analysis ends with 0; that its design fails is the last word, and among the first lines."""
+        """A design that fails ends with 3; that it does is the last word, and among the first lines."""
         model = synthetic.model().replace(
             cases=[{"name": "G"}],
             loads=[{"kind": "uniform", "q": 1e3, "case": "G"}],
@@ -112,11 +112,11 @@ class TestSolve:
         made = synthetic.results(combination="ULS", limit_state="ultimate", factors=(("G", 1.35),))
         made = replace(made, plate=replace(made.plate, moment_x=made.plate.moment_x + 20e6))
         fake(monkeypatch, "analysis.driver", solve=solver(made))
-        assert main.main(["solve", str(case)]) == 0
+        assert main.main(["solve", str(case)]) == 3
         out, err = capsys.readouterr()
         assert out.splitlines()[2].startswith("DESIGN FAILS: 1 of")
         assert err.splitlines()[-1].startswith("DESIGN FAILS: 1 of")
-        assert "exit code 0" in err.splitlines()[-1]
+        assert "exit code 3" in err.splitlines()[-1]
 
     def test_quiet_says_nothing(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """Results are kept, nothing is printed."""

@@ -1,10 +1,10 @@
 """Crack widths of slabs in bending by EN 1992-1-1 7.3.4, and the least bars that control cracks, 7.3.2.
 
-    w_k = s_r,max (eps_sm - eps_cm)                                                                (7.8)
+    w_k = s_r,max (eps_sm - eps_cm)                                                                7.8
     eps_sm - eps_cm = (sigma_s - k_t f_ct,eff / rho_p,eff (1 + alpha_e rho_p,eff)) / E_s
-                      >= 0.6 sigma_s / E_s                                                         (7.9)
-    s_r,max = 3.4 c + 0.425 k_1 k_2 phi / rho_p,eff, bars no farther apart than 5 (c + phi / 2)    (7.11)
-            = 1.3 (h - x) beyond                                                                   (7.14)
+                      >= 0.6 sigma_s / E_s                                                         7.9
+    s_r,max = 3.4 c + 0.425 k_1 k_2 phi / rho_p,eff, bars no farther apart than 5 (c + phi / 2)    7.11
+            = 1.3 (h - x) beyond                                                                   7.14
 
 The section is cracked and elastic, without bars in compression: k_1 = 0.8 of ribbed bars, k_2 = 0.5 of bending.
 Recommended parameters k_3 = 3.4 and k_4 = 0.425 (7.3.4(3)).
@@ -20,7 +20,7 @@ from groundslab.arrays import Array
 from groundslab.design.en1992.materials import Concrete, Steel
 
 _MPA = 1e6
-#: Bond of ribbed bars, bending, and the recommended parameters of (7.11).
+#: Bond of ribbed bars, bending, and the recommended parameters of 7.11.
 K_1, K_2, K_3, K_4 = 0.8, 0.5, 3.4, 0.425
 #: k_t of loads that last, and of others (7.3.4(2)).
 LONG_TERM, SHORT_TERM = 0.4, 0.6
@@ -58,13 +58,13 @@ def effective_ratio(h: Array, d: Array, x: Array, area: Array) -> Array:
 
 
 def mean_strain(sigma_s: Array, rho: Array, concrete: Concrete, steel: Steel, k_t: float = LONG_TERM) -> Array:
-    """Return eps_sm - eps_cm (n,) by (7.9), with f_ct,eff = f_ctm."""
+    """Return eps_sm - eps_cm (n,) by 7.9, with f_ct,eff = f_ctm."""
     stiffened = sigma_s - k_t * concrete.f_ctm / rho * (1 + steel.E_s / concrete.E_cm * rho)
     return np.asarray(np.maximum(stiffened, 0.6 * sigma_s) / steel.E_s)
 
 
 def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array) -> Array:
-    """Return s_r,max (n,) [m] by (7.11), or by (7.14) where bars lie too far apart for it."""
+    """Return s_r,max (n,) [m] by 7.11, or by 7.14 where bars lie too far apart for it."""
     if bars.spacing > 5 * (bars.cover + bars.diameter / 2):
         return np.asarray(1.3 * (h - x))
     return np.asarray(K_3 * bars.cover + K_1 * K_2 * K_4 * bars.diameter / rho)
@@ -95,7 +95,7 @@ def crack_width(
 
 
 def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:
-    """Return the least area of bars (n,) [m2/m] that controls cracks from bending, 7.3.2(2): (7.1) with k_c = 0.4.
+    """Return the least area of bars (n,) [m2/m] that controls cracks from bending, 7.3.2(2): 7.1 with k_c = 0.4.
 
     sigma_s [Pa] is the stress that is allowed right after a crack has formed, f_yk or less.
     """

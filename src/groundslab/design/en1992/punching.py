@@ -2,9 +2,9 @@
 
     v_Rd,max = 0.4 nu f_cd, nu = 0.6 (1 - f_ck / 250)                       at the column's face, 6.4.5(3), 6.2.2(6)
     v_Rd,c   = C_Rd,c k (100 rho_l f_ck)^(1/3) >= 0.035 k^(3/2) f_ck^(1/2)  at 2 d, 6.4.4(1)
-    v_Rd     = v_Rd,c 2 d / a                                               at a <= 2 d, 6.4.4(2), (6.50)
-    beta     = 1 + k M_Ed u / (V_Ed,red W)                                  6.4.4(2), (6.51), k by Table 6.1
-    v_Rd,cs  = 0.75 v_Rd,c + 1.5 (d / s_r) A_sw f_ywd,ef / (u_1 d)          6.4.5(1), (6.52), f_ywd,ef = 250 + 0.25 d
+    v_Rd     = v_Rd,c 2 d / a                                               at a <= 2 d, 6.4.4(2), 6.50
+    beta     = 1 + k M_Ed u / (V_Ed,red W)                                  6.4.4(2), 6.51, k by Table 6.1
+    v_Rd,cs  = 0.75 v_Rd,c + 1.5 (d / s_r) A_sw f_ywd,ef / (u_1 d)          6.4.5(1), 6.52, f_ywd,ef = 250 + 0.25 d
 
 C_Rd,c = 0.18 / gamma_C and k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm. With rho_l = 0.02, the most that
 counts, v_Rd,c is an upper bound whatever the bars. With punching reinforcement a slab carries at most k_max = 1.5 times
@@ -46,16 +46,16 @@ def transfer_share(ratio: float) -> float:
 
 
 def beta(moments: Sequence[float], shares: Sequence[float], force: float, u: float, W: Sequence[float]) -> float:
-    """Return beta (6.51) of moments about two axes [N m], with the reduced force [N], u [m] and W [m2] about them.
+    """Return beta by 6.51 of moments about two axes [N m], with the reduced force [N], u [m] and W [m2] about them.
 
-    The two add up by the root of their squares, as in (6.43).
+    The two add up by the root of their squares, as in 6.43.
     """
     parts = [k * M * u / (force * modulus) for M, k, modulus in zip(moments, shares, W, strict=True)]
     return 1.0 + math.hypot(*parts)
 
 
 def links_per_perimeter(v_Ed: float, v_Rd_c: float, u: float, d: float, s_r: float, f_ywd: float) -> float:
-    """Return A_sw [m2] of one perimeter of vertical links, s_r [m] apart radially, by (6.52); f_ywd [Pa] at most."""
+    """Return A_sw [m2] of one perimeter of vertical links, s_r [m] apart radially, by 6.52; f_ywd [Pa] at most."""
     return max(0.0, (v_Ed - 0.75 * v_Rd_c) * u * s_r / (1.5 * effective_strength(d, f_ywd)))
 
 
@@ -65,5 +65,5 @@ def effective_strength(d: float, f_ywd: float) -> float:
 
 
 def outer_perimeter(v_Ed: float, v_Rd_c: float, u: float) -> float:
-    """Return u_out [m], where links are needed no more, by (6.54): beta V_Ed / (v_Rd,c d)."""
+    """Return u_out [m], where links are needed no more, by 6.54: beta V_Ed / (v_Rd,c d)."""
     return v_Ed * u / v_Rd_c

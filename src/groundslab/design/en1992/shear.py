@@ -1,10 +1,10 @@
 """One-way shear of slabs by EN 1992-1-1 6.2, per meter of width: what needs no links, and the links of the rest.
 
-    v_Rd,c = max(C_Rd,c k (100 rho_l f_ck)^(1/3), 0.035 k^(3/2) f_ck^(1/2)) d            6.2.2(1), (6.2), (6.3N)
-    v_Rd,max = z nu f_cd / (cot theta + tan theta)                                       6.2.3(3), (6.9)
-    a_sw = v_Ed / (z f_ywd cot theta)                                                    6.2.3(3), (6.8)
+    v_Rd,c = max(C_Rd,c k (100 rho_l f_ck)^(1/3), 0.035 k^(3/2) f_ck^(1/2)) d            6.2.2(1), 6.2, 6.3N
+    v_Rd,max = z nu f_cd / (cot theta + tan theta)                                       6.2.3(3), 6.9
+    a_sw = v_Ed / (z f_ywd cot theta)                                                    6.2.3(3), 6.8
 
-C_Rd,c = 0.18 / gamma_C and k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm; nu = 0.6 (1 - f_ck / 250) (6.6N);
+C_Rd,c = 0.18 / gamma_C and k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm; nu = 0.6 (1 - f_ck / 250) by 6.6N;
 z = 0.9 d (6.2.3(1)) and 1 <= cot theta <= 2.5 (6.2.3(2)). National parameters are the recommended ones.
 """
 

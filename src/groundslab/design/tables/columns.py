@@ -62,7 +62,7 @@ def _notes(steel: Reinforcement | None) -> list[str]:
         notes += [
             "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = load + other loads inside - pressure "
             "inside, on the perimeter at 2 d; nearer perimeters are checked, too. v_Ed = beta V_Ed / (u d), beta by "
-            "the moments of all forces inside about the perimeter's center (6.51). Supports inside are not counted.",
+            "the moments of all forces inside about the perimeter's center, 6.51. Supports inside are not counted.",
             "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta, less the pressure under the column. "
             "Above v_Rd,max = 0.4 nu f_cd no reinforcement helps.",
             "d is the least thickness under the column less the mean distance of the bottom bars' axes. Where the "

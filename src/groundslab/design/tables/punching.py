@@ -47,7 +47,7 @@ class Stress:
 
     distance: float  # from the column's face [m]
     V_Ed: float  # load + others - pressure [N]
-    beta: float  # by the moments about the perimeter's center (6.51)
+    beta: float  # by the moments about the perimeter's center (expression 6.51)
     v_Ed: float  # beta V_Ed / (u d) [Pa]
     u: float  # [m]
     pressure: float  # contact pressure inside [N]

@@ -62,6 +62,6 @@ def test_bars_far_apart_have_the_free_spacing() -> None:
 
 @pytest.mark.parametrize(("h", "k"), [(0.2, 1.0), (0.3, 1.0), (0.55, 0.825), (0.8, 0.65), (1.5, 0.65)])
 def test_least_bars(h: float, k: float) -> None:
-    """(7.1) with k_c = 0.4 and half of the section in tension."""
+    """7.1 with k_c = 0.4 and half of the section in tension."""
     found = cracking.minimum_area(np.array([h]), C25, 500e6)
     assert found == pytest.approx([0.4 * k * C25.f_ctm * h / 2 / 500e6])

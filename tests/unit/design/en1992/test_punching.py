@@ -36,7 +36,7 @@ def test_table_6_1(ratio: float, k: float) -> None:
 
 
 def test_links_carry_what_is_missing() -> None:
-    """With the links of (6.52) the resistance is the demand; where 3/4 of the concrete's is enough, none are needed."""
+    """With the links of 6.52 the resistance is the demand; where 3/4 of the concrete's is enough, none are needed."""
     v_Ed, v_Rd_c, u, d, s_r = 0.9e6, 0.6e6, 4.0, 0.3, 0.225
     A_sw = links_per_perimeter(v_Ed, v_Rd_c, u, d, s_r, 435e6)
     f_ywd_ef = (250 + 0.25 * 300) * 1e6

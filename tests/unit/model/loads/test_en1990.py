@@ -61,7 +61,7 @@ def test_ultimate_by_hand() -> None:
 
 
 def test_two_expressions_by_hand() -> None:
-    """6.10a: all variable actions accompany; 6.10b: one leads, unfavourable G times xi = 0.85, favourable G as it is."""
+    """6.10a: all variable actions accompany; 6.10b: one leads, unfavourable G times xi = 0.85, favourable G not."""
     given = Combine(sets=("ultimate",), expression="6.10a and 6.10b")
     made = make_combinations(given, [G, Q, W])
     assert [(each.rule, description(each)) for each in made] == [
