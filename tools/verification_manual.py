@@ -26,6 +26,7 @@ GROUPS = {
     "paper": "The paper that groundslab began with",
     "analytic": "Closed forms and series",
     "programs": "Other programs",
+    "design": "Design codes",
 }
 #: Sources that have no author and year.
 NAMED = ("CNR-DT 211/2014", "Code_Aster", "OpenSees", "OOFEM", "XC,")

@@ -8,7 +8,7 @@ import pytest
 
 from groundslab.verification import runner
 
-CASES = [name for name in runner.names() if name not in ("paper", "analytic", "programs")]
+CASES = runner.case_names()
 
 
 @pytest.mark.slow
