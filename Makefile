@@ -3,6 +3,7 @@ PYTHON ?= python3
 VENV   := .venv
 OLDEST := .venv-oldest
 TRIAL  := .venv-dist
+BILL   := .venv-bill
 SCRIPTS := $(if $(filter Windows_NT,$(OS)),Scripts,bin)
 BIN    := $(VENV)/$(SCRIPTS)
 JOBS   ?= 2
@@ -16,7 +17,7 @@ PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate
 
-.PHONY: demo verify docs test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test bench clean help
+.PHONY: demo verify verify-light docs test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test licenses bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -75,7 +76,9 @@ pages-test: pages web/node_modules/.package-lock.json ## test the code of the pa
 dist: $(VENV)/run.stamp ## build sdist and wheel under dist/
 	$(WITH_NODE) $(BIN)/python -m hatchling build --clean
 
-dist-test: dist         ## install both without the repository, one after the other, and run them
+dist-test: dist $(VENV)/dev.stamp ## check both, install each without the repository, and run it
+	$(BIN)/twine check --strict dist/*
+	$(BIN)/check-wheel-contents dist/*.whl
 	$(PYTHON) -m venv --clear $(TRIAL)
 	$(TRIAL)/$(SCRIPTS)/python -m pip install $(QUIET) --require-hashes -r lock/run.txt -r lock/build.txt
 	set -e; for file in dist/*; do \
@@ -83,6 +86,13 @@ dist-test: dist         ## install both without the repository, one after the ot
 	  $(TRIAL)/$(SCRIPTS)/groundslab solve examples/table1.toml --quiet --out out/dist; \
 	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
 	done
+
+licenses: dist $(VENV)/dev.stamp ## install the wheel with all extras, list the licenses, write a bill of materials (CycloneDX)
+	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(BILL)
+	$(BIN)/uv pip install --quiet --python $(BILL) --constraint lock/dev.txt "$$(echo dist/*.whl)[all]"
+	$(BILL)/$(SCRIPTS)/python tools/licenses.py --write
+	mkdir -p out
+	$(BIN)/cyclonedx-py environment --output-reproducible --output-file out/groundslab.cdx.json $(BILL)
 
 verify-light: $(VENV)/dev.stamp ## solve every case with a known answer and compare
 	$(BIN)/groundslab verify
@@ -103,4 +113,4 @@ bench:                  ## time all sizes and the other programs, one by one, an
 	bench/.env/own/bin/python bench/report.py
 
 clean:                  ## remove what the targets made
-	rm -rf $(VENV) $(OLDEST) $(TRIAL) dist web/node_modules out .coverage .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache bench/.env
+	rm -rf $(VENV) $(OLDEST) $(TRIAL) $(BILL) dist web/node_modules out .coverage .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache bench/.env

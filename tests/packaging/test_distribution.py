@@ -36,7 +36,6 @@ def distributions(tmp_path_factory: pytest.TempPathFactory) -> list[set[str]]:
 
 
 @pytest.mark.slow
-@pytest.mark.slow
 def test_sdist_and_wheel_contain_the_package(distributions: list[set[str]]) -> None:
     """Both contain every file of the package that git knows, and the marker for type checkers among them."""
     listed = subprocess.run(["git", "ls-files", "src"], cwd=ROOT, capture_output=True, text=True, check=False).stdout
