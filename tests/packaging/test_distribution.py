@@ -53,15 +53,30 @@ def test_sdist_and_wheel_contain_the_pages(distributions: list[set[str]]) -> Non
         assert pages == {"report.js", "report.css", "index.html", "index.js", "index.css", "icon.svg"}
 
 
-def test_citation_has_the_version() -> None:
-    """CITATION.cff, codemeta.json and the page on citing name the version of the package."""
+def test_citation_has_the_latest_release() -> None:
+    """CITATION.cff, codemeta.json and the page on citing name it as the changelog does, with its date."""
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    release, date = re.findall(r"^## \[([\d.]+)\] - (.+)$", changes, re.MULTILINE)[0]
     text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
-    assert re.findall(r"^version: (.+)$", text, re.MULTILINE) == [groundslab.__version__]
+    assert re.findall(r"^(?:version|date-released): (.+)$", text, re.MULTILINE) == [release, date]
     about = json.loads((ROOT / "codemeta.json").read_text(encoding="utf-8"))
     keywords = re.findall(r"^  - ([^:\n]+)$", text, re.MULTILINE)
-    assert (about["version"], about["keywords"]) == (groundslab.__version__, keywords)
+    assert (about["version"], about["keywords"]) == (release, keywords)
     page = (ROOT / "docs" / "cite.md").read_text(encoding="utf-8")
-    assert re.findall(r"version = \{(.+)\}", page) == [groundslab.__version__]
+    assert re.findall(r"version = \{(.+)\}", page) == [release]
+
+
+def test_version_is_that_of_the_latest_release_or_tells_the_next() -> None:
+    """The version is the changelog's latest if nothing has changed since, or else a later one with .dev0."""
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    release = re.findall(r"^## \[([\d.]+)\]", text, re.MULTILINE)[0]
+    changed = re.search(r"^## \[Unreleased\]\s+(?!## )\S", text, re.MULTILINE)
+    version, suffix = re.fullmatch(r"([\d.]+)(\.dev0)?", groundslab.__version__).groups()
+    if suffix is None:
+        assert version == release
+        assert not changed
+    else:
+        assert tuple(map(int, version.split("."))) > tuple(map(int, release.split(".")))
 
 
 @pytest.fixture
