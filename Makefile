@@ -111,6 +111,7 @@ bench:                  ## time all sizes and the other programs, one by one, an
 	$(PYTHON) bench/run.py $(BENCH)
 	$(PYTHON) bench/time_to_accuracy.py
 	bench/.env/own/bin/python bench/report.py
+	bench/.env/own/bin/python paper/reproduce/reproduce.py --stored --write
 
 clean:                  ## remove what the targets made
 	rm -rf $(VENV) $(OLDEST) $(TRIAL) $(BILL) dist web/node_modules out .coverage .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache bench/.env
