@@ -6,9 +6,10 @@ part of the column's force). Resistances are in `en1992/punching`.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations, pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -36,6 +37,11 @@ SAME_SIDE = 1e-6
 OPENING_REACH = 6.0
 #: Of the plate's edges near a column so many are tried as edges that the perimeter may run out to.
 NEAREST_EDGES = 3
+
+
+#: How a perimeter runs, by the angle in degrees that it turns at least.
+Shape = Literal["closed", "edge", "corner", "cut"]
+TURNED: Mapping[Shape, float] = {"closed": 225.0, "edge": 135.0, "corner": 45.0, "cut": -1.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +171,49 @@ def perimeter(
     if not u > near:
         raise InputError([Issue("column", where, f"some plate at {distance:g} m from it", "take a smaller distance")])
     return Perimeter(legs, inside, u)
+
+
+def shape_of(legs: Array) -> tuple[Shape, Array]:
+    """Return how a perimeter of legs (l, 2, 2) runs, and the direction (2,) from end to end, of a closed one x.
+
+    It is told by the angle that it turns: all around the column, half around at an edge, a quarter at a corner. One
+    that hardly turns cuts the slab from edge to edge, which is one-way shear and no punching.
+    """
+    from shapely import get_coordinates, get_parts, line_merge, linestrings, multilinestrings
+
+    chains = [get_coordinates(chain) for chain in get_parts(line_merge(multilinestrings(linestrings(legs))))]
+    turned = 0.0
+    for chain in chains:
+        steps = np.diff(chain, axis=0)
+        if np.allclose(chain[0], chain[-1]):
+            steps = np.vstack([steps, steps[:1]])
+        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+        turned += abs(float(np.degrees(angles[-1] - angles[0])))
+    shape = next(name for name, least in TURNED.items() if turned > least)
+    longest = max(chains, key=len)
+    chord = longest[-1] - longest[0]
+    if shape == "closed" or not chord.any():
+        return shape, np.array([1.0, 0.0])
+    return shape, chord / np.linalg.norm(chord)
+
+
+def reduced_share(legs: Array, footprint: Polygon, along: Array, d: float) -> float:
+    """Return u_1* / u_1 of a perimeter at an edge that runs `along` (2,), by Figure 6.20a.
+
+    Of legs at a right angle to the edge the least of 1.5 d and half of the column's side counts, from its inner face.
+    """
+    from shapely import get_coordinates
+
+    inward = np.array([-along[1], along[0]])
+    inward = inward * np.sign(inward @ (centroid(legs) - legs[0, 0]) or 1.0)
+    across = get_coordinates(footprint) @ inward
+    least = across.max() - min(1.5 * d, 0.5 * np.ptp(across))
+    start, end = legs[:, 0] @ inward - least, legs[:, 1] @ inward - least
+    length = np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1)
+    size = np.abs(start) + np.abs(end)
+    # of a leg that crosses the limit, the part beyond it
+    beyond = np.divide(np.maximum(start, 0) + np.maximum(end, 0), size, out=np.zeros_like(size), where=size > 0)
+    return float(length @ beyond / length.sum())
 
 
 def centroid(legs: Array) -> Array:

@@ -2,13 +2,14 @@
 
 The shear force is the largest of any direction at a node, the bars that count are those of the face that is in tension
 in that direction: those that are laid, or those that bending needs. Left out are places where it is not this that is
-checked: within 2 d of columns and supports, where punching is; within a thickness of free edges, where the shear force
-along the edge is what the twisting moment has become; and near singular places.
+checked: near columns as far as punching is, which is 2 d unless that perimeter cuts the slab from edge to edge, and
+within 2 d of supports; within a thickness of free edges (a quarter of the width of a narrow slab), where the shear
+force along the edge is what the twisting moment has become; and near singular places.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +19,7 @@ from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.en1992 import shear
 from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
+from groundslab.design.tables.punching import demands
 from groundslab.discretize.singular_places import near_singular
 from groundslab.model.outputs import Reinforcement
 from groundslab.model.supports import LineSupport
@@ -43,7 +45,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     steel, results = combined.model.reinforcement, reinforcement.ultimate_results(combined)
     if steel is None or not results:
         return
-    section = _section(steel, results)
+    section = _section(steel, results, demands(combined).reach)
     if not section.counts.any():
         return
     concrete, bars = reinforcement.materials(steel)
@@ -76,7 +78,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     )  # fmt: skip
 
 
-def _section(steel: Reinforcement, results: list[CombinationResult]) -> _Section:
+def _section(steel: Reinforcement, results: list[CombinationResult], reach: Mapping[str, float]) -> _Section:
     """Return depths, bars and what counts at the plate's nodes."""
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
@@ -86,7 +88,7 @@ def _section(steel: Reinforcement, results: list[CombinationResult]) -> _Section
         found = reinforcement.required_areas(steel, results)
         areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
     ratios = {layer: np.minimum(area / d, shear.MOST_BARS) for layer, area in areas.items()}
-    return _Section(d, thickness, ratios, _counts(results[0], d, thickness))
+    return _Section(d, thickness, ratios, _counts(results[0], d, thickness, reach))
 
 
 def _laid(steel: Reinforcement, layer: str) -> float:
@@ -95,17 +97,20 @@ def _laid(steel: Reinforcement, layer: str) -> float:
     return 0.0 if bars is None else np.pi * bars.diameter**2 / 4 / bars.spacing
 
 
-def _counts(results: CombinationResult, d: Array, thickness: Array) -> Flags:
-    """Return at which nodes one-way shear is checked."""
+def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:
+    """Return at which nodes one-way shear is checked; `reach` is how far from columns punching is [m]."""
     from shapely import LineString, Point, distance, points, union_all
 
     model, nodes = results.model, points(results.plate.nodes)
     chord = 1e-3 * max(model.plate.sides)
-    stands = [column.to_shapely(chord) for column in model.columns]
-    stands += [LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
+    nearer = [distance(nodes, column.to_shapely(chord)) <= reach.get(column.name, 2 * d) for column in model.columns]
+    stands = [LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
                for each in model.supports]  # fmt: skip
     far = distance(nodes, union_all(stands)) > 2 * d if stands else np.ones(len(nodes), dtype=bool)
-    inner = distance(nodes, outline(results.plate).boundary) > thickness
+    far = far & ~np.any(nearer, axis=0) if nearer else far
+    from_edges = distance(nodes, outline(results.plate).boundary)
+    # of a narrow slab the middle half counts in any case
+    inner = from_edges > np.minimum(thickness, from_edges.max() / 2)
     return np.asarray(far & inner & ~near_singular(model, results.plate.nodes, thickness))
 
 

@@ -101,8 +101,9 @@ def _within_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
     for each in punched.found.values():
         v_Rd_c = punching_resistance.resistance_without_links(concrete, each.d, _ratio(steel, each.d))
         there += [(each, stress, v_Rd_c * 2 * each.d / stress.distance) for stress in each.around]
-        if each.at_2d is not None:
-            most.append((each, each.at_2d, punching_resistance.K_MAX * v_Rd_c))
+        if each.around:
+            outer = each.around[-1]
+            most.append((each, outer, punching_resistance.K_MAX * v_Rd_c * 2 * each.d / outer.distance))
     with_links = _punching(name, f"1.5 v_Rd,c with {which}", most, punched, "fails", "6.4.5(1)")
     if with_links.status == "fails":
         return with_links

@@ -45,13 +45,25 @@ def transfer_share(ratio: float) -> float:
     return float(np.interp(ratio, [0.5, 1.0, 2.0, 3.0], [0.45, 0.6, 0.7, 0.8]))
 
 
+#: beta of a column at a corner (Figure 6.21N).
+CORNER = 1.5
+
+
 def beta(moments: Sequence[float], shares: Sequence[float], force: float, u: float, W: Sequence[float]) -> float:
-    """Return beta by 6.51 of moments about two axes [N m], with the reduced force [N], u [m] and W [m2] about them.
+    """Return beta by 6.39 or 6.51 of moments about two axes [N m], with the force [N], u [m] and W [m2] about them.
 
     The two add up by the root of their squares, as in 6.43.
     """
     parts = [k * M * u / (force * modulus) for M, k, modulus in zip(moments, shares, W, strict=True)]
     return 1.0 + math.hypot(*parts)
+
+
+def beta_at_an_edge(reduced: float, moment: float, share: float, force: float, u: float, W: float) -> float:
+    """Return beta of a column at an edge by 6.44: `reduced` is u_1* / u_1, the moment [N m] is that along the edge.
+
+    The force's distance from the perimeter across the edge is in u_1* (6.4.3(4)).
+    """
+    return 1 / reduced + share * abs(moment) * u / (force * W)
 
 
 def links_per_perimeter(v_Ed: float, v_Rd_c: float, u: float, d: float, s_r: float, f_ywd: float) -> float:

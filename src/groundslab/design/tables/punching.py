@@ -5,13 +5,15 @@ Foundations are checked on all perimeters within 2 d (6.4.4(2)): on those of DIS
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from groundslab.arrays import Array, Memo
 from groundslab.design import punching
 from groundslab.design.en1992 import punching as en1992
-from groundslab.design.punching import OPENING_REACH, Perimeter, RectangularColumn, RoundColumn
+from groundslab.design.punching import OPENING_REACH, Perimeter, RectangularColumn, RoundColumn, Shape
 from groundslab.design.tables import column_loads
 from groundslab.design.tables.quantities import solved_results
 from groundslab.errors import InputError
@@ -36,9 +38,13 @@ class Around:
     area: Array  # (n,): each node's share of the area inside it [m2]
     others: Mapping[str, float]  # other loads inside [N], by load case
     supported: bool  # whether a support stands inside, which is not counted
-    center: tuple[float, float]  # of the perimeter [m]
-    moduli: tuple[float, float]  # W along x and along y, about the center [m2]
-    middle: tuple[float, float]  # of the area inside [m]
+    center: Array  # (2,): of the perimeter [m]
+    middle: Array  # (2,): of the area inside [m]
+    shape: Shape
+    frame: Array  # (2, 2): unit vectors along the edge and across it; x and y of a closed one
+    moduli: Array  # (2,): W of places along both, about the center [m2]
+    shares: Array  # (2,): k of Table 6.1 for moments of forces along both
+    reduced: float  # u_1* / u_1 of a perimeter at an edge, else 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +73,7 @@ class Demand:
 
     @property
     def at_2d(self) -> Stress | None:
-        """Return the demand at 2 d."""
+        """Return the demand at 2 d, None where that perimeter cuts the slab from edge to edge or leaves the plate."""
         return self.around[-1] if len(self.around) == len(DISTANCES) else None
 
 
@@ -78,6 +84,7 @@ class Demands:
     found: Mapping[tuple[str, str], Demand]
     missing: Mapping[str, str]
     places: Mapping[str, tuple[float, float]]  # of all columns [m]
+    reach: Mapping[str, float]  # how far from the face of a column punching is checked, the rest is one-way shear [m]
 
 
 def demands(combined: Results) -> Demands:
@@ -86,6 +93,7 @@ def demands(combined: Results) -> Demands:
     results = [each for each in solved_results(combined) if each.limit_state == "ultimate"]
     found: dict[tuple[str, str], Demand] = {}
     missing: dict[str, str] = {}
+    reach: dict[str, float] = {}
     for column in model.columns if steel is not None else ():
         own = column_loads.sum_of_column(model, column.name)
         pushing = [(each, force) for each in results if (force := column_loads.factored_sum(each, own)) > 0]
@@ -99,12 +107,14 @@ def demands(combined: Results) -> Demands:
         place = known[column.name]
         if place.why:
             missing[column.name] = place.why
+        # beyond d from the face, where uniform loads are, one-way shear is checked in any case (6.2.1(8))
+        reach[column.name] = max(place.d, *(part.distance for part in place.around), 0.0)
         for each, force in pushing:
             stresses = [_stress(each, part, column, force, place.d) for part in place.around]
-            # the beta of the perimeter at 2 d holds at the face, too
-            face = None if place.face is None else _stress(each, place.face, column, force, place.d, stresses[-1:])
+            outer = place.around[-1] if place.around else None
+            face = None if place.face is None else _face_stress(each, place.face, outer, column, force, place.d)
             found[each.combination, column.name] = Demand(column.name, each.combination, place.d, face, tuple(stresses))
-    return Demands(found, missing, {column.name: (column.x, column.y) for column in model.columns})
+    return Demands(found, missing, {column.name: (column.x, column.y) for column in model.columns}, reach)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,10 +137,13 @@ def _place(results: CombinationResult, column: Column, steel: Reinforcement) -> 
     d, face, why = _depth(results, shape, steel), None, ""
     try:
         u = punching.face_length(plate, shape, d)
-        face = _around(results, column, punching.perimeter(plate, shape, 0.0, 0.0), 0.0, u)
+        face = _around(results, column, punching.perimeter(plate, shape, 0.0, 0.0), 0.0, u, d)
         for ratio in DISTANCES:
             line = punching.perimeter(plate, shape, ratio * d, OPENING_REACH * d)
-            around.append(_around(results, column, line, ratio * d, line.u))
+            if punching.shape_of(line.legs)[0] == "cut":
+                why = "" if around else "its control perimeters cut the slab from edge to edge, which is one-way shear"
+                break
+            around.append(_around(results, column, line, ratio * d, line.u, d))
     except InputError as error:
         why = str(error)
     return _Place(d, face, tuple(around), why)
@@ -154,9 +167,9 @@ def _depth(results: CombinationResult, shape: RectangularColumn | RoundColumn, s
     return float(results.elements.thickness[under].min()) - sum(steel.bottom) / 2
 
 
-def _around(results: CombinationResult, column: Column, line: Perimeter, distance: float, u: float) -> Around:
+def _around(results: CombinationResult, column: Column, line: Perimeter, distance: float, u: float, d: float) -> Around:
     """Return a perimeter around a column with what is inside it."""
-    from shapely import LineString, Point
+    from shapely import LineString, Point, get_coordinates
 
     part, mesh = line.inside, Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.find_elements_near(mesh, part)
@@ -166,38 +179,61 @@ def _around(results: CombinationResult, column: Column, line: Perimeter, distanc
         for each in results.model.supports
     )
     center = punching.centroid(line.legs)
-    W_x, W_y = punching.moduli(line.legs, center)
+    shape, along = punching.shape_of(line.legs)
+    frame = np.array([along, [-along[1], along[0]]])
+    moduli = punching.moduli(line.legs @ frame.T, frame @ center)
+    footprint = _shape(column).footprint()
+    extents = np.ptp(get_coordinates(footprint) @ frame.T, axis=0)
+    shares = np.array([en1992.transfer_share(extents[0] / extents[1]), en1992.transfer_share(extents[1] / extents[0])])
+    reduced = punching.reduced_share(line.legs, footprint, along, d) if shape == "edge" else 1.0
     others = column_loads.sum_of_others(results, part, column.name)
     supported = any(map(part.intersects, supports))
-    middle = part.centroid.x, part.centroid.y
-    return Around(distance, u, area, others, supported, (center[0], center[1]), (W_x, W_y), middle)
+    middle = np.array([part.centroid.x, part.centroid.y])
+    return Around(distance, u, area, others, supported, center, middle, shape, frame, moduli, shares, reduced)
 
 
-def _stress(
-    results: CombinationResult, around: Around, column: Column, force: float, d: float, like: Sequence[Stress] = ()
-) -> Stress:
+def _stress(results: CombinationResult, around: Around, column: Column, force: float, d: float) -> Stress:
     """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand).
 
-    The moments are those of all forces inside about the perimeter's center, of loads and pressure; other loads act in
-    the middle of the area inside. `like` holds a demand whose beta is taken instead, if any.
+    beta is that of the moments of all forces inside about the perimeter's center, of loads and pressure; other loads
+    act in the middle of the area inside.
     """
     others = column_loads.factored_sum(results, around.others)
     carried = around.area * (results.plate.contact_force / results.plate.area)
     pressure = float(carried.sum())
     V_Ed = force + others - pressure
-    own = column_loads.moments_of_column(results.model, column.name)
-    moments = [
-        column_loads.factored_sum(results, own[axis])
-        + force * (place - around.center[axis])
-        + others * (around.middle[axis] - around.center[axis])
-        - float(carried @ (results.plate.nodes[:, axis] - around.center[axis]))
-        for axis, place in enumerate((column.x, column.y))
-    ]
-    c_x, c_y = (column.width_x, column.width_y) if column.diameter is None else (1.0, 1.0)
-    assert c_x is not None
-    assert c_y is not None
-    shares = en1992.transfer_share(c_x / c_y), en1992.transfer_share(c_y / c_x)
-    beta = en1992.beta(moments, shares, V_Ed, around.u, around.moduli) if V_Ed > 0 else 1.0
-    beta = like[0].beta if like else beta
+    place = np.array([column.x, column.y])
+    moments = _moments_of_column(results, column) + force * (place - around.center)
+    moments = moments + others * (around.middle - around.center) - carried @ (results.plate.nodes - around.center)
+    beta = _beta(around, moments, V_Ed) if V_Ed > 0 else 1.0
     v_Ed = beta * V_Ed / (around.u * d)
     return Stress(around.distance, V_Ed, beta, v_Ed, around.u, pressure, others, around.supported)
+
+
+def _face_stress(
+    results: CombinationResult, face: Around, outer: Around | None, column: Column, force: float, d: float
+) -> Stress:
+    """Return the demand at the column's face (6.4.5(3)).
+
+    beta is that of the column's own force and moments on the outermost perimeter; without any, on the face itself.
+    """
+    stress = _stress(results, face, column, force, d)
+    beta = _beta(outer or face, _moments_of_column(results, column), force)
+    return replace(stress, beta=beta, v_Ed=beta * stress.V_Ed / (face.u * d))
+
+
+def _moments_of_column(results: CombinationResult, column: Column) -> Array:
+    """Return the moments (2,) [N m] that a column brings about its center, of forces along x and along y."""
+    own = column_loads.moments_of_column(results.model, column.name)
+    return np.array([column_loads.factored_sum(results, own[axis]) for axis in (0, 1)])
+
+
+def _beta(around: Around, moments: Array, force: float) -> float:
+    """Return beta of moments (2,) [N m] of forces along x and y about a perimeter's center (6.4.3, 6.4.4(2))."""
+    if around.shape == "corner":
+        return en1992.CORNER
+    turned = around.frame @ moments
+    if around.shape == "edge":
+        along, share, W = float(turned[0]), float(around.shares[0]), float(around.moduli[0])
+        return en1992.beta_at_an_edge(around.reduced, along, share, force, around.u, W)
+    return en1992.beta(list(turned), list(around.shares), force, around.u, list(around.moduli))
