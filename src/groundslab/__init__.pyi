@@ -22,6 +22,7 @@ from .model.ground import SoilLayer as SoilLayer
 from .model.ground import Vlasov as Vlasov
 from .model.ground import Winkler as Winkler
 from .model.limits import Limits as Limits
+from .model.limits import SoilStrength as SoilStrength
 from .model.loads.load_cases import Combination as Combination
 from .model.loads.load_cases import Combine as Combine
 from .model.loads.load_cases import LoadCase as LoadCase

@@ -1,4 +1,4 @@
-"""What a slab may do at most, and what it may press on the ground with: limits that its results are checked against."""
+"""What a slab may do at most, and what it may press on the ground with: limits, and the strength of the soil."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
 SLOPE, SHARE = Range(above=0, at_most=1), Range(above=0, at_most=1)
+PARTIAL, ANGLE, NOT_NEGATIVE = Range(at_least=0.1, at_most=10), Range(above=0, at_most=50), Range(at_least=0)
 
 
 def _check_any(given: set[str]) -> Iterator[RelativeIssue]:
@@ -43,3 +44,37 @@ class Limits(Section):
     contact_share: Annotated[
         float | None, Number("A'/A", "least share of the plate's area that is in contact", SHARE)
     ] = None
+
+
+def _check_strength(phi: float | None, c_u: float | None, c: float, delta: float | None) -> Iterator[RelativeIssue]:
+    if (phi is None) == (c_u is None):
+        found = "neither phi nor c_u" if phi is None else "both phi and c_u"
+        yield RelativeIssue(("phi",), found, "one of them", "phi with c of a drained soil, c_u of an undrained one")
+    elif phi is None and c:
+        yield RelativeIssue(("c",), repr(c), "no cohesion beside c_u", "leave it out")
+    elif phi is not None and delta is not None and delta > phi:
+        yield RelativeIssue(("delta",), repr(delta), f"at most phi, {phi!r}")
+
+
+class SoilStrength(Section):
+    """Characteristic strength of the soil, and the partial factors of EN 1997-1, by default of design approach 2."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_strength,)
+
+    phi: Annotated[float | None, Number("phi'", "angle of shearing resistance in degrees, drained", ANGLE)] = None
+    c: Annotated[float, Quantity("pressure", "c'", "effective cohesion", NOT_NEGATIVE)] = 0.0
+    c_u: Annotated[float | None, Quantity("pressure", "c_u", "undrained shear strength", POSITIVE)] = None
+    unit_weight: Annotated[
+        float, Quantity("weight per volume", "gamma'", "effective unit weight of the soil below the base", POSITIVE)
+    ]
+    overburden: Annotated[
+        float, Quantity("pressure", "q'", "pressure of the soil beside the slab at the level of its base", NOT_NEGATIVE)
+    ] = 0.0
+    delta: Annotated[
+        float | None, Number("delta", "angle of friction under the base in degrees; phi by default", ANGLE)
+    ] = None
+    gamma_phi: Annotated[float, Number("gamma_phi", "partial factor of tan phi'", PARTIAL)] = 1.0
+    gamma_c: Annotated[float, Number("gamma_c'", "partial factor of c'", PARTIAL)] = 1.0
+    gamma_cu: Annotated[float, Number("gamma_cu", "partial factor of c_u", PARTIAL)] = 1.0
+    gamma_Rv: Annotated[float, Number("gamma_R;v", "partial factor of the bearing resistance", PARTIAL)] = 1.4
+    gamma_Rh: Annotated[float, Number("gamma_R;h", "partial factor of the resistance against sliding", PARTIAL)] = 1.1

@@ -13,7 +13,7 @@ from pydantic import Field
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
 from groundslab.model.ground import Ground
-from groundslab.model.limits import Limits
+from groundslab.model.limits import Limits, SoilStrength
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
@@ -83,6 +83,9 @@ class Model(Section):
         Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
     ] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
+    soil_strength: Annotated[
+        SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")
+    ] = None
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from groundslab.design.checks import limits, provided, shear, strength
+from groundslab.design.checks import bearing, limits, provided, shear, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.results.results import Results
 
@@ -19,6 +19,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     strength.checks,
     shear.checks,
     provided.checks,
+    bearing.checks,
     limits.checks,
 )
 

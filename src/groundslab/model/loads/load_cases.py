@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Text
+from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, suggestion
@@ -38,6 +38,10 @@ class LoadCase(Section):
     group: Annotated[
         str, Text("variable cases of one group never act together, such as wind from the left and from the right")
     ] = ""
+    H_x: Annotated[float, Quantity("force", "H_x", "horizontal force on the slab along x, for sliding and bearing")] = (
+        0.0
+    )
+    H_y: Annotated[float, Quantity("force", "H_y", "horizontal force on the slab along y")] = 0.0
 
 
 def _check_factors(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
