@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import sys
+import tomllib
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -29,7 +30,19 @@ GROUPS = {
     "design": "Design codes",
 }
 #: Sources that have no author and year.
-NAMED = ("CNR-DT 211/2014", "Code_Aster", "OpenSees", "OOFEM", "XC,")
+NAMED = (
+    "CNR-DT 211/2014",
+    "Code_Aster",
+    "The Concrete Centre",
+    "Concrete Industry Eurocode 2 Group",
+    "OpenSees",
+    "OOFEM",
+    "PyNite",
+    "STAAD.Pro",
+    "XC,",
+    "calculocivil.com",
+    "eurocodeapplied.com",
+)
 #: What slabs have in the matrix, and how one sees it in a model.
 CAPABILITIES = {
     "springs": lambda m: m.ground.kind == "winkler",
@@ -105,6 +118,11 @@ def _index(
     for case in cases:
         marks = ["x" if name in used[case.name] else "" for name in CAPABILITIES]
         yield f"| [{case.name}]({case.name}.md) | " + " | ".join(marks) + " |"
+    yield "\n## What was not reproduced\n"
+    yield "Published cases that were looked at and are not here, with the reason.\n"
+    yield "| source | reason |\n|---|---|"
+    left_out = tomllib.loads((ROOT / "tools" / "not_reproduced.toml").read_text(encoding="utf-8"))["case"]
+    yield from (f"| {case['source']} | {case['reason']} |" for case in left_out)
     for group, title in GROUPS.items():
         yield f"\n## {title}\n\n```{{toctree}}\n:maxdepth: 1\n"
         yield from (case.name for case in cases if case.group == group)

@@ -7,9 +7,32 @@ from collections.abc import Callable
 
 import numpy as np
 
-from groundslab.verification.analytic_beams import beam_on_springs, disk_on_infinite_plate
-from groundslab.verification.analytic_plates import clamped_plate, rings
-from groundslab.verification.analytic_springs import curling_strip, lifting_circular_plate, rigid_plate_on_springs
+from groundslab.verification.analytic_beams import (
+    beam_on_springs,
+    disk_on_infinite_plate,
+    lifting_strip_on_pasternak,
+    strip_on_pasternak,
+    supported_beam_on_springs,
+)
+from groundslab.verification.analytic_ground import confined_compression, sinh_mode, wedge
+from groundslab.verification.analytic_plates import (
+    circle_under_linear_pressure,
+    clamped_ellipse,
+    clamped_plate,
+    rings,
+    wood_armer,
+)
+from groundslab.verification.analytic_rigid import (
+    rigid_cap_on_piles,
+    rigid_circle_on_pasternak,
+    rigid_circle_on_springs,
+    rigid_plate_by_its_corner,
+    rigid_plate_on_springs,
+    rigid_plate_on_yielding_springs,
+    rigid_strip,
+)
+from groundslab.verification.analytic_series import levy_plate, partly_loaded_plate, patch_at_an_edge
+from groundslab.verification.analytic_springs import curling_strip, lifting_circular_plate
 
 
 def navier(
@@ -160,43 +183,6 @@ def _loaded(r: float, b: float, q: float, ring: float) -> tuple[float, float, fl
     return h, h_over_r, dh
 
 
-def rigid_strip(distance: float, width: float, q: float, k0: float, k1: float) -> float:
-    """Return the settlement [m] of Pasternak ground a distance beyond a rigid strip under the pressure q [Pa].
-
-    The strip settles by q b / (k0 b + 2 sqrt(k0 k1)); beyond it the ground follows exp(-sqrt(k0/k1) d).
-    """
-    strip = q * width / (k0 * width + 2 * math.sqrt(k0 * k1))
-    return strip * math.exp(-math.sqrt(k0 / k1) * distance)
-
-
-def confined_compression(q: float, h: float, E_top: float, E_bottom: float, nu: float) -> float:
-    """Return the settlement [m] of a layer under a uniform pressure q [Pa], q times the integral of 1 / Ec."""
-    constrained = (1 - nu) / ((1 + nu) * (1 - 2 * nu))
-    if E_bottom == E_top:
-        return q * h / (constrained * E_top)
-    return q * h * math.log(E_bottom / E_top) / (constrained * (E_bottom - E_top))
-
-
-def wedge(x: float, length: float, q: float, h_left: float, h_right: float, E: float, nu: float) -> float:
-    """Return the settlement [m] of a layer whose thickness h grows evenly over a length, x from its middle.
-
-    Under a pressure q [Pa] the settlement falls evenly over the depth, so that k0 = Ec / h and k1 = G h / 3. Then
-    Ec w / h - (G h w' / 3)' = q is an Euler-Cauchy equation in h: w = c h + A h^p + B h^-p with c = q / (Ec - G s^2/3),
-    s = h' and p^2 = 3 Ec / (G s^2); at both ends the ground is free, w' = 0.
-    """
-    slope = (h_right - h_left) / length
-    Ec, G = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
-    c, p = q / (Ec - G * slope**2 / 3), math.sqrt(3 * Ec / G) / abs(slope)
-
-    def powers(h: float) -> tuple[float, float]:
-        return (h / h_right) ** p, (h_left / h) ** p
-
-    slopes = [[p / h * powers(h)[0], -p / h * powers(h)[1]] for h in (h_left, h_right)]
-    amplitudes = np.linalg.solve(np.array(slopes), [-c, -c])
-    h = (h_left + h_right) / 2 + slope * x
-    return float(c * h + amplitudes @ powers(h))
-
-
 def strip_on_two_springs(
     x: float, t: float, E: float, factor: float, q: float, k_left: float, k_right: float
 ) -> dict[str, float]:
@@ -234,8 +220,29 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     clamped_plate: ("settlement", "moment"),
     rings: ("settlement", "moment"),
     disk_on_infinite_plate: ("settlement", "moment"),
+    supported_beam_on_springs: ("settlement", "moment"),
+    strip_on_pasternak: ("settlement", "moment"),
+    lifting_strip_on_pasternak: ("settlement", "moment"),
+    circle_under_linear_pressure: ("settlement", "moment"),
+    clamped_ellipse: ("settlement", "moment"),
+    levy_plate: ("settlement", "moment_x", "moment_y"),
+    partly_loaded_plate: ("settlement", "moment_x", "moment_y"),
+    patch_at_an_edge: ("settlement", "moment"),
+    sinh_mode: ("k0", "k1"),
+    wood_armer: ("bottom_x", "bottom_y", "top_x", "top_y"),
 }
-_SINGLE = (point_load_on_infinite_plate, rigid_plate_on_springs, rigid_strip, confined_compression, wedge)
+_SINGLE = (
+    point_load_on_infinite_plate,
+    rigid_plate_on_springs,
+    rigid_plate_by_its_corner,
+    rigid_plate_on_yielding_springs,
+    rigid_circle_on_springs,
+    rigid_circle_on_pasternak,
+    rigid_cap_on_piles,
+    rigid_strip,
+    confined_compression,
+    wedge,
+)
 
 
 def _take(formula: Callable[..., dict[str, float]], quantity: str) -> Callable[..., float]:

@@ -1,8 +1,10 @@
-"""Beams on springs, and infinite plates on Pasternak ground, in closed form."""
+"""Beams and strips on springs and on Pasternak ground, and infinite plates on it, in closed form."""
 
 from __future__ import annotations
 
 import cmath
+import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -57,3 +59,75 @@ def disk_on_infinite_plate(r: float, a: float, q: float, D: float, nu: float, k0
         for one, other in zip(integrals(y), integrals(z), strict=True)
     )
     return {"settlement": w, "moment": -D * (bent + nu * slope_over_r)}
+
+
+def supported_beam_on_springs(
+    x: float, length: float, EI: float, k: float, q: float, P: float = 0.0
+) -> dict[str, float]:
+    """Return settlement [m] and moment [N m] at x of a beam on springs k [N/m2] that is simply supported at both ends.
+
+    Bernoulli's beam under q [N/m] and a force P [N] in its middle, x from its left end: a sine series (Hetenyi 1946).
+    """
+    n = np.arange(1, 4000, 2)
+    wave = n * math.pi / length
+    load = 4 * q / (n * math.pi) + 2 * P / length * np.sin(n * math.pi / 2)
+    amplitude = load / (EI * wave**4 + k) * np.sin(wave * x)
+    return {"settlement": float(amplitude.sum()), "moment": float((EI * wave**2 * amplitude).sum())}
+
+
+def strip_on_pasternak(
+    x: float, length: float, P: float, EI: float, k0: float, k1: float, beyond: bool
+) -> dict[str, float]:
+    """Return settlement [m] and moment [N m/m] of a free strip on Pasternak ground under a line load in its middle.
+
+    A thin strip of stiffness EI [N m] under P [N/m], x from its middle. EI w'''' - k1 w'' + k0 w = 0 on each half; at
+    the end there is no moment, and -EI w''' + k1 w' is what ground that goes on takes, -sqrt(k0 k1) w, or nothing
+    (Hetenyi 1946, with the shear of the ground).
+    """
+    taken = math.sqrt(k0 * k1) if beyond else 0.0
+    end = [(EI, 2), (-EI, 3, k1, 1, taken, 0)]
+    return _half_strip(abs(x), length / 2, P, EI, k0, k1, end)
+
+
+def lifting_strip_on_pasternak(x: float, P: float, EI: float, k0: float, k1: float) -> dict[str, float]:
+    """Return settlement [m], moment [N m/m] and half the contact length [m] of a strip lifting from Pasternak ground.
+
+    A long thin strip without weight under a line load P [N/m] at x = 0. Where it has lifted it is straight and free of
+    forces: w'' = w''' = 0 at the end of contact, where the ground goes on with its slope, w' = -sqrt(k0 / k1) w, as
+    exp(-sqrt(k0 / k1) s). Contact ends where all three hold (Weitsman 1970 has the strip on springs).
+    """
+    from scipy.optimize import brentq
+
+    end = [(EI, 2), (EI, 3)]
+
+    def misfit(c: float) -> float:
+        edge = _half_strip(c, c, P, EI, k0, k1, end)
+        return edge["slope"] + math.sqrt(k0 / k1) * edge["settlement"]
+
+    length = (4 * EI / k0) ** 0.25
+    c = float(brentq(misfit, 0.2 * length, math.pi / 2 * length, xtol=1e-12))
+    x = abs(x)
+    if x <= c:
+        return {**_half_strip(x, c, P, EI, k0, k1, end), "contact": c}
+    edge = _half_strip(c, c, P, EI, k0, k1, end)
+    return {"settlement": edge["settlement"] + edge["slope"] * (x - c), "moment": 0.0, "contact": c}
+
+
+def _half_strip(
+    x: float, c: float, P: float, EI: float, k0: float, k1: float, end: Sequence[Sequence[float]]
+) -> dict[str, float]:
+    """Return settlement, slope and moment at 0 <= x <= c, half of P at x = 0; `end` has factors, derivatives at c."""
+    root = cmath.sqrt(complex(k1**2 - 4 * EI * k0))
+    r = [sign * cmath.sqrt((k1 + other * root) / (2 * EI)) for sign in (1, -1) for other in (1, -1)]
+
+    def waves(n: int, x: float) -> np.ndarray:
+        # those that grow with x are of size 1 at c
+        return np.array([each**n * cmath.exp(each * (x - c if each.real > 0 else x)) for each in r])
+
+    lines = [waves(1, 0.0), EI * waves(3, 0.0)]
+    for terms in end:
+        pairs = zip(terms[::2], terms[1::2], strict=True)
+        lines.append(np.sum([factor * waves(int(n), c) for factor, n in pairs], axis=0))
+    a = np.linalg.solve(np.array(lines), [0.0, P / 2, 0.0, 0.0])
+    w, slope, bent = (float((waves(n, x) @ a).real) for n in range(3))
+    return {"settlement": w, "slope": slope, "moment": -EI * bent}

@@ -1,4 +1,4 @@
-"""Thin plates on supports: a clamped rectangle by Ritz's method, rings in closed form."""
+"""Thin plates on supports: a clamped rectangle by Ritz's method; rings, circles and ellipses in closed form."""
 
 from __future__ import annotations
 
@@ -72,3 +72,48 @@ def rings(r: float, radii: list[float], D: list[float], nu: float, q: float) -> 
     i = min(int(np.searchsorted(radii, r, side="right")) - 1, n - 1)
     w, moment = (float(np.dot(terms(i, r, what)[0], c[3 * i : 3 * i + 3]) + terms(i, r, what)[1]) for what in (0, 2))
     return {"settlement": w, "moment": moment}
+
+
+def circle_under_linear_pressure(x: float, y: float, radius: float, p: float, D: float, nu: float) -> dict[str, float]:
+    """Return settlement [m] and moment m_x [N m/m] of a simply supported thin circle under the pressure p x / radius.
+
+    w = f(r) x / r; D lap lap w = p x / R has the particular solution p x r^4 / (192 D R), and w = m_r = 0 at the edge
+    gives f (Timoshenko and Woinowsky-Krieger 1959, section 63).
+    """
+    C, r2, R2 = p / (192 * D * radius * (3 + nu)), x * x + y * y, radius**2
+    A, B, E = C * (7 + nu) * R2**2, -C * (10 + 2 * nu) * R2, C * (3 + nu)
+    # w = x (A + B r^2 + E r^4)
+    w_xx = x * (6 * B + E * (12 * r2 + 8 * x * x))
+    w_yy = x * (2 * B + E * (4 * r2 + 8 * y * y))
+    return {"settlement": x * (A + B * r2 + E * r2 * r2), "moment": -D * (w_xx + nu * w_yy)}
+
+
+def clamped_ellipse(x: float, y: float, a: float, b: float, q: float, D: float, nu: float) -> dict[str, float]:
+    """Return settlement [m] and moment m_x [N m/m] of a clamped thin ellipse of half axes a and b [m] under q [Pa].
+
+    w = w0 (1 - x^2 / a^2 - y^2 / b^2)^2 with w0 = q / (D (24 / a^4 + 24 / b^4 + 16 / (a b)^2)) (Timoshenko and
+    Woinowsky-Krieger 1959, section 71).
+    """
+    w0 = q / (D * (24 / a**4 + 24 / b**4 + 16 / (a * b) ** 2))
+    s = 1 - x**2 / a**2 - y**2 / b**2
+    w_xx = w0 * (-4 * s / a**2 + 8 * x**2 / a**4)
+    w_yy = w0 * (-4 * s / b**2 + 8 * y**2 / b**4)
+    return {"settlement": w0 * s**2, "moment": -D * (w_xx + nu * w_yy)}
+
+
+def wood_armer(m_x: float, m_y: float, m_xy: float) -> dict[str, float]:
+    """Return the design moments [N m/m] of bars along x and y with the least sum, by a linear programme.
+
+    In every direction, of which there are 7200 here, the bars' moment must reach the plate's: m_bx cos^2 + m_by sin^2
+    >= m_n with m_bx, m_by >= 0 at the bottom, the same with -m_n at the top, whose moments count negative (Wood 1968,
+    Armer 1968).
+    """
+    from scipy.optimize import linprog
+
+    angle = np.linspace(0.0, np.pi, 7200, endpoint=False)
+    cos, sin = np.cos(angle), np.sin(angle)
+    normal = m_x * cos**2 + m_y * sin**2 + 2 * m_xy * sin * cos
+    bars = -np.column_stack([cos**2, sin**2])
+    bottom, top = (linprog([1.0, 1.0], A_ub=bars, b_ub=-sign * normal).x for sign in (1.0, -1.0))
+    named = {"bottom_x": bottom[0], "bottom_y": bottom[1], "top_x": -top[0], "top_y": -top[1]}
+    return {name: float(moment) for name, moment in named.items()}

@@ -1,4 +1,4 @@
-"""Closed-form solutions of plates on springs: circular plates that lift off, strips that curl, rigid plates.
+"""Closed-form solutions of plates on springs: circular plates that lift off, strips that curl.
 
 A Mindlin plate on springs k obeys D lap lap w - (D k / S) lap w + k w = q - (D / S) lap q. Solutions of the equation
 without load grow as exp(zeta s), zeta = z / l, with l = (D / k)^(1/4) and z^4 - 2 sigma z^2 + 1 = 0, sigma =
@@ -178,18 +178,3 @@ def curling_strip(
         "moment across": -plate.D * (bend + free_bend),
         "moment along": -plate.D * (nu * bend + free_bend),
     }
-
-
-def rigid_plate_on_springs(y: float, width: float, force: float, arm: float, k: float) -> float:
-    """Return the settlement [m] of a rigid plate on springs k [Pa/m] that only press, y [m] from its edge.
-
-    The force [N/m], per length of the plate, acts arm [m] from that edge, nearer to it than to the other. Within the
-    middle third the pressure is linear over the whole width, beyond it is a triangle of length 3 arm whose centroid is
-    under the force (statics; the plate on a mat of springs of Code_Aster V6.02.130 is a plate of width 2 m under
-    40/3 N/m at 0.5 m). A negative settlement is uplift.
-    """
-    if not 0 < arm <= width / 2:
-        raise ValueError(f"0 < arm <= width / 2 is needed, not {arm} of {width}")
-    if arm < width / 3:
-        return 2 * force / (3 * arm * k) * (1 - y / (3 * arm))
-    return force / (width * k) * (1 + 12 * (width / 2 - arm) * (width / 2 - y) / width**2)

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
+from groundslab.design.design_moments import wood_armer
 from groundslab.design.en1992 import bending, cracking, punching, shear
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.model.loads.en1990 import make_combinations
+from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
 
 _D = 0.4  # m: of ratios that do not depend on it
 
@@ -56,8 +60,36 @@ def _punching_used(v_Ed: float, f_ck: float, d: float, rho: float) -> float:
     return 100 * v_Ed / punching.resistance_without_links(Concrete(f_ck), d, rho)
 
 
+def _design_moment(name: str) -> Callable[..., float]:
+    """Return what finds a design moment of Wood and Armer."""
+
+    def find(m_x: float, m_y: float, m_xy: float) -> float:
+        return float(getattr(wood_armer(*(np.array([moment]) for moment in (m_x, m_y, m_xy))), name)[0])
+
+    return find
+
+
+def _effect(
+    permanent: Mapping[str, float],
+    variable: Mapping[str, Sequence[float]],
+    limit_state: LimitState,
+    least: bool = False,
+    **rules: Any,
+) -> float:
+    """Return the largest effect over combinations by EN 1990, or the least; of variable cases effect and psi 0 to 2."""
+    cases = [LoadCase(name=name) for name in permanent]
+    for name, (_, *psi) in variable.items():
+        factors = dict(zip(("psi_0", "psi_1", "psi_2"), psi, strict=True))
+        cases.append(LoadCase(name=name, action="variable", **factors))
+    effects = {**permanent, **{name: effect for name, (effect, *_) in variable.items()}}
+    made = make_combinations(Combine(sets=(limit_state,), **rules), cases)
+    sums = [sum(factor * effects[name] for name, factor in each.factors) for each in made]
+    return min(sums) if least else max(sums)
+
+
 #: By name: the dimension of the value's unit, and how it is found.
 VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
+    "effect": (None, _effect),
     "f_ctm": ("pressure", lambda f_ck: Concrete(f_ck).f_ctm),
     "E_cm": ("pressure", lambda f_ck: Concrete(f_ck).E_cm),
     "eps_cu3": (None, lambda f_ck: Concrete(f_ck).eps_cu3 * 1e3),
@@ -73,3 +105,5 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "k of Table 6.1": (None, punching.transfer_share),
     "f_ywd,ef": ("pressure", lambda d: punching.effective_strength(d, math.inf)),
 }
+for _name in ("bottom_x", "bottom_y", "top_x", "top_y"):
+    VALUES[f"Wood and Armer, {_name.replace('_', ' ')}"] = "force", _design_moment(_name)

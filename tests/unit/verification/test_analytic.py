@@ -17,11 +17,11 @@ from groundslab.verification import analytic_plates
 from groundslab.verification.analytic import circular_plate, navier, partly_loaded_circular_plate, plate_on_a_column
 from groundslab.verification.analytic_beams import beam_on_springs, disk_on_infinite_plate
 from groundslab.verification.analytic_plates import clamped_plate, rings
+from groundslab.verification.analytic_rigid import rigid_plate_on_springs
 from groundslab.verification.analytic_springs import (
     OnSprings,
     curling_strip,
     lifting_circular_plate,
-    rigid_plate_on_springs,
 )
 
 THICK = {"t": 0.5, "E": 30e9, "nu": 0.2, "factor": 5 / 6}
