@@ -97,6 +97,9 @@ licenses: dist $(VENV)/dev.stamp ## install the wheel with all extras, list the 
 verify-light: $(VENV)/dev.stamp ## solve every case with a known answer and compare
 	$(BIN)/groundslab verify
 
+verify: verify-light    ## the same, and random slabs beside NGSolve
+	$(BIN)/python tools/crosscheck/crosscheck.py
+
 docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; every warning is an error
 	$(BIN)/python tools/verification_manual.py docs/verification
 	$(WITH_NODE) $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going --builder html docs out/docs
@@ -104,6 +107,7 @@ docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; ev
 lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 	$(COMPILE) pyproject.toml -o lock/run.txt
 	$(COMPILE) pyproject.toml --all-extras --group dev --group docs -o lock/dev.txt
+	$(COMPILE) pyproject.toml --extra mesh --extra app --extra dxf --extra tables --extra study --constraint lock/dev.txt -o lock/image.txt
 	$(COMPILE) --group build --constraint lock/dev.txt -o lock/build.txt
 	$(COMPILE) --group node -o lock/node.txt
 
