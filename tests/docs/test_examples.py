@@ -8,6 +8,7 @@ import pytest
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
+from groundslab.design.checks import design_of
 from helpers.paths import EXAMPLES
 
 CASES = sorted(EXAMPLES.glob("*.toml"))
@@ -15,8 +16,11 @@ CASES = sorted(EXAMPLES.glob("*.toml"))
 
 @pytest.mark.parametrize("path", [path for path in CASES if path.stem != "l_raft"], ids=lambda path: path.stem)
 def test_examples_are_solved(path: Path) -> None:
-    """Every example has a certified result."""
-    assert solve(load(path)).certificate.holds
+    """Every combination of every example has a certified result, and no design of them fails."""
+    results = solve(load(path))
+    assert not results.refused
+    assert all(each.certificate.holds for each in results.results.values())
+    assert design_of(results).status != "fails"
 
 
 @pytest.mark.slow
