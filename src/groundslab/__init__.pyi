@@ -63,5 +63,6 @@ from .results.results import Results as Results
 from .study.evaluation.study import open_study as open_study
 from .views.files.results_folder import load_results as load_results
 from .views.files.results_folder import save_results as save_results
+from .views.files.xlsx import write_workbook as write_workbook
 from .views.plots import plot as plot
 from .views.report.html import write_report as write_report

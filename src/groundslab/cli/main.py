@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, study, evaluate, plot, report, app, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, study, evaluate, plot, report, tables, app, check, new, dxf, verify, schema.
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 3 certified results of a design that fails a check; 130 interrupted.
@@ -109,6 +109,13 @@ def _parser() -> argparse.ArgumentParser:
     report.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
     report.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.html beside the folder)")
 
+    tables = _command(commands, "tables", _tables, "write all tables of results into one workbook (XLSX)")
+    tables.epilog = (
+        "A file that exists is replaced only if it is such a workbook. The folder has each table as CSV, too."
+    )
+    tables.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
+    tables.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.xlsx beside the folder)")
+
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")
     verify.add_argument("--list", action="store_true", help="print the names of the cases and stop")
@@ -154,6 +161,17 @@ def _report(options: argparse.Namespace) -> int:
     if combined.refused:
         count = len(combined.combinations)
         console.print_stderr(f"note: {len(combined.refused)} of {count} combinations have no certified result")
+    return console.EXIT_OK
+
+
+def _tables(options: argparse.Namespace) -> int:
+    """Write the tables of a folder of results into a workbook."""
+    from groundslab.views.files import results_folder, xlsx
+
+    target = Path(options.out) if options.out is not None else xlsx.default_path(options.results)
+    xlsx.check(target)
+    xlsx.write_workbook(results_folder.load_results(options.results), target)
+    console.print_stderr(f"wrote {target}")
     return console.EXIT_OK
 
 
