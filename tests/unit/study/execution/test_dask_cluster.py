@@ -130,8 +130,8 @@ def test_variant_that_kills_its_worker(tmp_path: Path, variant: int, text: str, 
     command = ("groundslab", "study", str(write(tmp_path, text)), "--workers", "2", "--quiet")
     with ended(started(*command, PYTHONPATH=places)) as process:
         stdout, stderr = process.communicate(timeout=2 * PATIENCE)
-    assert process.returncode == 1
-    assert f"{of - 1} of {of} variants have a row" in stdout
+    assert process.returncode == 1, stderr
+    assert f"{of - 1} of {of} variants have a row" in stdout, stderr
     assert f"variant {variant} has none: 4 workers died of it" in stdout
     assert "--resume" in stderr
 
