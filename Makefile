@@ -15,7 +15,7 @@ INSTALL   := $(BIN)/python -m pip install $(QUIET)
 PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 # Node.js of lock/node.txt, where the machine has none that is recent enough
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
-COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate
+COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --no-strip-extras
 
 .PHONY: demo verify verify-light docs test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test licenses bench clean help
 
