@@ -44,7 +44,7 @@ TASKS_TO_COME = 4
 CONNECT_TIMEOUT = 10.0
 #: Time limit for the first worker of a cluster [s].
 WORKER_TIMEOUT = 60.0
-#: Interval at which the number of threads is updated [s].
+#: Interval at which the number of threads is updated, and missing workers are started [s].
 UPDATE_INTERVAL = 2.0
 #: Keeps a worker's libraries from starting threads that compete with the other workers.
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -130,9 +130,23 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
             # each process imports the calling program, and runs it again if nothing guards it
             hint = 'call groundslab.study in a file, below if __name__ == "__main__":, or with workers=0'
             raise InputError([Issue("workers", f"none that start ({error})", "processes of Python", hint)]) from error
-        with cluster, distributed.Client(cluster) as client:
+        with cluster, distributed.Client(cluster) as client, _all_workers(cluster):
             _restrict_pages(cluster.scheduler, dashboard)
             yield Cluster(client, cluster.dashboard_link if dashboard else "", own=True)
+
+
+@contextmanager
+def _all_workers(cluster: Any) -> Iterator[None]:
+    """Start workers anew that Dask has given up: it does not restart one that died while it was starting."""
+    from tornado.ioloop import PeriodicCallback
+
+    count = len(cluster.worker_spec)
+    again = PeriodicCallback(lambda: cluster.scale(count), 1e3 * UPDATE_INTERVAL)
+    cluster.loop.add_callback(again.start)
+    try:
+        yield
+    finally:
+        cluster.loop.add_callback(again.stop)
 
 
 def _restrict_pages(scheduler: Any, dashboard: bool) -> None:

@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing, contextmanager, suppress
 from pathlib import Path
 
+import dask.config
 import psutil
 import pytest
 
@@ -129,11 +130,19 @@ def test_variant_that_kills_its_worker(tmp_path: Path, variant: int, text: str, 
     places = os.pathsep.join([str(tmp_path), *sys.path])
     command = ("groundslab", "study", str(write(tmp_path, text)), "--workers", "2", "--quiet")
     with ended(started(*command, PYTHONPATH=places)) as process:
-        stdout, stderr = process.communicate(timeout=2 * PATIENCE)
+        stdout, stderr = process.communicate(timeout=4 * PATIENCE)
     assert process.returncode == 1, stderr
     assert f"{of - 1} of {of} variants have a row" in stdout, stderr
     assert f"variant {variant} has none: 4 workers died of it" in stdout
     assert "--resume" in stderr
+
+
+def test_worker_that_dask_gives_up() -> None:
+    """Where Dask no longer restarts a worker, another one takes its place."""
+    with dask.config.set({"distributed.deploy.lost-worker-timeout": "10ms"}), dask_cluster.start_local(1, 1) as found:
+        cluster = found.client.cluster
+        cluster.sync(cluster.workers[0].close)
+        assert found.client.submit(abs, -3).result(timeout=PATIENCE) == 3
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
