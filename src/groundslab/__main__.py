@@ -6,6 +6,7 @@ here, before anything else is imported.
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -30,6 +31,10 @@ def main() -> int:
         if not interrupts:
             hook(kind, error, trace)
 
+    # imports make many objects and no garbage
+    gc.set_threshold(100_000)
+    # no plugin of pydantic is used here, and looking for one reads what every installed package says of itself
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     try:
         # a shell that runs a program in the background has it ignore Ctrl-C
         if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
@@ -51,6 +56,8 @@ def main() -> int:
     if signal.getsignal(signal.SIGINT) is note:
         # nothing is left to be cleared up
         signal.signal(signal.SIGINT, signal.SIG_DFL)
+    # the interpreter's last search for garbage would take as long as importing NumPy
+    gc.freeze()
     return code
 
 

@@ -28,12 +28,13 @@ def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
 
 def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flags:
     """Return which nodes (n, 2) lie within a thickness (n,) [m] of one of some places."""
-    if not places:
-        return np.zeros(len(nodes), dtype=bool)
-    from scipy.spatial import KDTree
+    import shapely
 
-    reach = REACH * thickness
-    found: Flags = KDTree(places).query(nodes, distance_upper_bound=1.001 * reach.max())[0] <= reach * (1 + 1e-9)
+    found = np.zeros(len(nodes), dtype=bool)
+    if not places:
+        return found
+    tree, reach = shapely.STRtree(shapely.points(places)), REACH * thickness * (1 + 1e-9)
+    found[tree.query(shapely.points(nodes), predicate="dwithin", distance=reach)[0]] = True
     return found
 
 
