@@ -31,8 +31,8 @@ def main() -> int:
         if not interrupts:
             hook(kind, error, trace)
 
-    # imports make many objects and no garbage
-    gc.set_threshold(100_000)
+    # imports make a hundred thousand objects and hardly any garbage
+    gc.set_threshold(200_000)
     # no plugin of pydantic is used here, and looking for one reads what every installed package says of itself
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     try:
